@@ -69,7 +69,7 @@ unsafe fn estimated(
     let text = std::slice::from_raw_parts(surface.cast::<u8>(), length.min(LONGEST + 1));
     reserve::held(|| {
         let loads: Vec<f64> = (0..n).map(|i| load.add(i).read_unaligned()).collect();
-        let estimate = Estimate::new(text)?;
+        let estimate = Estimate::new(text, &loads)?;
         let of = |(i, &load): (usize, &f64)| estimate.at_load(load).map_err(|error| Failure::of_element(i, &error));
         let answers = loads.iter().enumerate().map(of).collect::<Result<Vec<_>, _>>()?;
         let warnings = estimate.warnings(&loads)?;

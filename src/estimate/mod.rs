@@ -73,11 +73,11 @@ struct Case {
 const PLASTIC_INDEX: f64 = 1.0;
 
 impl Estimate {
-    /// Reads a text and makes the models of its cases.
+    /// Reads a text and makes the models of its cases, for these loads.
     ///
     /// # Errors
     /// Those of the text, with line and key, and those of models.
-    pub fn new(bytes: &[u8]) -> Result<Self, Error> {
+    pub fn new(bytes: &[u8], loads: &[f64]) -> Result<Self, Error> {
         let described = describe(bytes, cases::MIDDLE)?;
         let reach = normal::reach(described.coverage);
         if described.params.slip.stress_1 == 0.0 && described.params.slip.stress_2 == 0.0 {
@@ -87,6 +87,7 @@ impl Estimate {
         let plasticity_index = plasticity_index(&described.params);
         let yields = plasticity_index > PLASTIC_INDEX && !described.has_law;
         let rests = Rests::of(&described);
+        let strength = Strength::new(rests.clone(), &described);
         let prepare = |params: Params| -> Result<Params, Error> {
             let mut params = params;
             if yields {
@@ -97,7 +98,12 @@ impl Estimate {
             Ok(params)
         };
         let mut params = prepare(described.params.clone())?;
-        let without_pressure = |params: &Params| Model::new(&Params { pressure_coefficient: 0.0, ..params.clone() });
+        let points = described.points.iter().map(|point| point.load);
+        let range = range(loads.iter().copied().chain(points).chain(strength.loads()), params.work_of_adhesion > 0.0);
+        let of_pressure = |params: &Params, pressure_coefficient: f64| {
+            Model::between(&Params { pressure_coefficient, ..params.clone() }, range)
+        };
+        let without_pressure = |params: &Params| of_pressure(params, 0.0);
         let middle = without_pressure(&params)?;
         let given = params.pressure_coefficient;
         let (mut seen, mut misfit) = (Vec::new(), 0.0);
@@ -108,7 +114,6 @@ impl Estimate {
             seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
         }
         let tells_pressure = seen.len() > 1 && described.pressure_is_free && tell_pressure(&seen);
-        let strength = Strength::new(rests.clone(), &described, &middle)?;
         if described.points.is_empty() {
             strength.take(&mut params, &middle)?;
         }
@@ -136,7 +141,7 @@ impl Estimate {
         }
         let pressing = params.pressure_coefficient > 0.0 || tells_pressure;
         let pressed = match pressing && params.work_of_adhesion > 0.0 {
-            true => Some(Model::new(&Params { pressure_coefficient: 1.0, ..middle.params().clone() })?),
+            true => Some(of_pressure(middle.params(), 1.0)?),
             false => None,
         };
         let cases = weighted(found);
@@ -272,6 +277,15 @@ fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Case> {
             Case { model, slices, probability }
         })
         .collect()
+}
+
+/// The lightest and the heaviest of loads that press, and of those that adhesion bears.
+fn range(loads: impl Iterator<Item = f64>, adheres: bool) -> [f64; 2] {
+    let [mut lightest, mut heaviest] = [f64::INFINITY, f64::MIN_POSITIVE];
+    for load in loads.filter(|&load| finite(load) && (load > 0.0 || adheres)) {
+        (lightest, heaviest) = (lightest.min(load), heaviest.max(load));
+    }
+    [lightest.min(heaviest), heaviest]
 }
 
 fn plasticity_index(params: &Params) -> f64 {

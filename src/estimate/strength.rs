@@ -71,7 +71,7 @@ pub struct Strength {
 }
 
 impl Strength {
-    pub fn new(rests: Rests, described: &Described, middle: &Model) -> Result<Self, Error> {
+    pub fn new(rests: Rests, described: &Described) -> Self {
         let (rows, of_coefficient) = rests.alike();
         let is_measured = !described.points.is_empty();
         let deviation = match rests {
@@ -80,7 +80,7 @@ impl Strength {
             Rests::Given if !is_measured => 0.0,
             Rests::Default | Rests::Given => deviation(DEFAULT_FACTOR),
         };
-        let params = middle.params();
+        let params = &described.params;
         let area = match params.nominal_area > 0.0 {
             true => params.nominal_area,
             false => params.asperity_count * params.height_std * params.summit_radius / SUMMIT_PRODUCT,
@@ -93,7 +93,12 @@ impl Strength {
             true => rows.iter().map(|row| (row.friction_coefficient, load(row))).collect(),
             false => Vec::new(),
         };
-        Ok(Self { rests, is_measured, deviation, coefficients })
+        Self { rests, is_measured, deviation, coefficients }
+    }
+
+    /// The loads of rows.
+    pub fn loads(&self) -> impl Iterator<Item = f64> + '_ {
+        self.coefficients.iter().map(|(_, load)| *load)
     }
 
     /// ln c of one of the surfaces before friction is measured on it.

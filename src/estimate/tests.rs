@@ -6,7 +6,7 @@ use std::time::Instant;
 
 fn show(text: &str, loads: &[f64]) {
     let start = Instant::now();
-    let estimate = match Estimate::new(text.as_bytes()) {
+    let estimate = match Estimate::new(text.as_bytes(), loads) {
         Ok(estimate) => estimate,
         Err(error) => return println!("{error}\n"),
     };
