@@ -41,9 +41,10 @@ impl Table {
                 HEIGHTS,
             ],
             Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
-            Self::Roughness => {
-                &["m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits", "process"]
-            }
+            Self::Roughness => &[
+                "m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits",
+                "process",
+            ],
         }
     }
 

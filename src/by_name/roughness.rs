@@ -12,6 +12,9 @@ use crate::spectrum::SpectralMoments;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Arguments;
 
+/// No machined surface has more [m].
+const HIGHEST: f64 = 1e-3;
+
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
@@ -90,6 +93,7 @@ impl Roughness {
         };
         given.check(kind)?;
         let count = given.surfaces()?;
+        given.check_metres(count)?;
         let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         for surface in 0..count {
             let (m0, m2) = (given.height(kind, surface)?, given.slope(kind, surface)?);
@@ -157,7 +161,10 @@ impl Given<'_> {
         };
         let process = found.ok_or_else(|| {
             let names = names.collect::<Vec<_>>().join(", ");
-            Problem::new(entry.at, format_args!("{}process = {}: must be one of {names}", Table::Roughness, entry.value))
+            Problem::new(
+                entry.at,
+                format_args!("{}process = {}: must be one of {names}", Table::Roughness, entry.value),
+            )
         });
         process.map(Some)
     }
@@ -200,6 +207,22 @@ impl Given<'_> {
             1 => Ok(()),
             _ => Err(self.refused("Rdq", format_args!("must not be given together with RSm, which it replaces"))),
         }
+    }
+
+    /// Refuses heights of a machined surface that are in another unit.
+    fn check_metres(&self, count: usize) -> Outcome<()> {
+        let heights = ["Ra", "Rq"].into_iter().flat_map(|name| (0..count).map(move |surface| (name, surface)));
+        for (name, surface) in heights.filter(|_| self.process.is_some()) {
+            if let Some(height) = self.get(name, surface).filter(|&height| height > HIGHEST) {
+                let value = Value::Number(height);
+                let says = "of a machined surface must be at most 1e-3 m: is it in um?";
+                return Err(Problem::new(
+                    self.at(name).unwrap_or(self.begin),
+                    format_args!("{}{name} = {value}: {says}", Table::Roughness),
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// How many rough surfaces the numbers are of: for each key the same.

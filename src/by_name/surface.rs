@@ -159,7 +159,7 @@ impl Entries<'_> {
             return Err(entry.refused(format_args!("calibration_load gives a measured point already, leave one out")));
         }
         let rows = match &entry.value {
-            Value::Numbers(numbers) => std::slice::from_ref(numbers),
+            Value::Numbers(numbers) if !numbers.is_empty() => std::slice::from_ref(numbers),
             Value::Rows(rows) => &rows[..],
             _ => &[],
         };

@@ -133,7 +133,9 @@ impl Estimate {
                 here.push(Seen { force, ..*one });
             }
             let of_case = match (here.is_empty(), tells_pressure) {
-                (true, _) => vec![Slice { kappa: given, mean: prior.mean, variance: strength.variance(), log_weight: 0.0 }],
+                (true, _) => {
+                    vec![Slice { kappa: given, mean: prior.mean, variance: strength.variance(), log_weight: 0.0 }]
+                }
                 (false, false) => vec![slice(&here, prior, given)],
                 (false, true) => slices(&here, prior),
             };
@@ -145,7 +147,18 @@ impl Estimate {
             false => None,
         };
         let cases = weighted(found);
-        Ok(Self { described, strength, cases, pressed, params, reach, tells_pressure, misfit, plasticity_index, yields })
+        Ok(Self {
+            described,
+            strength,
+            cases,
+            pressed,
+            params,
+            reach,
+            tells_pressure,
+            misfit,
+            plasticity_index,
+            yields,
+        })
     }
 
     /// Friction at a load.
@@ -254,7 +267,11 @@ impl Estimate {
         let force = model.friction_force_at_load(load);
         if !finite(force) || (force <= 0.0 && load > 0.0) {
             model.validate_load(load)?;
-            return Err(Error::out_of_range(LOAD, load, "must be heavier: the friction force is too small for a number"));
+            return Err(Error::out_of_range(
+                LOAD,
+                load,
+                "must be heavier: the friction force is too small for a number",
+            ));
         }
         Ok(force)
     }

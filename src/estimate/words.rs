@@ -65,7 +65,9 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
     write!(out, "rests on: strength of the interface: ")?;
     if !estimate.strength.is_measured {
         return match estimate.rests() {
-            Rests::Default => writeln!(out, "a default, not measured: an order of magnitude, a factor of {factor} either way"),
+            Rests::Default => {
+                writeln!(out, "a default, not measured: an order of magnitude, a factor of {factor} either way")
+            }
             Rests::Rows(rows) => writeln!(out, "from {}, to a factor of {factor} either way", Names(rows)),
             Rests::Pair => writeln!(out, "the slip stress of the table of pairs, to a factor of {factor} either way"),
             Rests::Given => writeln!(out, "as given"),

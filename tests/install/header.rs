@@ -8,7 +8,8 @@ const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
 /// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions
 /// follow.
-const GROUPS: [(&str, &[&str]); 6] = [
+const GROUPS: [(&str, &[&str]); 7] = [
+    ("One call: friction with its band, from a text.", &["estimate"]),
     (
         "Make: parameters from what you know of the surfaces, then a model.",
         &[
