@@ -63,10 +63,12 @@ module asperity
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ADHESIVE = 32
   ! the strength of the interface is the default, which was not measured on these surfaces
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64
-  ! the surface is rough on so many scales that summits stand on summits
+  ! summits that were counted stand on summits, as the surface is rough on many scales
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_BROAD = 128
   ! the interface is stronger than the softer body, which shears at H/(3 sqrt 3)
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STRONG = 256
+  ! one piece of the surface is not like another
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW_WAVES = 512
   ! Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1
 

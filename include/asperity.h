@@ -100,11 +100,12 @@
  * hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
  * a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding. */
 #define ASPERITY_WARNING_PLASTIC 1
-/** Bit of `warnings`: summits do not act independently. Set if more than 10 % of them touch, or if the real area is more than
- * 10 % of `nominal_area`, where that is given. Never set if `asperity_count` is 1. */
+/** Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of `nominal_area`, where that is
+ * given, or if more than 10 % of the summits touch and `rms_slope` is not given. Never set if `asperity_count` is 1.
+ */
 #define ASPERITY_WARNING_CROWDED 2
-/** Bit of `warnings`: contacts are not small compared with their summits. Set if contact radii are more than a tenth of the
- * summit radii, on average. */
+/** Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
+ * given, contact radii are more than a tenth of the summit radii, on average. */
 #define ASPERITY_WARNING_STEEP 4
 /** Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`. */
 #define ASPERITY_WARNING_ATOMIC 8
@@ -118,12 +119,16 @@
  * slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
  * 1/200 to 36 times the measured friction: call `asperity_params_calibrate`. */
 #define ASPERITY_WARNING_UNCALIBRATED 64
-/** Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is
- * above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. */
+/** Bit of `warnings`: summits that were counted stand on summits, as the surface is rough on many scales. Set if Nayak's
+ * bandwidth is above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. Never set after
+ * `asperity_params_set_spectral_moments`. */
 #define ASPERITY_WARNING_BROAD 128
 /** Bit of `warnings`: the interface is stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress at
  * the mean contact radius is larger. Never set without a hardness. */
 #define ASPERITY_WARNING_STRONG 256
+/** Bit of `warnings`: one piece of the surface is not like another. Set if fewer than 8 mean waves, of the length 2 pi
+ * `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known. */
+#define ASPERITY_WARNING_FEW_WAVES 512
 /** Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7. */
 #define ASPERITY_TABLE_LAYOUT 1
 /** A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it. */

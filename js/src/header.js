@@ -33,6 +33,7 @@ export const CONSTANTS = /** @type {const} */ ({
   "WARNING_UNCALIBRATED": 64,
   "WARNING_BROAD": 128,
   "WARNING_STRONG": 256,
+  "WARNING_FEW_WAVES": 512,
   "TABLE_LAYOUT": 1
 });
 

@@ -49,11 +49,7 @@ impl Params {
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
         not_negative("summit_mean_height", self.summit_mean_height, "must be finite and >= 0; 0 means not known")?;
-        not_negative("rms_slope", self.rms_slope, "must be finite and >= 0; 0 means not known")?;
-        if self.rms_slope > STEEPEST {
-            let allowed = "must be at most 5, a slope of 79 degrees; is Sdq in degrees or per cent?";
-            return Err(Error::out_of_range("rms_slope", self.rms_slope, allowed));
-        }
+        check_rms_slope(self.rms_slope)?;
         let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
         if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {
@@ -171,6 +167,19 @@ impl Params {
     }
 }
 
+/// A slope of a surface, or 0.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] or [`Error::OutOfRange`].
+pub(super) fn check_rms_slope(slope: f64) -> Result<(), Error> {
+    not_negative("rms_slope", slope, "must be finite and >= 0; 0 means not known")?;
+    if slope > STEEPEST {
+        let allowed = "must be at most 5, a slope of 79 degrees; is Sdq in degrees or per cent?";
+        return Err(Error::out_of_range("rms_slope", slope, allowed));
+    }
+    Ok(())
+}
+
 /// The limits of the groups, with the slip of units that most likely leads beyond each.
 fn check_groups(groups: &Groups) -> Result<(), Error> {
     macro_rules! within {
@@ -251,6 +260,9 @@ mod tests {
         });
         assert_eq!(refused(|params| params.bandwidth = 1.5), None);
         assert_eq!(refused(|params| params.bandwidth = 1.5_f64.below()), Some((false, "bandwidth")));
+        assert_eq!(refused(|params| params.rms_slope = STEEPEST), None);
+        assert_eq!(refused(|params| params.rms_slope = STEEPEST.above()), Some((true, "rms_slope")));
+        assert_eq!(refused(|params| params.summit_mean_height = -1.0), Some((false, "summit_mean_height")));
         assert_eq!(refused(|params| params.hardness = 0.0), None);
         assert_eq!(refused(|params| params.hardness = -0.0), None);
         assert_eq!(refused(|params| params.max_friction_coefficient = f64::INFINITY), None);

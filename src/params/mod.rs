@@ -22,6 +22,8 @@ use crate::spectrum::{SpectralMoments, Summits};
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST;
 use numbers::{magnitude, not_negative, poisson_ratio};
+use unit_slips::BROADEST;
+use std::f64::consts::PI;
 
 /// The law of one summit in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -320,9 +322,13 @@ impl Params {
         for (name, value) in [("m0", moments.m0), ("m2", moments.m2), ("nominal_area", nominal_area)] {
             positive(name, value)?;
         }
+        checks::check_rms_slope(moments.rms_slope())?;
         if !moments.exist() {
             let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit?";
             return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
+        }
+        if moments.bandwidth() > BROADEST.0 {
+            return Err(Error::out_of_range("bandwidth m0 m4/m2^2", moments.bandwidth(), BROADEST.1));
         }
         let summits = of(&moments);
         self.height_std = summits.height_std;
@@ -381,6 +387,11 @@ impl Params {
     /// eta sigma R, eta the summits per `nominal_area`, which must be known.
     fn summit_product(&self) -> f64 {
         self.asperity_count / self.nominal_area * self.height_std * self.summit_radius
+    }
+
+    /// How many waves of the mean length 2 pi height_std/rms_slope fit a side of the nominal area; 0 if not known.
+    pub(crate) fn waves_a_side(&self) -> f64 {
+        self.nominal_area.sqrt() * self.rms_slope / (2.0 * PI * self.height_std)
     }
 
     /// The law of friction of one contact, in dimensionless units.
@@ -488,7 +499,7 @@ mod tests {
         for m4 in [0.0, -0.0, 7.5e-5] {
             params.set_spectral_moments(moments(m4), 250.0).expect("asperities");
         }
-        for m4 in [-1e-4, f64::NAN, f64::INFINITY, 7.4e-5] {
+        for m4 in [-1e-4, f64::NAN, f64::INFINITY, 7.4e-5, 51.0] {
             assert!(params.set_spectral_moments(moments(m4), 250.0).is_err(), "{m4}");
             assert!(params.set_mccool_summits(moments(m4), 250.0).is_err(), "{m4}");
         }

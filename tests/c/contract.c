@@ -83,7 +83,8 @@ static void every_warning_says_what_fails_and_what_to_do(void)
 {
     const uint64_t all = ASPERITY_WARNING_PLASTIC | ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_STEEP |
                          ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE |
-                         ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG;
+                         ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG |
+                         ASPERITY_WARNING_FEW_WAVES;
     const char *advice[] = { "; use ", "; measure the friction force once and call asperity_params_calibrate",
                              "; filter the height map", "; calibrate with a measured friction force" };
     for (int bit = 0; bit < 64; bit++) {
@@ -108,7 +109,7 @@ static void the_text_of_warnings_has_a_line_for_each(void)
     char text[4096], expected[4096] = "", cut[20];
 
     CHECK(asperity_warnings_text(0, text, sizeof text) == 10 && strcmp(text, "no warning") == 0, "'%s'", text);
-    for (uint64_t bit = 1; bit <= ASPERITY_WARNING_STRONG; bit *= 2) {
+    for (uint64_t bit = 1; bit <= ASPERITY_WARNING_FEW_WAVES; bit *= 2) {
         const size_t length = strlen(expected);
         snprintf(expected + length, sizeof expected - length, "%s%s", length ? "\n" : "", asperity_warning_string(bit));
         CHECK(asperity_warnings_text(bit, text, sizeof text) == strlen(asperity_warning_string(bit)), "%d", (int)bit);

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 const SEED: u64 = 0x5eed_c0de;
 /// Every bit that a state may warn with.
-const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_STRONG - 1;
+const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_FEW_WAVES - 1;
 /// A surface whose calls together take longer hangs, or nearly so: of the processor time of the process, which other tests
 /// use too.
 const LONGEST_SURFACE: Duration = Duration::from_secs(300);

@@ -291,6 +291,7 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (changed("51e9", "-1"), "line 5: hardness = -1: must be finite and >= 0"),
         (changed("51e9", "1979-05-27"), "line 5: hardness: 1979-05-27 must be a number or a word in quotes"),
         (changed("3.3736e11", "3.3736"), "line 13: bandwidth m0 m4/m2^2 = "),
+        ("nominal_area = 1\n[roughness]\nSq = 1e-6\nSdq = 12.5".into(), "line 2: rms_slope = 12.5: must be at most 5, a slope of 79 degrees; is Sdq in degrees"),
         (format!("height_std = 1e-9\n{CARBON}"), "line 1: height_std: [roughness] sets it already"),
         (format!("bandwidth = 3\n{CARBON}"), "line 1: bandwidth: [roughness] sets it already"),
         (format!("\ncomposite_modulus = 1e11\n{CARBON}"), "line 2: composite_modulus: [materials] sets it already"),

@@ -2,8 +2,9 @@
 
 use crate::common::surfaces::{johnson, model, table};
 use asperity::{
-    Error, HeightFamily, Model, Params, SlipConstants, State, WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD,
-    WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
+    Error, HeightFamily, Model, Params, SlipConstants, SpectralMoments, State, WARNING_ADHESIVE, WARNING_ATOMIC,
+    WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG,
+    WARNING_UNCALIBRATED,
 };
 
 /// Summits of 10 to a radius of 1000, without adhesion, and all in order where 0.6 % of them touch.
@@ -115,6 +116,57 @@ fn broad_surfaces_are_warned_of_by_bandwidth_or_by_their_summits() {
     assert_eq!(bits(&Params { bandwidth: 2.0, ..of_density(2.0) }), 0);
 }
 
+/// A slope that is known says how steep the surface is, and the area how crowded: not the asperities that stand for it.
+#[test]
+fn where_the_slope_is_known_it_and_the_area_judge() {
+    let of_slope = |rms_slope: f64| Params { rms_slope, ..in_order() };
+    sets_in(WARNING_STEEP, "slope", &at(&of_slope(0.3), 2.5), &at(&of_slope(0.300_001), 2.5));
+    // Half of them touch, and a/R is above a tenth.
+    let close = |rms_slope: f64| Params { summit_radius: 10.0, hardness: 0.0, ..of_slope(rms_slope) };
+    assert_eq!(at(&close(0.0), 0.0).warnings, WARNING_CROWDED | WARNING_STEEP);
+    assert_eq!(at(&close(0.1), 0.0).warnings, 0);
+    let part = at(&close(0.1), 0.0).real_area;
+    let crowded = |share: f64| Params { nominal_area: part / share, bandwidth: 2.0, ..close(0.1) };
+    sets_in(WARNING_CROWDED, "area", &at(&crowded(0.099_999), 0.0), &at(&crowded(0.100_001), 0.0));
+}
+
+/// Eight of the mean length, 2 pi sigma over the slope.
+#[test]
+fn few_waves_on_the_nominal_area_are_warned_of() {
+    let of_waves = |waves: f64| {
+        let side = waves * std::f64::consts::TAU / 0.01;
+        Params { rms_slope: 0.01, nominal_area: side * side, bandwidth: 2.0, ..in_order() }
+    };
+    let bits = |params: &Params| at(params, 2.5).warnings & WARNING_FEW_WAVES;
+    assert_eq!((bits(&of_waves(8.000_01)), bits(&of_waves(7.999_99))), (0, WARNING_FEW_WAVES));
+    // What is not known, and one tip, are not judged.
+    assert_eq!(bits(&Params { rms_slope: 0.0, ..of_waves(4.0) }), 0);
+    assert_eq!(bits(&Params { nominal_area: 0.0, ..of_waves(4.0) }), 0);
+    assert_eq!(bits(&Params { asperity_count: 1.0, ..of_waves(4.0) }), 0);
+}
+
+/// Never broad, whatever the bandwidth; steep, crowded and of few waves by what moments and area say.
+#[test]
+fn the_asperities_of_moments_are_warned_of_by_slope_area_and_waves() {
+    let of = |m2: f64, bandwidth: f64, area: f64| {
+        let mut params = in_order();
+        let moments = SpectralMoments { m0: 4.0, m2, m4: bandwidth * m2 * m2 / 4.0 };
+        params.set_spectral_moments(moments, area).expect("asperities");
+        params.hardness = 0.0;
+        params
+    };
+    for bandwidth in [0.0, 1.5, 10.0, 100.0, 1e5] {
+        let model = model(&of(0.005, bandwidth, 1e8));
+        let part = |x: f64| x * 0.1 * 1e8;
+        assert_eq!(model.check_loads(part(1e-4), part(0.045)), Ok(0), "{bandwidth}");
+        assert_eq!(model.check_loads(part(0.05), part(0.06)), Ok(WARNING_CROWDED), "{bandwidth}");
+    }
+    let steep = model(&of(0.046, 10.0, 1e8)).check_loads(1e4, 1e5).expect("warnings");
+    assert_eq!(steep, WARNING_STEEP);
+    let few = model(&of(0.005, 10.0, 2e5)).check_loads(800.0, 900.0).expect("warnings");
+    assert_eq!(few, WARNING_FEW_WAVES | WARNING_FEW);
+}
+
 /// One summit on its own does not crowd.
 #[test]
 fn a_single_tip_is_not_crowded() {
@@ -129,7 +181,7 @@ fn a_warning_is_told_with_the_loads_between_which_it_holds() {
         let model = model(&params);
         let warned = |load: f64| model.state_at_load(load).expect("a state").warnings;
         let summary = model.summary();
-        for bit in 0..9 {
+        for bit in 0..10 {
             let warning = 1 << bit;
             let Some((lightest, heaviest)) = model.warning_loads(warning).expect("loads") else {
                 for state in states(&model).iter().step_by(50) {
@@ -331,7 +383,7 @@ fn loads_that_have_no_state_cannot_be_checked() {
 #[test]
 fn loads_are_told_of_one_known_warning_alone() {
     let model = model(&in_order());
-    for warning in [0, 3, 512, 1 << 63, u64::MAX] {
+    for warning in [0, 3, 1024, 1 << 63, u64::MAX] {
         let told = model.warning_loads(warning).expect_err("no warning").to_string();
         assert!(told.starts_with("warning = ") && told.contains("must be one of the bits WARNING_"), "{told}");
     }

@@ -563,7 +563,7 @@ impl<'a> Calls<'a> {
         }
         let ends = states[0].1 | states[1].1;
         assert!(one <= other && warnings & ends == ends, "{}: {warnings:b}, {states:?}", what());
-        assert!(warnings < 2 * ASPERITY_WARNING_STRONG, "{}: {warnings:b}", what());
+        assert!(warnings < 2 * ASPERITY_WARNING_FEW_WAVES, "{}: {warnings:b}", what());
     }
 
     /// Within the table, in order, and NaN both or none; what is no warning changes nothing.
