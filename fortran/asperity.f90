@@ -38,6 +38,14 @@ module asperity
   ! The system refused memory that the call needs; nothing was made or changed
   integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_MEMORY = 7
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255  ! A bug in the library: please report it
+  ! Of strength_source: the default strength, an order of magnitude
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_DEFAULT = 0
+  ! Of strength_source: a row of the table of interfaces, or the rows of these bodies, measured on other specimens
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_TABLE = 1
+  ! Of strength_source: the text gives slip stresses or a pressure coefficient, taken as known
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
+  ! Of strength_source: measured on these surfaces
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0  ! Gaussian heights, eq (17): the default
   ! Weibull heights, eqs (18)-(21): their skew follows from weibull_shape
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
@@ -73,6 +81,29 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1
 
   ! ---- The C interface: types ----
+
+  ! Friction at one load, with its band
+  type, bind(c), public :: asperity_estimate
+    integer(c_int64_t) :: struct_size = 96          ! bytes of this type; leave it
+    real(c_double) :: load                          ! Normal load [N]
+    real(c_double) :: friction_coefficient          ! F/P; infinite from the pull-off load to 0, where F/P has no limit;
+                                                    ! 0 below
+    real(c_double) :: low                           ! Lower end of the band
+    real(c_double) :: high                          ! Upper end
+    real(c_double) :: friction_force                ! F [N]
+    real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
+                                                    ! interface: measure friction once
+    real(c_double) :: roughness_share               ! Share from the roughness: measure RSm, or Ra
+    real(c_double) :: measurement_share             ! Share from the errors of the measured points and what they leave
+                                                    ! open: measure more
+    real(c_double) :: misfit                        ! How far the measured points are off the law, root mean square in
+                                                    ! their errors; above 2 it cannot follow their trend
+    integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
+                                                    ! heaviest load > 0.
+    integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
+                                                    ! ASPERITY_STRENGTH_....
+    integer(c_int32_t) :: reserved                  ! Keeps the size the same on all systems; 0
+  end type asperity_estimate
 
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat
   type, bind(c), public :: asperity_params
@@ -330,6 +361,33 @@ module asperity
   ! A model is a type(c_ptr). Functions of type integer(c_int32_t) return a status.
 
   interface
+    ! Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its
+    ! doubt is part of the band
+    function asperity_estimate_at_loads(surface, length, n, load, estimates) bind(c)
+      import
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: UTF-8, as of
+                                                    ! asperity_params_set_text
+      integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL
+      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
+      type(asperity_estimate), intent(inout) :: estimates ! receives n estimates; unchanged on failure
+      integer(c_int32_t) :: asperity_estimate_at_loads
+    end function asperity_estimate_at_loads
+
+    ! Writes what asperity_estimate_at_loads finds for people: coefficients with their bands, what they rest on,
+    ! warnings, and what would narrow the bands
+    function asperity_estimate_text(surface, length, n, load, buffer, buffer_length) bind(c)
+      import
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as above
+      integer(c_size_t), intent(in), value :: length ! as above
+      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
+      type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, NUL-terminated, cut to fit;
+                                                    ! c_null_ptr to ask for the length only
+      integer(c_size_t), intent(in), value :: buffer_length ! size of buffer [bytes]
+      integer(c_size_t) :: asperity_estimate_text
+    end function asperity_estimate_text
+
     ! Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset
     function asperity_params_init_c(params, struct_size) bind(c, name='asperity_params_init')
       import
@@ -1033,11 +1091,12 @@ module asperity
 
   end interface
 
-  public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_elastic_plastic
-  public :: asperity_params_set_spectral_moments, asperity_params_set_mccool_summits, asperity_params_set_skew
-  public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
-  public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
-  public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
+  public :: asperity_estimate_at_loads, asperity_estimate_text, asperity_params_set_dimensionless
+  public :: asperity_params_set_materials, asperity_params_set_elastic_plastic, asperity_params_set_spectral_moments
+  public :: asperity_params_set_mccool_summits, asperity_params_set_skew, asperity_params_set_value
+  public :: asperity_params_set_values, asperity_params_get_value, asperity_params_name, asperity_material
+  public :: asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair, asperity_interface
+  public :: asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
   public :: asperity_params_calibrate_force, asperity_params_set_units, asperity_create, asperity_set_params
   public :: asperity_free, asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load

@@ -80,6 +80,15 @@
 #define ASPERITY_OUT_OF_MEMORY 7
 /** A bug in the library: please report it. */
 #define ASPERITY_INTERNAL 255
+/** Of `strength_source`: the default strength, an order of magnitude. */
+#define ASPERITY_STRENGTH_DEFAULT 0
+/** Of `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens.
+ */
+#define ASPERITY_STRENGTH_TABLE 1
+/** Of `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known. */
+#define ASPERITY_STRENGTH_GIVEN 2
+/** Of `strength_source`: measured on these surfaces. */
+#define ASPERITY_STRENGTH_MEASURED 3
 /** Gaussian heights, eq (17): the default. */
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 /** Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`. */
@@ -137,6 +146,30 @@ typedef struct asperity_model asperity_model;
 /** What a call returns: 0, or why it failed. A plain integer, never an enum type. */
 typedef int32_t asperity_status;
 
+/** Friction at one load, with its band. SI units. */
+typedef struct asperity_estimate {
+  /** Set it to `sizeof(asperity_estimate)` in the first element before the call; the elements are this far apart. */
+  uint64_t struct_size;
+  /** Normal load [N]. */ double load;
+  /** F/P; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap. */
+  double friction_coefficient;
+  /** Lower end of the band. */ double low;
+  /** Upper end. */ double high;
+  /** F [N]. */ double friction_force;
+  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction once. Shares are 0 without a band.
+   */
+  double strength_share;
+  /** Share from the roughness: measure RSm, or Ra. */ double roughness_share;
+  /** Share from the errors of the measured points and what they leave open: measure more. */
+  double measurement_share;
+  /** How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow their trend. 0
+   * without points to spare. */
+  double misfit;
+  /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
+  /** What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`. */ int32_t strength_source;
+  /** Keeps the size the same on all systems; 0. */ int32_t reserved;
+} asperity_estimate;
+
 /** Two rough surfaces in contact, as one equivalent rough surface against a flat.
  *
  * Start from `asperity_params_init`, which sets `struct_size` and every default. Then set the eight physical inputs,
@@ -144,30 +177,24 @@ typedef int32_t asperity_status;
  * in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1. Loads, forces and areas are
  * totals over `asperity_count` summits. A summit is a local maximum of the surface. */
 typedef struct asperity_params {
-  /** Size of this struct [bytes]; set by `asperity_params_init`. */
-  uint64_t struct_size;
+  /** Size of this struct [bytes]; set by `asperity_params_init`. */ uint64_t struct_size;
   /** E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
    * `asperity_params_set_materials`. */
   double composite_modulus;
   /** G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it, or call `asperity_params_set_materials`. */
   double effective_shear_modulus;
-  /** w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default. */
-  double work_of_adhesion;
+  /** w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default. */ double work_of_adhesion;
   /** h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No default; the paper
    * takes b. */
   double adhesion_range;
   /** b [length], > 0: Burgers vector, the length in which the slip radii are given. No default. */
   double burgers_vector;
-  /** sigma [length], > 0: standard deviation of the summit heights. No default. */
-  double height_std;
-  /** R [length], > 0: mean radius of curvature of the summits. No default. */
-  double summit_radius;
+  /** sigma [length], > 0: standard deviation of the summit heights. No default. */ double height_std;
+  /** R [length], > 0: mean radius of curvature of the summits. No default. */ double summit_radius;
   /** N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default. */
   double asperity_count;
-  /** Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default. */
-  int32_t height_distribution;
-  /** 1: summits out of contact attract (the default, as in the paper); 0: they do not. */
-  int32_t attraction;
+  /** Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default. */ int32_t height_distribution;
+  /** 1: summits out of contact attract (the default, as in the paper); 0: they do not. */ int32_t attraction;
   /** omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for
    * `ASPERITY_HEIGHTS_WEIBULL`. */
   double weibull_shape;
@@ -206,8 +233,7 @@ typedef struct asperity_params {
   const double *table_height;
   /** The density at each of these heights, >= 0; it need not be normalised. NULL by default. */
   const double *table_density;
-  /** Number of heights in the table, 3 to 256; 0 by default. */
-  uint64_t table_length;
+  /** Number of heights in the table, 3 to 256; 0 by default. */ uint64_t table_length;
   /** G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the
    * default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
    * `asperity_params_set_materials` sets it. */
@@ -215,8 +241,7 @@ typedef struct asperity_params {
   /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
    */
   double nominal_area;
-  /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */
-  int32_t contact_law;
+  /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */ int32_t contact_law;
   /** How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
    * tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`. */
   int32_t slip_onset;
@@ -249,46 +274,30 @@ typedef struct asperity_params {
 typedef struct asperity_material_data {
   /** Set it to `sizeof(asperity_material_data)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /** Young's modulus [Pa], > 0. */
-  double young;
-  /** The smallest published value [Pa]; 0 if no range is known. */
-  double young_low;
-  /** The largest published value [Pa]; 0 if no range is known. */
-  double young_high;
-  /** Poisson's ratio [-]. */
-  double poisson;
-  /** Indentation hardness [Pa]; 0 if it is not known. */
-  double hardness;
-  /** The smallest published value [Pa]; 0 if no range is known. */
-  double hardness_low;
-  /** The largest published value [Pa]; 0 if no range is known. */
-  double hardness_high;
-  /** Burgers vector [m]; for a glass the distance of like atoms; 0 if there is none. */
-  double burgers_vector;
-  /** The name; a constant string. */
-  const char *name;
-  /** The source of the numbers; a constant string. */
-  const char *reference;
+  /** Young's modulus [Pa], > 0. */ double young;
+  /** The smallest published value [Pa]; 0 if no range is known. */ double young_low;
+  /** The largest published value [Pa]; 0 if no range is known. */ double young_high;
+  /** Poisson's ratio [-]. */ double poisson;
+  /** Indentation hardness [Pa]; 0 if it is not known. */ double hardness;
+  /** The smallest published value [Pa]; 0 if no range is known. */ double hardness_low;
+  /** The largest published value [Pa]; 0 if no range is known. */ double hardness_high;
+  /** Burgers vector [m]; for a glass the distance of like atoms; 0 if there is none. */ double burgers_vector;
+  /** The name; a constant string. */ const char *name;
+  /** The source of the numbers; a constant string. */ const char *reference;
 } asperity_material_data;
 
 /** What is known of two bodies in contact, in SI units. 0 means that no source is known. */
 typedef struct asperity_pair_data {
   /** Set it to `sizeof(asperity_pair_data)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /** Work of adhesion w [J/m^2]. */
-  double work_of_adhesion;
-  /** The smallest measurement or estimate [J/m^2]; 0 if no range is known. */
-  double work_of_adhesion_low;
-  /** The largest measurement or estimate [J/m^2]; 0 if no range is known. */
-  double work_of_adhesion_high;
+  /** Work of adhesion w [J/m^2]. */ double work_of_adhesion;
+  /** The smallest measurement or estimate [J/m^2]; 0 if no range is known. */ double work_of_adhesion_low;
+  /** The largest measurement or estimate [J/m^2]; 0 if no range is known. */ double work_of_adhesion_high;
   /** Hamaker constant A [J] from which w is estimated, w = A/(12 pi D^2) with D = 0.165 nm; 0 if w was measured. */
   double hamaker;
-  /** Measured shear strength of small contacts over G* [-]; 0 if none is known. */
-  double slip_stress_1;
-  /** The name, both materials with a slash between; a constant string. */
-  const char *name;
-  /** The source of w and of the strength; a constant string. */
-  const char *reference;
+  /** Measured shear strength of small contacts over G* [-]; 0 if none is known. */ double slip_stress_1;
+  /** The name, both materials with a slash between; a constant string. */ const char *name;
+  /** The source of w and of the strength; a constant string. */ const char *reference;
 } asperity_pair_data;
 
 /** The measured strength of an interface, in SI units. 0 means that no source is known. */
@@ -302,18 +311,15 @@ typedef struct asperity_interface_data {
   double pressure_coefficient;
   /** Friction coefficient [-] measured over many contacts, where the strength of one is not known; otherwise 0. */
   double friction_coefficient;
-  /** The lightest load [N] of that measurement; 0 if it is not known. */
-  double load;
-  /** The name; a constant string. */
-  const char *name;
+  /** The lightest load [N] of that measurement; 0 if it is not known. */ double load;
+  /** The name; a constant string. */ const char *name;
   /** Bodies, film, humidity, vacuum, temperature and loads of the measurement, as far as they are known; a constant
    * string. */
   const char *conditions;
   /** "read": the numbers were read in the text that the reference names; "quoted": in another that quotes it. A
    * constant string. */
   const char *source;
-  /** The source of the numbers; a constant string. */
-  const char *reference;
+  /** The source of the numbers; a constant string. */ const char *reference;
 } asperity_interface_data;
 
 /** What resists a displacement of the surfaces along each other. */
@@ -326,40 +332,27 @@ typedef struct asperity_microslip {
   /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
    * Symmetric, with eigenvalues from 0 to K_t. */
   double stiffness[4];
-  /** dT/d(load), of the same increment. */
-  double dforce_dload[2];
-  /** Work that slip turned into heat in this step, >= 0 [force length]. */
-  double dissipated;
-  /** Fraction of the strength that slips, 0 to 1; 1 is gross slip. */
-  double slipping;
+  /** dT/d(load), of the same increment. */ double dforce_dload[2];
+  /** Work that slip turned into heat in this step, >= 0 [force length]. */ double dissipated;
+  /** Fraction of the strength that slips, 0 to 1; 1 is gross slip. */ double slipping;
 } asperity_microslip;
 
 /** The exact state of a contact, in the units of the parameters. */
 typedef struct asperity_state {
   /** Set it to `sizeof(asperity_state)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /** Normal load P [force]; negative pulls. */
-  double load;
-  /** Separation d of the flat from the mean of the summit heights [length]. */
-  double separation;
-  /** Friction force F [force], >= 0. */
-  double friction_force;
+  /** Normal load P [force]; negative pulls. */ double load;
+  /** Separation d of the flat from the mean of the summit heights [length]. */ double separation;
+  /** Friction force F [force], >= 0. */ double friction_force;
   /** Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it. */
   double friction_coefficient;
-  /** dF/dP [-]; INFINITY at the pull-off load itself. */
-  double dforce_dload;
-  /** d(F/P)/dP [1/force]; 0 where the coefficient is capped. */
-  double dmu_dload;
-  /** dP/dd [force/length]: minus the normal contact stiffness. */
-  double dload_dseparation;
-  /** Real area of contact [length^2]. */
-  double real_area;
-  /** Number of summits in contact [-]; need not be an integer. */
-  double contacting;
-  /** Number of summits that attract without contact [-]. */
-  double attracted;
-  /** Load of the summits that attract without contact [force], <= 0. */
-  double attraction_load;
+  /** dF/dP [-]; INFINITY at the pull-off load itself. */ double dforce_dload;
+  /** d(F/P)/dP [1/force]; 0 where the coefficient is capped. */ double dmu_dload;
+  /** dP/dd [force/length]: minus the normal contact stiffness. */ double dload_dseparation;
+  /** Real area of contact [length^2]. */ double real_area;
+  /** Number of summits in contact [-]; need not be an integer. */ double contacting;
+  /** Number of summits that attract without contact [-]. */ double attracted;
+  /** Load of the summits that attract without contact [force], <= 0. */ double attraction_load;
   /** Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except
    * `plasticity_index`. */
   double mean_contact_radius;
@@ -371,10 +364,8 @@ typedef struct asperity_state {
   double fraction_below_slip_radius_1;
   /** Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-]. */
   double fraction_between_slip_radii;
-  /** Fraction of the contacts with radii of at least `slip_radius_2` [-]. */
-  double fraction_above_slip_radius_2;
-  /** Fraction of all summits that are in contact [-]. */
-  double fraction_in_contact;
+  /** Fraction of the contacts with radii of at least `slip_radius_2` [-]. */ double fraction_above_slip_radius_2;
+  /** Fraction of all summits that are in contact [-]. */ double fraction_in_contact;
   /** Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
    */
   double mean_asperity_pressure;
@@ -383,12 +374,10 @@ typedef struct asperity_state {
   /** Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
    * `asperity_warnings_text` says what to do. */
   uint64_t warnings;
-  /** K_t [force/length]: tangential force by displacement while all contacts stick. */
-  double tangential_stiffness;
+  /** K_t [force/length]: tangential force by displacement while all contacts stick. */ double tangential_stiffness;
   /** Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness. */
   double fraction_elastic;
-  /** Fraction of the contacts that are fully plastic [-]. */
-  double fraction_flowing;
+  /** Fraction of the contacts that are fully plastic [-]. */ double fraction_flowing;
   /** Sum of the radii of all contacts [length]. The constriction conductance, thermal or electrical, of independent
    * contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
   double contact_radius_sum;
@@ -406,23 +395,16 @@ typedef struct asperity_state {
 typedef struct asperity_summary {
   /** Set it to `sizeof(asperity_summary)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /** Surface roughness parameter (sigma/R)^(1/2) [-]. */
-  double alpha;
-  /** Friction regime parameter (R sigma)^(1/2)/b [-]. */
-  double beta;
-  /** Surface energy parameter w/(E* b) [-]. */
-  double gamma;
-  /** Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit. */
-  double lambda;
-  /** Skew of the summit heights [-]. */
-  double skew;
-  /** Kurtosis of the summit heights [-]; 3 for Gaussian. */
-  double kurtosis;
+  /** Surface roughness parameter (sigma/R)^(1/2) [-]. */ double alpha;
+  /** Friction regime parameter (R sigma)^(1/2)/b [-]. */ double beta;
+  /** Surface energy parameter w/(E* b) [-]. */ double gamma;
+  /** Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit. */ double lambda;
+  /** Skew of the summit heights [-]. */ double skew;
+  /** Kurtosis of the summit heights [-]; 3 for Gaussian. */ double kurtosis;
   /** Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
    * many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md). */
   double pull_off_load;
-  /** Friction force at the pull-off load [force]. */
-  double pull_off_friction_force;
+  /** Friction force at the pull-off load [force]. */ double pull_off_friction_force;
   /** Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
    * continuation of the law. */
   double zero_load_friction_force;
@@ -446,45 +428,28 @@ typedef struct asperity_summary {
 typedef struct asperity_sensitivities {
   /** Set it to `sizeof(asperity_sensitivities)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /** With respect to E*. */
-  double composite_modulus;
+  /** With respect to E*. */ double composite_modulus;
   /** With respect to G*: the share of F that does not come from `pressure_coefficient`, 1 where that is 0. */
   double effective_shear_modulus;
-  /** With respect to w; 0 where w is 0. */
-  double work_of_adhesion;
-  /** With respect to h; 0 where w is 0. */
-  double adhesion_range;
-  /** With respect to b; the slip radii grow with it. */
-  double burgers_vector;
-  /** With respect to sigma. */
-  double height_std;
-  /** With respect to R. */
-  double summit_radius;
-  /** With respect to N. */
-  double asperity_count;
-  /** With respect to omega; 0 unless heights are Weibull's. */
-  double weibull_shape;
+  /** With respect to w; 0 where w is 0. */ double work_of_adhesion;
+  /** With respect to h; 0 where w is 0. */ double adhesion_range;
+  /** With respect to b; the slip radii grow with it. */ double burgers_vector;
+  /** With respect to sigma. */ double height_std;
+  /** With respect to R. */ double summit_radius;
+  /** With respect to N. */ double asperity_count;
+  /** With respect to omega; 0 unless heights are Weibull's. */ double weibull_shape;
   /** With respect to epsilon, d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where
    * epsilon must be 0, since `radius_rate` is not between 1e-6 and 1000. */
   double radius_amplitude;
-  /** With respect to rho; 0 where epsilon is 0. */
-  double radius_rate;
-  /** With respect to a_1/b. */
-  double slip_radius_1;
-  /** With respect to tau_1/G*. */
-  double slip_stress_1;
-  /** With respect to a_2/b. */
-  double slip_radius_2;
-  /** With respect to tau_2/G*. */
-  double slip_stress_2;
-  /** With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's. */
-  double skew;
-  /** With respect to the kurtosis at this skew; 0 unless heights are Johnson's. */
-  double kurtosis;
-  /** With respect to H; 0 where contacts are elastic. */
-  double hardness;
-  /** With respect to kappa, d(ln F)/d(kappa), also where kappa is 0. */
-  double pressure_coefficient;
+  /** With respect to rho; 0 where epsilon is 0. */ double radius_rate;
+  /** With respect to a_1/b. */ double slip_radius_1;
+  /** With respect to tau_1/G*. */ double slip_stress_1;
+  /** With respect to a_2/b. */ double slip_radius_2;
+  /** With respect to tau_2/G*. */ double slip_stress_2;
+  /** With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's. */ double skew;
+  /** With respect to the kurtosis at this skew; 0 unless heights are Johnson's. */ double kurtosis;
+  /** With respect to H; 0 where contacts are elastic. */ double hardness;
+  /** With respect to kappa, d(ln F)/d(kappa), also where kappa is 0. */ double pressure_coefficient;
 } asperity_sensitivities;
 
 /** A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
@@ -504,32 +469,19 @@ typedef struct asperity_sensitivities {
 typedef struct asperity_table {
   /** Set it to `sizeof(asperity_table)` before the call; the library writes no more than that. */
   uint64_t struct_size;
-  /** `row_count` rows of 8 doubles, aligned to 64 bytes. */
-  const double *rows;
-  /** Number of rows found from x; parts of rows follow them. */
-  uint64_t row_count;
-  /** Shifted bits of x at which the first row begins. */
-  uint64_t base;
-  /** How far the bits of x are shifted. */
-  uint32_t shift;
-  /** `ASPERITY_TABLE_LAYOUT`. */
-  uint32_t layout_version;
-  /** The pull-off load [force]. */
-  double pull_off_load;
-  /** Upper bound of the friction coefficient [-]. */
-  double max_friction_coefficient;
-  /** Loads up to this times F have the coefficient `max_friction_coefficient` [-]. */
-  double inverse_cap;
-  /** Number of rows and parts. */
-  uint64_t total_count;
-  /** Friction force at the pull-off load [force]. */
-  double pull_off_force;
-  /** dF/d(load) [-] of the straight line that replaces F between pull-off and the first row. */
-  double light_slope;
-  /** Friction force at zero load [force]. */
-  double zero_force;
-  /** dF/d(load) at zero load [-]. */
-  double zero_slope;
+  /** `row_count` rows of 8 doubles, aligned to 64 bytes. */ const double *rows;
+  /** Number of rows found from x; parts of rows follow them. */ uint64_t row_count;
+  /** Shifted bits of x at which the first row begins. */ uint64_t base;
+  /** How far the bits of x are shifted. */ uint32_t shift;
+  /** `ASPERITY_TABLE_LAYOUT`. */ uint32_t layout_version;
+  /** The pull-off load [force]. */ double pull_off_load;
+  /** Upper bound of the friction coefficient [-]. */ double max_friction_coefficient;
+  /** Loads up to this times F have the coefficient `max_friction_coefficient` [-]. */ double inverse_cap;
+  /** Number of rows and parts. */ uint64_t total_count;
+  /** Friction force at the pull-off load [force]. */ double pull_off_force;
+  /** dF/d(load) [-] of the straight line that replaces F between pull-off and the first row. */ double light_slope;
+  /** Friction force at zero load [force]. */ double zero_force;
+  /** dF/d(load) at zero load [-]. */ double zero_slope;
   /** dF/d(load) below the pull-off load [-]: 0 with adhesion; without adhesion that of the lightest load of the
    * table. */
   double separated_slope;
@@ -540,6 +492,51 @@ typedef struct asperity_table {
 #ifdef __cplusplus
 extern "C" {
 #endif /* __cplusplus */
+
+/* ---- One call: friction with its band, from a text. ---- */
+
+/** Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is
+ * part of the band.
+ *
+ * The text is that of `asperity_params_set_text`; docs/surface-file.md has its keys. For an estimate these matter: `process` of
+ * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
+ * `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
+ * the elastic-plastic law, unless the text has a law. Up to six models are made, in tens of milliseconds; more loads cost
+ * little. Threads may call it at the same time.
+ *
+ * ```c
+ * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
+ *                        "[roughness]\n Ra = 0.8e-6\n process = \"ground\"\n";
+ * double load = 10.0;
+ * asperity_estimate found;
+ * found.struct_size = sizeof found;
+ * if (asperity_estimate_at_loads(surface, sizeof surface - 1, 1, &load, &found) == ASPERITY_OK)
+ *     printf("%.3f (%.3f to %.3f)\n", found.friction_coefficient, found.low, found.high);
+ * ```
+ *
+ * @param surface    UTF-8, as of `asperity_params_set_text`
+ * @param length     of the text [bytes], without a NUL
+ * @param n          number of loads
+ * @param load       normal loads [N]
+ * @param estimates  receives n estimates; unchanged on failure
+ * @return as `asperity_params_set_text`, and `ASPERITY_INVALID_LOAD` or `ASPERITY_OUT_OF_RANGE` of an element, which the
+ *         message names */
+asperity_status asperity_estimate_at_loads(const char *surface, size_t length, size_t n, const double *load,
+    struct asperity_estimate *estimates);
+
+/** Writes what `asperity_estimate_at_loads` finds for people: coefficients with their bands, what they rest on, warnings, and what
+ * would narrow the bands.
+ *
+ * @param surface        as above
+ * @param length         as above
+ * @param n              number of loads
+ * @param load           normal loads [N]
+ * @param buffer         receives the lines, NUL-terminated, cut to fit; NULL to ask for the length only
+ * @param buffer_length  size of `buffer` [bytes]
+ * @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure,
+ *         which `asperity_last_error` describes */
+size_t asperity_estimate_text(const char *surface, size_t length, size_t n, const double *load, char *buffer,
+    size_t buffer_length);
 
 /* ---- Make: parameters from what you know of the surfaces, then a model. ---- */
 

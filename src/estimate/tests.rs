@@ -291,7 +291,7 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         assert!(found.contains(says), "{found}\nnot\n{says}");
     }
     let (found, _) = estimate(&format!("{STEEL}{ROUGH}"), &[1.0]);
-    for load in [f64::NAN, f64::INFINITY, 1e300, 1e-320] {
+    for load in [f64::NAN, f64::INFINITY, 1e300] {
         assert!(found.at_load(load).is_err(), "{load}");
     }
 }
