@@ -1288,6 +1288,7 @@ module asperity
   public :: asperity_interface_of, asperity_interface_name_text
   public :: asperity_params_use_pair, asperity_params_use_interface
   public :: asperity_params_read, asperity_params_set_text, asperity_params_text
+  public :: asperity_estimate_at_loads, asperity_estimate_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -1382,6 +1383,50 @@ contains
     text = joined(buffer(:length))
     call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, length > 0), stat, errmsg)
   end function asperity_params_text
+
+  ! Friction at loads with its band, from the text of a surface alone.
+  subroutine asperity_estimate_at_loads(surface, load, estimates, stat, errmsg)
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    real(c_double), intent(in) :: load(:)                 ! [N]
+    type(asperity_estimate), intent(inout) :: estimates(size(load)) ! untouched on failure
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    real(c_double), target :: loads(size(load))
+    type(asperity_estimate) :: none
+    integer(c_int32_t) :: status
+    characters = c_string(surface, size(characters))
+    loads = load
+    if (size(load) > 0) then
+      status = asperity_estimate_at_loads_c(c_loc(characters), len_trim(surface, kind=c_size_t), size(load, kind=c_size_t), &
+                                            c_loc(loads), estimates(1))
+    else
+      status = asperity_estimate_at_loads_c(c_loc(characters), len_trim(surface, kind=c_size_t), 0_c_size_t, c_null_ptr, none)
+    end if
+    call report(status, stat, errmsg)
+  end subroutine asperity_estimate_at_loads
+
+  ! The same for people.
+  function asperity_estimate_text(surface, load, stat, errmsg) result(text)
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    real(c_double), intent(in) :: load(:)                 ! [N]
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text                     ! empty on failure
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    real(c_double), target :: loads(size(load))
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer(c_size_t) :: length, number
+    characters = c_string(surface, size(characters))
+    loads = load
+    length = len_trim(surface, kind=c_size_t)
+    number = asperity_estimate_text_c(c_loc(characters), length, size(load, kind=c_size_t), c_loc(loads), c_null_ptr, 0_c_size_t)
+    allocate(buffer(number + 1))
+    number = asperity_estimate_text_c(c_loc(characters), length, size(load, kind=c_size_t), c_loc(loads), c_loc(buffer), &
+                                      size(buffer, kind=c_size_t))
+    text = joined(buffer(:number))
+    call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, number > 0), stat, errmsg)
+  end function asperity_estimate_text
 
   ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
   subroutine set_by_name(params, name, value, stat, errmsg)
