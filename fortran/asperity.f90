@@ -363,7 +363,8 @@ module asperity
   interface
     ! Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its
     ! doubt is part of the band
-    function asperity_estimate_at_loads(surface, length, n, load, estimates) bind(c)
+    function asperity_estimate_at_loads_c(surface, length, n, load, estimates) &
+        bind(c, name='asperity_estimate_at_loads')
       import
       type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: UTF-8, as of
                                                     ! asperity_params_set_text
@@ -371,12 +372,13 @@ module asperity
       integer(c_size_t), intent(in), value :: n     ! number of loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
       type(asperity_estimate), intent(inout) :: estimates ! receives n estimates; unchanged on failure
-      integer(c_int32_t) :: asperity_estimate_at_loads
-    end function asperity_estimate_at_loads
+      integer(c_int32_t) :: asperity_estimate_at_loads_c
+    end function asperity_estimate_at_loads_c
 
     ! Writes what asperity_estimate_at_loads finds for people: coefficients with their bands, what they rest on,
     ! warnings, and what would narrow the bands
-    function asperity_estimate_text(surface, length, n, load, buffer, buffer_length) bind(c)
+    function asperity_estimate_text_c(surface, length, n, load, buffer, buffer_length) &
+        bind(c, name='asperity_estimate_text')
       import
       type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as above
       integer(c_size_t), intent(in), value :: length ! as above
@@ -385,8 +387,8 @@ module asperity
       type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, NUL-terminated, cut to fit;
                                                     ! c_null_ptr to ask for the length only
       integer(c_size_t), intent(in), value :: buffer_length ! size of buffer [bytes]
-      integer(c_size_t) :: asperity_estimate_text
-    end function asperity_estimate_text
+      integer(c_size_t) :: asperity_estimate_text_c
+    end function asperity_estimate_text_c
 
     ! Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset
     function asperity_params_init_c(params, struct_size) bind(c, name='asperity_params_init')
@@ -1091,12 +1093,11 @@ module asperity
 
   end interface
 
-  public :: asperity_estimate_at_loads, asperity_estimate_text, asperity_params_set_dimensionless
-  public :: asperity_params_set_materials, asperity_params_set_elastic_plastic, asperity_params_set_spectral_moments
-  public :: asperity_params_set_mccool_summits, asperity_params_set_skew, asperity_params_set_value
-  public :: asperity_params_set_values, asperity_params_get_value, asperity_params_name, asperity_material
-  public :: asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair, asperity_interface
-  public :: asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
+  public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_elastic_plastic
+  public :: asperity_params_set_spectral_moments, asperity_params_set_mccool_summits, asperity_params_set_skew
+  public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
+  public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
+  public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
   public :: asperity_params_calibrate_force, asperity_params_set_units, asperity_create, asperity_set_params
   public :: asperity_free, asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
