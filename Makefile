@@ -12,6 +12,7 @@
 # make site      the documentation as a searchable site in target/site/html, with the explorer
 # make figures   draw the figures of the documents anew, in minutes
 # make header    write include/asperity.h anew from the sources, and from it what other languages and the pages repeat
+# make pages     write into the pages what their programs print now, after a change that is to change answers
 # make abi       write tests/abi/abi-1.h anew from the header, on purpose
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -65,7 +66,7 @@ hosts/run.sh
 endef
 export QUICK_TESTS OTHER_TESTS
 
-.PHONY: all demo test test-all hosts site figures header abi clean library
+.PHONY: all demo test test-all hosts site figures header pages abi clean library
 
 all: library
 
@@ -111,6 +112,14 @@ figures: library
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
 	python3 packaging/declarations
+
+pages: export ASPERITY_WRITE_PAGES := 1
+pages:
+	$(CARGO) build --release --locked
+	$(CARGO) test --release --locked --test install readme
+	python/test.sh tests/test_docs.py tests/test_start_pages.py tests/test_tutorial.py tests/test_surface_file.py tests/test_study_guide.py
+	js/test.sh --quick
+	tests/consumers/run.sh
 
 abi:
 	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file_has

@@ -42,6 +42,7 @@ export const SHORT = {
   UNCALIBRATED: "not calibrated",
   BROAD: "broad spectrum",
   STRONG: "stronger than the bodies",
+  FEW_WAVES: "few waves on the area",
 };
 
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();

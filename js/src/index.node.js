@@ -8,4 +8,4 @@ const instance = await instantiate(
 );
 export const { Model, version, warningsOf, warningsText, memorySize } = instance;
 export const { readText, toText, paper, calibrate, calibrateForce, withElasticPlastic, withInterface } = instance;
-export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact, nayakSummits } = instance;
+export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact, mccoolSummits } = instance;

@@ -4,7 +4,7 @@ import { AsperityError, Library } from "./library.js";
 import { materialsOf } from "./materials.js";
 import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
 import { calibrate, calibrateForce, paper, readText, toText, withElasticPlastic, withInterface } from "./params.js";
-import { nayakSummits } from "./roughness.js";
+import { mccoolSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./model.js").State} State */
@@ -22,8 +22,8 @@ import { nayakSummits } from "./roughness.js";
  * @property {string} version of the library
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
  * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
- * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
- *   spectral moments, with the heights and radii that summits of a Gaussian surface have
+ * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} mccoolSummits roughness from
+ *   spectral moments as McCool has it, all summits with one radius
  * @property {(text: string, params?: Params) => Params} readText the surfaces that a text in TOML describes, in SI units
  * @property {(params: Params) => string} toText a text of which `readText` makes the same surfaces
  * @property {() => Params} paper the paper's case, in its units
@@ -73,7 +73,7 @@ export async function instantiate(source) {
     warningsOf: (bits) => warningsOf(library, bitsOf("bits", bits)),
     warningsText: (bits) => warningsText(library, bitsOf("bits", bits)),
     ...materialsOf(library),
-    nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
+    mccoolSummits: (moments, nominal_area) => mccoolSummits(library, moments, nominal_area),
     readText: (text, params) => readText(library, text, params),
     toText: (params) => toText(library, params),
     paper: () => paper(library),

@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, nayakSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { answers, bits, contactOf, entries, entryOf, nayakOf, warningLoads, warningsText as nativeText } from "./native.mjs";
+import { answers, bits, contactOf, entries, entryOf, mccoolOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
 const silicon = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5, nominal_area: 1e-8 };
 const surfaces = {
@@ -435,16 +435,21 @@ test("a contact has the parameters of the native library's pair, in either order
   }
 });
 
-test("summits of Nayak's distribution are those of the native library", () => {
+test("summits of McCool are those of the native library, and moments need no m4", () => {
   const moments = { m0: 25e-18, m2: 0.0032, m4: 0.72e12 };
-  const made = nayakSummits(moments, 1e-8);
-  const native = nayakOf(...Object.values(moments), 1e-8);
-  for (const key of ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "skew", "kurtosis", "radius_amplitude", "radius_rate"])
-    assert.equal(bits(made[key]), native[key], key);
-  assert.equal(made.height_distribution, "johnson");
-  assert.ok(made.skew > 0 && made.radius_amplitude !== 0);
-  assert.ok(new Model({ ...contact("Si", "Si"), ...made }).frictionAtLoad(1e-3) > 0);
+  const made = mccoolSummits(moments, 1e-8);
+  const native = mccoolOf(...Object.values(moments), 1e-8);
+  for (const [key, value] of Object.entries(made)) assert.equal(bits(value), native[key], key);
+  assert.equal(Object.keys(made).length, 9);
+  const law = new Model({ ...contact("Si", "Si"), ...made });
+  assert.ok(law.frictionAtLoad(1e-3) > 0);
+  const { m4, ...two } = moments;
+  const { params } = new Model({ ...contact("Si", "Si"), ...two, nominal_area: 1e-8 });
+  assert.ok(params.radius_amplitude < 0 && params.bandwidth === 0 && params.rms_slope === 0.08);
+  const known = new Model({ ...contact("Si", "Si"), ...two, bandwidth: (m4 * moments.m0) / moments.m2 ** 2, nominal_area: 1e-8 }).params;
+  const same = new Model({ ...contact("Si", "Si"), ...moments, nominal_area: 1e-8 }).params;
+  assert.ok(Math.abs(known.summit_radius / same.summit_radius - 1) < 1e-14 && known.bandwidth === 0);
   const narrow = { ...moments, m4: 0.5e12 };
-  assert.throws(() => nayakSummits(narrow, 1e-8), { message: nayakOf(...Object.values(narrow), 1e-8).refused });
-  assert.throws(() => nayakSummits(moments, NaN), { message: nayakOf(...Object.values(moments), NaN).refused });
+  assert.throws(() => mccoolSummits(narrow, 1e-8), { message: mccoolOf(...Object.values(narrow), 1e-8).refused });
+  assert.throws(() => mccoolSummits(moments, NaN), { message: mccoolOf(...Object.values(moments), NaN).refused });
 });

@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, material, momentsOfMap, nayakSummits, paper, readText, toText, warningsText, withElasticPlastic, withInterface, type Material, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, material, momentsOfMap, mccoolSummits, paper, readText, toText, warningsText, withElasticPlastic, withInterface, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -18,7 +18,7 @@ const reference: string = PAIRS["Si/Si"].reference;
 const steel: Material = material("steel");
 // @ts-expect-error: a hardness may not be known
 const hardness: number = steel.hardness;
-const summits: Params = nayakSummits({ m0: 1, m2: 1, m4: 2 }, 1);
+const summits: Params = mccoolSummits({ m0: 1, m2: 1, m4: 2 }, 1);
 const measured: Params = calibrate({ ...params, pressure_coefficient: 0.1, bandwidth: 4, calibration_error: 0.1 }, 1e-3, 0.3);
 const kept: number | undefined = calibrateForce(withElasticPlastic(paper(), 1), 0, 3e-4).calibrated?.calibration_friction_force;
 const named: Params = { ...params, calibration_load: 1e-3, calibration_friction_coefficient: 0.3, Ra: 1e-8 };

@@ -22,8 +22,8 @@ use crate::spectrum::{SpectralMoments, Summits};
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST;
 use numbers::{magnitude, not_negative, poisson_ratio};
-use unit_slips::BROADEST;
 use std::f64::consts::PI;
+use unit_slips::BROADEST;
 
 /// The law of one summit in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,7 +9,7 @@ use std::ffi::{c_char, CString};
 use std::path::Path;
 use std::ptr::{null, null_mut};
 
-/// Hard carbon on hard carbon, as on docs/surface-file.md.
+/// Hard carbon on hard carbon.
 const CARBON: &str = "nominal_area = 1e-6
 work_of_adhesion = 0.06
 adhesion_range = 0.25e-9
