@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -49,6 +51,24 @@ def test_height_and_slope_are_enough() -> None:
     assert high.height_std == pytest.approx(2 * expected.height_std, rel=1e-14)
     assert high.summit_radius == pytest.approx(2 * expected.summit_radius, rel=1e-14)
     assert high.asperity_count == pytest.approx(expected.asperity_count / 4, rel=1e-14)
+
+
+def test_the_page_has_the_asperities_of_the_library() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "roughness.md").read_text(encoding="utf-8")
+    number = r"([\d.]+)"
+    told = re.search(
+        rf"σ = {number} m₀\^½, Gaussian, with their mean {number} m₀\^½ .*?N = {number} A/L².*?"
+        rf"R = {number} \(α/5\)\^−{number} L²/m₀\^½.*?ε = −{number}, ρ = {number}.*?takes α = {number}\.", page, re.DOTALL,
+    )  # fmt: skip
+    assert told is not None
+    height, mean, density, radius, power, amplitude, rate, usual = map(float, told.groups())
+    unit: dict[str, Any] = dict(m0=1e-18, m2=0.005, nominal_area=1e-12, **CONTACT)  # L = 10 nm
+    made = Params.from_spectral_moments(**unit)
+    assert (made.height_std, made.summit_mean_height) == pytest.approx((height * 1e-9, mean * 1e-9), rel=1e-12)
+    assert (made.asperity_count, made.radius_amplitude, made.radius_rate) == pytest.approx((density * 1e4, -amplitude, rate), rel=1e-12)
+    for bandwidth in (2.0, usual, 100.0):
+        found = made if bandwidth == usual else Params.from_spectral_moments(**unit, bandwidth=bandwidth)
+        assert found.summit_radius == pytest.approx(radius * (bandwidth / 5) ** -power * 1e-7, rel=1e-12)
 
 
 def test_a_bandwidth_hardly_matters_and_may_be_given_in_three_ways() -> None:

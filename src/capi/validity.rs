@@ -204,8 +204,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_FEW_WAVES => {
             c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
-              load: friction is then 5 to 45 % higher than the model predicts, most at light loads, and nominally equal \
-              surfaces differ by 16 to 25 %; use a larger area, or remove waves longer than it from the heights"
+              load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
+              surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights"
         }
         _ => c"unknown warning",
     }
