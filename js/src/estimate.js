@@ -3,12 +3,13 @@ import { CONSTANTS, LAYOUTS } from "./header.js";
 import { AsperityError } from "./library.js";
 
 const STRUCT = "asperity_estimate";
-const SOURCES = /** @type {const} */ ({
+/** @type {Record<number, Estimate["strength_source"]>} */
+const SOURCES = {
   [CONSTANTS.STRENGTH_DEFAULT]: "default",
   [CONSTANTS.STRENGTH_TABLE]: "table",
   [CONSTANTS.STRENGTH_GIVEN]: "given",
   [CONSTANTS.STRENGTH_MEASURED]: "measured",
-});
+};
 
 /**
  * Friction at one load, with its band. SI units.

@@ -3,6 +3,7 @@
 use super::known::SLOPE_FACTOR;
 use super::{Answer, Estimate, Rests};
 use crate::materials::Interface;
+use crate::model::validity::WARNINGS;
 use crate::nearest::text;
 use std::fmt::{Display, Formatter, Result, Write};
 
@@ -10,9 +11,11 @@ use std::fmt::{Display, Formatter, Result, Write};
 const WORTHWHILE: f64 = 0.01;
 /// Points this many of their errors off the curve, root mean square, are not of its law.
 pub const OFF: f64 = 2.0;
+/// More points are told by their number.
+const SHOWN: usize = 3;
 /// In the order of their bits.
-const WARNINGS: [&str; 9] =
-    ["PLASTIC", "CROWDED", "STEEP", "ATOMIC", "FEW", "ADHESIVE", "UNCALIBRATED", "BROAD", "STRONG"];
+const NAMES: [&str; WARNINGS] =
+    ["PLASTIC", "CROWDED", "STEEP", "ATOMIC", "FEW", "ADHESIVE", "UNCALIBRATED", "BROAD", "STRONG", "FEW_WAVES"];
 
 /// Writes it, a line for each load and for each thing to know.
 pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut dyn Write) -> Result {
@@ -33,7 +36,7 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut d
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
     }
     if warnings != 0 {
-        let names = WARNINGS.iter().enumerate().filter(|(bit, _)| warnings >> bit & 1 == 1).map(|(_, name)| *name);
+        let names = NAMES.iter().enumerate().filter(|(bit, _)| warnings >> bit & 1 == 1).map(|(_, name)| *name);
         writeln!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "))?;
     }
     write_remedies(estimate, answers, out)
@@ -75,16 +78,26 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
     }
     let points = &estimate.described.points;
     write!(out, "measured here, ")?;
-    for (i, point) in points.iter().enumerate() {
-        let before = if i > 0 { ", " } else { "" };
-        let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
-        match point.load > 0.0 {
-            true => write!(out, "{before}{ratio} at {load} N")?,
-            false => write!(out, "{before}{force} N at {load} N")?,
+    match &points[..] {
+        _ if points.len() > SHOWN => {
+            let loads = || points.iter().map(|point| point.load);
+            let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
+            let [lightest, heaviest] = ends.map(Figures);
+            writeln!(out, "{} points from {lightest} N to {heaviest} N", points.len())?;
         }
-        write!(out, " to {} %", Percent(point.error))?;
+        some => {
+            for (i, point) in some.iter().enumerate() {
+                let before = if i > 0 { ", " } else { "" };
+                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
+                match point.load > 0.0 {
+                    true => write!(out, "{before}{ratio} at {load} N")?,
+                    false => write!(out, "{before}{force} N at {load} N")?,
+                }
+                write!(out, " to {} %", Percent(point.error))?;
+            }
+            writeln!(out)?;
+        }
     }
-    writeln!(out)?;
     if points.len() > 1 && estimate.described.pressure_is_free {
         let kappa = estimate.params.pressure_coefficient;
         match estimate.tells_pressure {

@@ -53,6 +53,9 @@ pub struct Slice {
 
 /// Standard deviation of a pressure coefficient (>= 0) that is not known: those of the table of interfaces are 0.001 to 0.14.
 const PRESSURE_DEVIATION: f64 = 0.1;
+/// Of ln c where nothing is known of it but the points: a factor of 10 either way about that of the points without a pressure
+/// coefficient.
+const SOME_PRECISION: f64 = 0.724_5;
 /// Nodes of a pressure coefficient.
 const NODES: u32 = 17;
 /// Slices of less than this part of the largest weight are left out.
@@ -143,32 +146,20 @@ pub fn slices(seen: &[Seen], prior: Prior) -> Vec<Slice> {
     found
 }
 
-/// ln c and kappa of the curve nearest to the points, nothing being known of the strength.
+/// ln c and kappa of the curve nearest to the points, nothing being known of the strength. A kappa that the points tell is the mean
+/// of what they leave open.
 pub fn nearest(seen: &[Seen], kappa: Option<f64>) -> (f64, f64) {
-    let best_at = |kappa: f64| {
-        let log_c = slice(seen, Prior::NONE, kappa).mean;
-        (cost(seen, Prior::NONE, log_c, kappa), log_c)
-    };
-    if let Some(kappa) = kappa {
-        return (best_at(kappa).1, kappa);
-    }
-    // Some strength is left.
-    let highest = 0.99 * most(seen, 0.0);
-    let [mut low, mut high] = [0.0, highest];
-    let mut best = (f64::INFINITY, 0.0, 0.0);
-    // Each takes the range to an eighth.
-    for _ in 0..14 {
-        let step = (high - low) / f64::from(NODES);
-        for i in 0..=NODES {
-            let kappa = low + step * f64::from(i);
-            let (cost, log_c) = best_at(kappa);
-            if cost < best.0 {
-                best = (cost, log_c, kappa);
-            }
-        }
-        [low, high] = [(best.2 - step).max(0.0), (best.2 + step).min(highest)];
-    }
-    (best.1, best.2)
+    let log_c = |kappa: f64| slice(seen, Prior::NONE, kappa).mean;
+    let kappa = kappa.unwrap_or_else(|| {
+        let all = slices(seen, Prior { mean: log_c(0.0), precision: SOME_PRECISION });
+        let best = all.iter().map(|slice| slice.log_weight).fold(f64::NEG_INFINITY, f64::max);
+        let weight = |slice: &Slice| exp(slice.log_weight - best);
+        let mean =
+            all.iter().map(|slice| weight(slice) * slice.kappa).sum::<f64>() / all.iter().map(weight).sum::<f64>();
+        // Some strength is left.
+        mean.min(0.99 * most(seen, 0.0))
+    });
+    (log_c(kappa), kappa)
 }
 
 /// By how much the points are off the curve, root mean square in their errors, for each that the curve was not led through; 0
