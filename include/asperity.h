@@ -602,9 +602,8 @@ asperity_status asperity_params_set_elastic_plastic(struct asperity_params *para
  * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile: m0 = Rq^2 = Sq^2,
  * m2 = Rdq^2 = Sdq^2/2. For two rough surfaces, add their moments. The area of contact, its patches and its stiffness depend
  * on m0 and m2, hardly on m4. The asperities set here follow boundary elements for bandwidths alpha = m0 m4/m2^2 from 1.8 to
- * 1000 (docs/validation.md). With L^2 = m0/(2 m2), they have height_std 0.92 m0^(1/2), asperity_count 0.0235 nominal_area/L^2,
- * summit_radius 1.65 (alpha/5)^-0.03 L^2/m0^(1/2), radius_amplitude -0.61, radius_rate 0.90 and
- * summit_mean_height 1.34 m0^(1/2). Also sets `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
+ * 1000 (docs/validation.md); docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
+ * `radius_amplitude`, `radius_rate`, `summit_mean_height`, `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
  *
  * @param params        initialised parameters
  * @param m0            variance of the heights [length^2] > 0

@@ -362,20 +362,19 @@ public:
         return checked(asperity_params_set_interface(&c_, name.c_str()));
     }
 
-    /// Sets height_std, summit_radius, asperity_count and nominal_area from the variances of height [length^2], slope and curvature
-    /// [1/length^2] along a profile of an isotropic Gaussian surface; those of two surfaces add.
+    /// Sets the asperities of a surface, rough on however many scales, and nominal_area, from the variances of height [length^2], slope
+    /// and curvature [1/length^2], 0 if that is not known, along a profile; those of two surfaces add.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_spectral_moments(double m0, double m2, double m4, double nominal_area) {
         return checked(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
     }
 
-    /// The same summits, with the heights and radii of Nayak's joint distribution: also sets Johnson's heights, radius_amplitude and
-    /// radius_rate.
+    /// Sets McCool's summits of the surface instead, all with one radius, to compare with literature. m4 must be known.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
-    Params &set_nayak_summits(double m0, double m2, double m4, double nominal_area) {
-        return checked(asperity_params_set_nayak_summits(&c_, m0, m2, m4, nominal_area));
+    Params &set_mccool_summits(double m0, double m2, double m4, double nominal_area) {
+        return checked(asperity_params_set_mccool_summits(&c_, m0, m2, m4, nominal_area));
     }
 
     /// Chooses Weibull heights with this skew.

@@ -110,7 +110,7 @@ def test_the_figure_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, en
 def test_loads_at_which_the_model_does_not_hold_are_warned_of() -> None:
     done = asperity("curve --figure - --highest 1e9 --count 3")
     assert done.returncode == 0 and len(table(done.stdout)) == 3
-    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 1e+09: STEEP: contacts are too large")
+    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 1e+09: STEEP: the surface is too steep")
 
 
 def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:

@@ -169,8 +169,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_STEEP => {
             c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
-              above a tenth of summit radii on average; check slope or summit_radius, since a height map that is noisy \
-              gives too steep a surface and too small a radius; if only the radii are too large, use lighter loads"
+              above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
+              summit_radius: a height map that is noisy gives too steep a surface and too small a radius"
         }
         ASPERITY_WARNING_ATOMIC => {
             c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \

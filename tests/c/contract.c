@@ -86,7 +86,7 @@ static void every_warning_says_what_fails_and_what_to_do(void)
                          ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG |
                          ASPERITY_WARNING_FEW_WAVES;
     const char *advice[] = { "; use ", "; measure the friction force once and call asperity_params_calibrate",
-                             "; filter the height map", "; calibrate with a measured friction force" };
+                             "; give the mean squares of height and slope", "; calibrate with a measured friction force" };
     for (int bit = 0; bit < 64; bit++) {
         const uint64_t warning = UINT64_C(1) << bit;
         const char *text = asperity_warning_string(warning);
@@ -119,13 +119,13 @@ static void the_text_of_warnings_has_a_line_for_each(void)
     }
     CHECK(asperity_warnings_text(unknown | 1, text, sizeof text) == strlen(asperity_warning_string(1)) + 16, "unknown");
     CHECK(strcmp(text + strlen(text) - 16, "\nunknown warning") == 0, "'%s'", text);
-    CHECK(asperity_warnings_text(511, NULL, 0) == strlen(expected), "the length alone");
-    CHECK(asperity_warnings_text(511, NULL, 100) == strlen(expected), "no buffer, whatever its length");
+    CHECK(asperity_warnings_text(1023, NULL, 0) == strlen(expected), "the length alone");
+    CHECK(asperity_warnings_text(1023, NULL, 100) == strlen(expected), "no buffer, whatever its length");
     memset(cut, 'x', sizeof cut);
-    CHECK(asperity_warnings_text(511, cut, 10) == strlen(expected) && strlen(cut) == 9 && cut[10] == 'x', "'%.20s'", cut);
+    CHECK(asperity_warnings_text(1023, cut, 10) == strlen(expected) && strlen(cut) == 9 && cut[10] == 'x', "'%.20s'", cut);
     CHECK(strncmp(cut, expected, 9) == 0, "'%s'", cut);
     memset(cut, 'x', sizeof cut);
-    CHECK(asperity_warnings_text(511, cut, 0) == strlen(expected) && cut[0] == 'x', "a buffer of no length");
+    CHECK(asperity_warnings_text(1023, cut, 0) == strlen(expected) && cut[0] == 'x', "a buffer of no length");
 }
 
 /* ---- Parameters ---- */
@@ -366,7 +366,7 @@ static double value_of(const asperity_params *p, const char *name)
     return value;
 }
 
-enum { NAMES_OF_FIELDS = 28 };
+enum { NAMES_OF_FIELDS = 30 };
 
 static void names_are_those_of_the_fields(void)
 {

@@ -448,8 +448,8 @@ class Params:
 
         >>> params = asperity.Params.from_iso25178(
         ...     Sq=5e-9, Sdq=0.08, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
-        >>> print(f"mu(1 mN) = {asperity.Model(params).friction_at_load(1e-3):.2f}")
-        mu(1 mN) = 0.44
+        >>> print(f"mu(1 mN) = {asperity.Model(params).friction_at_load(1e-3):.1f}")
+        mu(1 mN) = 0.4
 
         m0 = Sq^2 and m2 = Sdq^2/2. Of two rough surfaces give each number as a list of two: their mean squares add.
 
