@@ -10,7 +10,7 @@ export function loadsOf(lightest, heaviest) {
 }
 
 /** A coefficient with its band, as the library estimates it. */
-export const banded = ({ friction_coefficient: mu, low, high }) => ({ mu, low, high });
+const banded = ({ friction_coefficient: mu, low, high }) => ({ mu, low, high });
 
 /**
  * The curve of a surface.
