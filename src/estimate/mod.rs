@@ -15,7 +15,8 @@ use crate::by_name::{describe, of_points, Described};
 use crate::elementary::{exp, log};
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
-use crate::model::points::{slice, slices, tell_pressure, Seen, Slice};
+use crate::model::calibration::Calibrated;
+use crate::model::points::{slice, slices, Seen, Slice};
 use crate::model::Model;
 use crate::params::{ContactLawKind, Params};
 pub use strength::Rests;
@@ -106,17 +107,18 @@ impl Estimate {
         let without_pressure = |params: &Params| of_pressure(params, 0.0);
         let middle = without_pressure(&params)?;
         let given = params.pressure_coefficient;
-        let (mut seen, mut misfit) = (Vec::new(), 0.0);
-        if !described.points.is_empty() {
-            let calibrated = params.calibrate_points(&described.points, described.pressure_is_free, Some(&middle));
-            (seen, misfit) = calibrated.map_err(|error| of_points(bytes, error))?;
-            // A trend that the law cannot follow is not its error.
-            seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
-        }
-        let tells_pressure = seen.len() > 1 && described.pressure_is_free && tell_pressure(&seen);
-        if described.points.is_empty() {
-            strength.take(&mut params, &middle)?;
-        }
+        let calibrated = match described.points.is_empty() {
+            true => {
+                strength.take(&mut params, &middle)?;
+                Calibrated { seen: Vec::new(), misfit: 0.0, tells_pressure: false }
+            }
+            false => params
+                .calibrate_points(&described.points, described.pressure_is_free, Some(&middle))
+                .map_err(|error| of_points(bytes, error))?,
+        };
+        let Calibrated { mut seen, misfit, tells_pressure } = calibrated;
+        // A trend that the law cannot follow is not within the errors that were given.
+        seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
         let mut found = Vec::new();
         for (at, probability) in cases::of(described.machined.as_ref()) {
             let model = match found.is_empty() {

@@ -16,6 +16,17 @@ const LARGEST_COEFFICIENT: f64 = 20.0;
 /// Strengths so close to the measured one are it.
 const ROUNDING: f64 = 1e-12;
 
+/// What a calibration found.
+#[derive(Debug)]
+pub(crate) struct Calibrated {
+    /// The points, with the parts of their forces.
+    pub seen: Vec<Seen>,
+    /// How far off the points are.
+    pub misfit: f64,
+    /// Whether the points set the pressure coefficient.
+    pub tells_pressure: bool,
+}
+
 impl Params {
     /// Scales both slip stresses so that the friction coefficient at a load is the one measured there, and keeps the measurement.
     ///
@@ -58,14 +69,13 @@ impl Params {
     /// tell the pressure coefficient and it is free, it is led by them too. The measurement that is kept is that of the curve at
     /// the mean of the logarithms of the loads.
     ///
-    /// Returns the parts of the forces at the points, and how far off the points are ([`misfit`]). A model without a pressure
-    /// coefficient, where there is one, is not made again.
+    /// A model without a pressure coefficient, where there is one, is not made again.
     pub(crate) fn calibrate_points(
         &mut self,
         points: &[Point],
         pressure_is_free: bool,
         without_pressure: Option<&Model>,
-    ) -> Result<(Vec<Seen>, f64), Error> {
+    ) -> Result<Calibrated, Error> {
         let Point { load, force: friction_force, .. } = points[0];
         let refused = |reason: Reason, number: f64| Err(Error::Uncalibrated { load, friction_force, reason, number });
         if points.iter().any(|point| !finite(point.force) || point.force <= 0.0) {
@@ -117,7 +127,7 @@ impl Params {
         if factor < least {
             return refused(Reason::Weakness, force * least + of_pressure);
         }
-        let off = misfit(&seen, log(factor), kappa, tells_pressure);
+        let misfit = misfit(&seen, log(factor), kappa, tells_pressure);
         let [mut load, mut friction_force] = [load, friction_force];
         if points.len() > 1 {
             load = exp(points.iter().map(|point| log(point.load)).sum::<f64>() / points.len() as f64);
@@ -130,9 +140,9 @@ impl Params {
         }
         self.pressure_coefficient = kappa;
         let precision: f64 = points.iter().map(|point| 1.0 / (point.error * point.error)).sum();
-        self.calibration_error = if points.len() > 1 { off.max(1.0) / precision.sqrt() } else { points[0].error };
+        self.calibration_error = if points.len() > 1 { misfit.max(1.0) / precision.sqrt() } else { points[0].error };
         self.calibration_error = self.calibration_error.min(1.0);
         (self.calibration_load, self.calibration_friction_force) = (load, friction_force);
-        Ok((seen, off))
+        Ok(Calibrated { seen, misfit, tells_pressure })
     }
 }

@@ -5,7 +5,7 @@
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
-mod calibration;
+pub(crate) mod calibration;
 mod exact;
 mod gap;
 mod microslip;
