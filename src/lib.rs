@@ -42,6 +42,7 @@ pub mod capi;
 mod elementary;
 mod equilibrium;
 mod error;
+mod estimate;
 mod float_bits;
 mod four;
 mod law;

@@ -114,6 +114,8 @@ pub struct Reach {
     /// Whether pull-off itself is.
     has_pull_off: bool,
     most_rows: usize,
+    /// Whether it is a part of what a law reaches, for one who asks for no other loads.
+    is_part: bool,
 }
 
 impl Reach {
@@ -129,7 +131,15 @@ impl Reach {
             log_heaviest: log(heaviest) + ROW,
             has_pull_off: pull_off > LIGHTEST_PULL_OFF * half,
             most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * branch.kinks().len(),
+            is_part: false,
         }
+    }
+
+    /// The part of it between two loads above pull-off, in the model's units, which is not empty.
+    fn between(self, log_lightest: f64, log_heaviest: f64) -> Self {
+        let log_heaviest = (log_heaviest + ROW).max(self.log_lightest + ROW).min(self.log_heaviest);
+        let log_lightest = (log_lightest - ROW).min(log_heaviest - ROW).max(self.log_lightest);
+        Self { log_lightest, log_heaviest, is_part: true, ..self }
     }
 }
 
@@ -145,8 +155,32 @@ impl Law {
         units: [f64; Quantity::COUNT],
         lengths: Lengths,
     ) -> Result<Self, Unfollowed> {
+        Self::compiled(branch, load, units, lengths, Reach::of(branch))
+    }
+
+    /// The same between two loads above pull-off alone, in the model's units: sooner, for few questions.
+    ///
+    /// # Errors
+    /// As [`Law::new`].
+    pub fn between(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+        [lightest, heaviest]: [f64; 2],
+    ) -> Result<Self, Unfollowed> {
+        let reach = Reach::of(branch).between(log(lightest), log(heaviest));
+        Self::compiled(branch, load, units, lengths, reach)
+    }
+
+    fn compiled(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+        reach: Reach,
+    ) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
-        let reach = Reach::of(branch);
         let curve = Curve::new(branch, reach, &mut samples)?;
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
