@@ -911,6 +911,16 @@ module asperity
       integer(c_int32_t) :: asperity_microslip_steps
     end function asperity_microslip_steps
 
+    ! Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine
+    function asperity_microslip_turn(state, cosine, sine) bind(c)
+      import
+      type(c_ptr), intent(in), value :: state       ! real(c_double): asperity_microslip_length doubles, changed in
+                                                    ! place
+      real(c_double), intent(in), value :: cosine   ! both of any length
+      real(c_double), intent(in), value :: sine     ! but 0
+      integer(c_int32_t) :: asperity_microslip_turn
+    end function asperity_microslip_turn
+
     ! Load at a gap, from the compiled law
     pure function asperity_load_at_gap(model, gap) bind(c)
       import
@@ -1101,11 +1111,11 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_load_at_gap, asperity_load_and_slope_at_gap, asperity_loads_at_gaps
-  public :: asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap, asperity_summary_of
-  public :: asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string, asperity_warning_loads
-  public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
-  public :: asperity_table_of, asperity_load_table_of
+  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_gap, asperity_load_and_slope_at_gap
+  public :: asperity_loads_at_gaps, asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap
+  public :: asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string
+  public :: asperity_warning_loads, asperity_warnings_text, asperity_last_error, asperity_status_string
+  public :: asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----

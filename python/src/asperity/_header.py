@@ -332,6 +332,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_microslip_length": (c_size_t, [_model]),
     "asperity_microslip_step": (c_int32, [_model, c_double, _double, _double, _double, _microslip]),
     "asperity_microslip_steps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double, _double]),
+    "asperity_microslip_turn": (c_int32, [_double, c_double, c_double]),
     "asperity_load_at_gap": (c_double, [_model, c_double]),
     "asperity_load_and_slope_at_gap": (c_double, [_model, c_double, _double]),
     "asperity_loads_at_gaps": (c_int32, [_model, c_size_t, _double, _double, _double]),
