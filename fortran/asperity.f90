@@ -121,8 +121,8 @@ module asperity
     real(c_double) :: tangential_modulus            ! G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the
                                                     ! stiffness of contacts that stick; 0, the default, stands for E* G*
                                                     ! / (2 (E* + G*))
-    real(c_double) :: nominal_area                  ! Nominal area of contact [length^2], >= 0, with which warnings
-                                                    ! compare the real area; 0, the default, means not known
+    real(c_double) :: nominal_area                  ! Nominal area A_0 of contact [length^2], >= 0; 0, the default,
+                                                    ! means not known
     integer(c_int32_t) :: contact_law               ! Law of one summit in contact, one of ASPERITY_CONTACT_; Maugis' by
                                                     ! default
     integer(c_int32_t) :: slip_onset                ! How a contact begins to slip, one of ASPERITY_SLIP_; partial slip
@@ -210,14 +210,14 @@ module asperity
   type, bind(c), public :: asperity_state
     integer(c_int64_t) :: struct_size = 224         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load P [force]; negative pulls
-    real(c_double) :: separation                    ! Separation d of the flat from the mean of the summit heights
-                                                    ! [length]
+    real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [length], as for
+                                                    ! asperity_load_at_gap
     real(c_double) :: friction_force                ! Friction force F [force], >= 0
     real(c_double) :: friction_coefficient          ! Friction coefficient F/P [-], at most max_friction_coefficient, as
                                                     ! asperity_friction_at_load returns it
     real(c_double) :: dforce_dload                  ! dF/dP [-]; infinity at the pull-off load itself
     real(c_double) :: dmu_dload                     ! d(F/P)/dP [1/force]; 0 where the coefficient is capped
-    real(c_double) :: dload_dseparation             ! dP/dd [force/length]: minus the normal contact stiffness
+    real(c_double) :: dload_dgap                    ! d(load)/d(gap) [force/length]: minus the normal contact stiffness
     real(c_double) :: real_area                     ! Real area of contact [length^2]
     real(c_double) :: contacting                    ! Number of summits in contact [-]; need not be an integer
     real(c_double) :: attracted                     ! Number of summits that attract without contact [-]
@@ -243,7 +243,8 @@ module asperity
     real(c_double) :: fraction_elastic              ! Fraction of the contacts below first yield [-]; 1 for
                                                     ! ASPERITY_CONTACT_MAUGIS without a hardness
     real(c_double) :: fraction_flowing              ! Fraction of the contacts that are fully plastic [-]
-    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts [length]
+    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts over psi (see nominal_area)
+                                                    ! [length]
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
     real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
@@ -848,41 +849,36 @@ module asperity
       integer(c_int32_t) :: asperity_microslip_steps
     end function asperity_microslip_steps
 
-    ! Load at a separation of the mean planes, from the compiled law
-    pure function asperity_load_at_separation(model, separation) bind(c)
+    ! Load at a gap, from the compiled law
+    pure function asperity_load_at_gap(model, gap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation
-                                                    ! of the mean planes of asperity heights and flat [length]; negative
-                                                    ! in deep compression
-      real(c_double) :: asperity_load_at_separation
-    end function asperity_load_at_separation
+      real(c_double), intent(in), value :: gap      ! between the mean planes [length]; negative in deep compression
+      real(c_double) :: asperity_load_at_gap
+    end function asperity_load_at_gap
 
-    ! Load at a separation, with its slope
-    function asperity_load_and_slope_at_separation(model, separation, dload_dseparation) bind(c)
+    ! Load at a gap, with its slope
+    function asperity_load_and_slope_at_gap(model, gap, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation ! as for asperity_load_at_separation
-      type(c_ptr), intent(in), value :: dload_dseparation
-                                                    ! real(c_double): receives d(load)/d(separation) [force/length], <=
-                                                    ! 0: minus the normal stiffness; 0 at pull-off and beyond; NaN where
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap
+      type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives d(load)/d(gap) [force/length], <= 0:
+                                                    ! minus the normal stiffness; 0 at pull-off and beyond; NaN where
                                                     ! the load is
-      real(c_double) :: asperity_load_and_slope_at_separation
-    end function asperity_load_and_slope_at_separation
+      real(c_double) :: asperity_load_and_slope_at_gap
+    end function asperity_load_and_slope_at_gap
 
-    ! Loads at many separations, and their slopes
-    function asperity_loads_at_separations(model, n, separation, load, dload_dseparation) bind(c)
+    ! Loads at many gaps, and their slopes
+    function asperity_loads_at_gaps(model, n, gap, load, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of separations
-      type(c_ptr), intent(in), value :: separation  ! real(c_double): n separations [length]
+      integer(c_size_t), intent(in), value :: n     ! number of gaps
+      type(c_ptr), intent(in), value :: gap         ! real(c_double): n gaps [length]
       type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]
-      type(c_ptr), intent(in), value :: dload_dseparation
-                                                    ! real(c_double): receives n slopes d(load)/d(separation)
-                                                    ! [force/length], <= 0: minus the normal stiffness; 0 at pull-off
-                                                    ! and beyond
-      integer(c_int32_t) :: asperity_loads_at_separations
-    end function asperity_loads_at_separations
+      type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives n slopes d(load)/d(gap) [force/length],
+                                                    ! <= 0: minus the normal stiffness; 0 at pull-off and beyond
+      integer(c_int32_t) :: asperity_loads_at_gaps
+    end function asperity_loads_at_gaps
 
     ! Computes load, friction force and contact radius of single summits, by the law that the model sums over all
     ! summits
@@ -913,17 +909,14 @@ module asperity
       integer(c_int32_t) :: asperity_state_at_load
     end function asperity_state_at_load
 
-    ! Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in
-    ! equilibrium
-    function asperity_state_at_separation(model, separation, state) bind(c)
+    ! Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium
+    function asperity_state_at_gap(model, gap, state) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation
-                                                    ! of the flat from the mean of the summit heights [length]; may be
-                                                    ! negative
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap [length]; may be negative
       type(asperity_state), intent(inout) :: state  ! receives the state
-      integer(c_int32_t) :: asperity_state_at_separation
-    end function asperity_state_at_separation
+      integer(c_int32_t) :: asperity_state_at_gap
+    end function asperity_state_at_gap
 
     ! Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table
     function asperity_summary_of(model, summary) bind(c)
@@ -1023,7 +1016,7 @@ module asperity
       integer(c_int32_t) :: asperity_table_of
     end function asperity_table_of
 
-    ! Gives a view of the compiled load against separation, for the evaluators of asperity_table_of
+    ! Gives a view of the compiled load against gap, for the evaluators of asperity_table_of
     function asperity_load_table_of(model, table) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
@@ -1046,11 +1039,11 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
-  public :: asperity_loads_at_separations, asperity_summits_at_overlaps, asperity_state_at_load
-  public :: asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
-  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
-  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
+  public :: asperity_microslip_steps, asperity_load_at_gap, asperity_load_and_slope_at_gap, asperity_loads_at_gaps
+  public :: asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap, asperity_summary_of
+  public :: asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string, asperity_warning_loads
+  public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
+  public :: asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -1161,18 +1154,18 @@ module asperity
     procedure, public :: microslip_step => model_microslip_step
     procedure, public :: microslip_steps => model_microslip_steps
 
-    ! load = law%load_at_separation(separation [, slope] [, stat] [, errmsg])
-    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_separation
+    ! load = law%load_at_gap(gap [, slope] [, stat] [, errmsg])
+    !   gap  real(c_double), intent(in) [length] between the mean planes, as for state_at_gap
     !   load        real(c_double) [force]: negative where adhesion pulls, 0 at pull-off and beyond
-    !   slope       real(c_double), intent(out), optional: d(load)/d(separation) [force/length], minus the normal stiffness
-    ! A separation that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
-    procedure, public :: load_at_separation => model_load_at_separation
+    !   slope       real(c_double), intent(out), optional: d(load)/d(gap) [force/length], minus the normal stiffness
+    ! A gap that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
+    procedure, public :: load_at_gap => model_load_at_gap
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
-    ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
+    ! call law%state_at_gap(gap, state [, stat] [, errmsg])    the same at a gap [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
-    procedure, public :: state_at_separation => model_state_at_separation
+    procedure, public :: state_at_gap => model_state_at_gap
 
     ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
     !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
@@ -1635,15 +1628,15 @@ contains
     call report(asperity_state_at_load(self%handle, load, state), stat, errmsg)
   end subroutine model_state_at_load
 
-  subroutine model_state_at_separation(self, separation, state, stat, errmsg)
+  subroutine model_state_at_gap(self, gap, state, stat, errmsg)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     type(asperity_state), intent(inout) :: state
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
-  end subroutine model_state_at_separation
+    call report(asperity_state_at_gap(self%handle, gap, state), stat, errmsg)
+  end subroutine model_state_at_gap
 
   subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
     class(friction_model), intent(in), target :: self
@@ -1758,20 +1751,20 @@ contains
     end if
   end function model_slip_force
 
-  function model_load_at_separation(self, separation, slope, stat, errmsg) result(load)
+  function model_load_at_gap(self, gap, slope, stat, errmsg) result(load)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     real(c_double), intent(out), optional, target :: slope
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double) :: load
     real(c_double), target :: at(1)
-    load = asperity_load_and_slope_at_separation(c_model(self), separation, scalar_address(slope))
+    load = asperity_load_and_slope_at_gap(c_model(self), gap, scalar_address(slope))
     if (.not. is_created(self, stat, errmsg)) return
-    at(1) = separation
-    call report(open_is_an_answer(asperity_loads_at_separations(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
+    at(1) = gap
+    call report(open_is_an_answer(asperity_loads_at_gaps(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
                                                                 c_null_ptr)), stat, errmsg)
-  end function model_load_at_separation
+  end function model_load_at_gap
 
   ! Surfaces apart carry no load: that is no failure.
   pure function open_is_an_answer(status) result(found)

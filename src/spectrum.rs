@@ -29,8 +29,8 @@ struct Fitted {
 
 const FITTED: Fitted = Fitted {
     height_std: 0.92,
-    radius: 1.65,
-    bandwidth_power: -0.03,
+    radius: 1.68,
+    bandwidth_power: -0.07,
     density: 0.0235,
     radius_amplitude: -0.61,
     radius_rate: 0.90,

@@ -156,7 +156,7 @@ def test_states_of_an_array_are_those_of_its_loads(model: Model) -> None:
         assert states.warning_bits.ravel()[i] == one.warnings
     assert states.warnings == states[0].warnings | states[5].warnings
     assert [state.load for state in states] == loads.ravel().tolist()
-    separations = model.state_at_separation([one.separation for one in states])
+    separations = model.state_at_gap([one.gap for one in states])
     assert separations.load == pytest.approx(loads.ravel(), rel=1e-9)
     assert "real_area" in dir(states) and "6 of them" in repr(states)
     frame = states.to_pandas()

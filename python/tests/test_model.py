@@ -181,7 +181,7 @@ def test_a_state_takes_numbers(model: Model, at: Any) -> None:
     with pytest.raises(TypeError, match="^load: must be real numbers, not an array of "):
         model.state_at_load(at)
     with pytest.raises(TypeError, match="^separation: must be real numbers"):
-        model.state_at_separation(at)
+        model.state_at_gap(at)
     single: Any = np.float32(1.0)
     assert model.state_at_load(single) == model.state_at_load(1)
 
@@ -300,7 +300,7 @@ def test_warnings_need_a_hardness(params: Params) -> None:
 
 def test_load_and_separation_lead_to_the_same_state(model: Model) -> None:
     at_load = model.state_at_load(10.0)
-    at_separation = model.state_at_separation(at_load.separation)
+    at_separation = model.state_at_gap(at_load.gap)
     for name, value in vars(at_load).items():
         assert getattr(at_separation, name) == pytest.approx(float(value), rel=1e-8), name
 
@@ -317,7 +317,7 @@ def test_the_compiled_law_is_as_good_as_the_summary_says(model: Model) -> None:
 @pytest.mark.parametrize("separation", [math.nan, math.inf])
 def test_separations_must_be_finite(model: Model, separation: float) -> None:
     with pytest.raises(Error, match="^separation = ") as caught:
-        model.state_at_separation(separation)
+        model.state_at_gap(separation)
     assert caught.value.status is Status.INVALID_PARAMETER
 
 

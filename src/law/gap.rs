@@ -1,4 +1,4 @@
-//! Load against separation, compiled: the curve read the other way, as a table of the distance x = anchor - separation.
+//! Load against the gap between mean planes, compiled: the curve read the other way, as a table of the distance x = anchor - gap.
 //!
 //! The anchor lies beyond the end of the branch by a whole binade of x, in which the load is not yet 0: rows begin there. Where there is
 //! a pull-off load, they begin at pull-off. Without one the load decays without end: from the lightest load that is compiled,
@@ -21,7 +21,7 @@ const NEAREST_TO_HIGHEST: f64 = 1e-5;
 /// The power by which the load goes to 0 beyond the lightest that is compiled.
 const TAIL_POWER: f64 = 7.0;
 
-/// Load against separation, in the caller's units.
+/// Load against gap, in the caller's units.
 #[derive(Debug, Clone)]
 pub struct Gap {
     /// Rows of x; its "pull-off load" is minus the anchor.
@@ -32,7 +32,8 @@ pub struct Gap {
     lengths: Lengths,
 }
 
-/// The caller's units of length: a separation of the model is `unit` times the separation of the means plus `origin`.
+/// The caller's units of length: a gap of the caller is `unit` times the sum of that of the model and `origin`, what the zero of the
+/// model's heights is above the mean plane.
 #[derive(Debug, Clone, Copy)]
 pub struct Lengths {
     pub unit: f64,
@@ -60,12 +61,12 @@ impl Tail {
 }
 
 impl Lengths {
-    fn separation(&self, dimensionless: f64) -> f64 {
+    pub fn callers(&self, dimensionless: f64) -> f64 {
         (dimensionless + self.origin) * self.unit
     }
 
-    pub fn dimensionless(&self, separation: f64) -> f64 {
-        separation / self.unit - self.origin
+    pub fn dimensionless(&self, gap: f64) -> f64 {
+        gap / self.unit - self.origin
     }
 }
 
@@ -81,22 +82,23 @@ impl Gap {
         };
         // A length over which the load changes by its own size there.
         let scale = match pull_off {
-            Some(point) => end - zero_load(curve, point.separation),
+            Some(point) => curve.gap(end) - curve.gap(zero_load(curve, point.separation)),
             None => {
                 let (load, slope) = curve.load_at(first);
                 -TAIL_POWER * load / slope
             }
         };
+        let [begin, first] = [begin, first].map(|separation| curve.gap(separation));
         let margin = binade_below(scale * lengths.unit);
-        let mut anchor = lengths.separation(first) + margin;
+        let mut anchor = lengths.callers(first) + margin;
         if pull_off.is_some() {
-            // At pull-off's separation itself the surfaces are apart, whatever rounding did to the sum.
-            while anchor - lengths.separation(first) >= margin {
+            // At pull-off's gap itself the surfaces are apart, whatever rounding did to the sum.
+            while anchor - lengths.callers(first) >= margin {
                 anchor = anchor.below();
             }
         }
         let tail = pull_off.is_none().then(|| {
-            let (load, slope) = curve.load_at(lengths.dimensionless(anchor - margin));
+            let [(load, slope)] = curve.load_at_gaps([lengths.dimensionless(anchor - margin)]);
             let load = load * unit_load;
             let rise = -slope * unit_load / lengths.unit * margin / load;
             Tail { begin: margin, load, bend: TAIL_POWER - rise }
@@ -114,42 +116,47 @@ impl Gap {
         Self { heavy, table, tail, lengths }
     }
 
-    /// The table: its argument is minus the separation, its slope by that.
+    /// The table: its argument is minus the gap, its slope by that.
     #[inline]
     pub fn table(&self) -> &Table {
         &self.table
     }
 
-    /// The separation from which on the load is 0.
+    /// The gap from which on the load is 0.
     pub fn end(&self) -> f64 {
         let anchor = -self.table.pull_off;
         anchor - if self.tail.is_some() { 0.0 } else { self.table.begin_of(0) }
     }
 
-    /// Whether the surfaces are apart at a separation.
+    /// Whether the surfaces are apart at a gap.
     #[inline]
-    pub fn is_open(&self, separation: f64) -> bool {
-        let x = -self.table.pull_off - separation;
+    pub fn is_open(&self, gap: f64) -> bool {
+        let x = -self.table.pull_off - gap;
         x <= 0.0 || self.tail.is_none() && x < self.table.begin_of(0)
     }
 
-    /// The load and its slope by minus the separation, where the surfaces are not apart and the table does not answer.
-    pub fn beyond(&self, separation: f64) -> (f64, f64) {
-        let x = -self.table.pull_off - separation;
+    /// The load and its slope by minus the gap, where the surfaces are not apart and the table does not answer.
+    pub fn beyond(&self, gap: f64) -> (f64, f64) {
+        let x = -self.table.pull_off - gap;
         match self.tail.filter(|tail| x < tail.begin) {
             Some(tail) => tail.at(x),
-            None => self.heavy.at(-separation),
+            None => self.heavy.at(-gap),
         }
     }
 
     /// Whether finding them raises no floating-point exception but "inexact".
-    pub fn is_moderate_beyond(&self, separation: f64) -> bool {
-        let x = -self.table.pull_off - separation;
-        !self.tail.is_some_and(|tail| x < tail.begin) && self.heavy.is_moderate(-separation)
+    pub fn is_moderate_beyond(&self, gap: f64) -> bool {
+        let x = -self.table.pull_off - gap;
+        !self.tail.is_some_and(|tail| x < tail.begin) && self.heavy.is_moderate(-gap)
     }
 
-    /// The separation that carries a load, to some digits; dimensionless; `None` beyond the table.
-    pub fn separation_of(&self, load: f64) -> Option<f64> {
+    /// The caller's units of length.
+    pub fn lengths(&self) -> Lengths {
+        self.lengths
+    }
+
+    /// The gap at which a load is carried; `None` beyond the table.
+    pub fn of_load(&self, load: f64) -> Option<f64> {
         let begins =
             |row: usize| self.table.at_excess(self.table.begin_of(row)).map_or(f64::INFINITY, |(load, _)| load);
         let (mut row, mut next) = (0, self.table.row_count);
@@ -162,8 +169,7 @@ impl Gap {
         }
         let (from, to) = (self.table.begin_of(row), self.table.begin_of(next));
         let excess = |x: f64| self.table.at_excess(x).map_or(f64::INFINITY, |(at, _)| at - load);
-        (next < self.table.row_count)
-            .then(|| self.lengths.dimensionless(-self.table.pull_off - root::bracketed(excess, from, to)))
+        (next < self.table.row_count).then(|| -self.table.pull_off - root::bracketed(excess, from, to))
     }
 }
 
@@ -193,24 +199,25 @@ struct Distances<'a> {
     lengths: Lengths,
     unit_load: f64,
     anchor: f64,
-    /// The end of the branch.
+    /// The gap at the end of the branch.
     end: f64,
     least: f64,
 }
 
 impl Source for Distances<'_> {
     fn at<const N: usize>(&self, log_x: [f64; N]) -> [(f64, f64); N] {
-        log_x.map(|log_x| {
-            let x = exp(log_x);
-            let separation = (self.anchor - x - self.lengths.origin).min(self.end);
-            let (load, slope) = self.curve.load_at(separation);
-            (load * self.unit_load, -slope * self.unit_load * x)
+        let x = log_x.map(exp);
+        let loads = self.curve.load_at_gaps(x.map(|x| (self.anchor - x - self.lengths.origin).min(self.end)));
+        std::array::from_fn(|i| {
+            let (load, slope) = loads[i];
+            (load * self.unit_load, -slope * self.unit_load * x[i])
         })
     }
 
     fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
-        let log_x = |separation: f64| log(self.anchor - self.lengths.origin - separation);
-        let joints = self.curve.joints().rev().filter(|&joint| joint < self.end).map(log_x);
+        let log_x = |gap: f64| log(self.anchor - self.lengths.origin - gap);
+        let joints = self.curve.joints().rev().map(|joint| self.curve.gap(joint));
+        let joints = joints.filter(|&joint| joint < self.end).map(log_x);
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 
@@ -228,7 +235,7 @@ mod tests {
     #[test]
     fn the_table_is_small_and_nearly_all_of_it_is_whole_rows() {
         for (gamma, most) in [(0.0, 400), (1e-3, 340)] {
-            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let table = law.gap().table();
             let links = table.rows.iter().filter(|row| row.is_link()).count();
             println!("{} rows, {} with parts, {links} links", table.row_count, table.rows.len());
@@ -238,7 +245,7 @@ mod tests {
             // From next to the end, or from where the load is more than nothing, to far in compression.
             for i in 0..200 {
                 let separation = branch.farthest().min(9.0) - 1e-3 * 1.08_f64.powi(i);
-                let (load, _) = table.at_load(-law.gap().lengths.separation(separation)).expect("it is tabulated");
+                let (load, _) = table.at_load(-law.gap().lengths.callers(separation)).expect("it is tabulated");
                 let exact = 3.0 * branch.population().at_separation(separation).load();
                 let error = (load - exact).abs() / exact.abs().max(least);
                 assert!(error < 1e-9, "{error:e} at {separation}");
@@ -262,7 +269,7 @@ mod tests {
     #[test]
     fn beyond_the_table_surfaces_are_apart_or_the_load_goes_on() {
         for gamma in [0.0, 1e-3] {
-            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let gap = law.gap();
             let [end, step] = [gap.end(), 1e-12];
             assert!(gap.is_open(end + step) && !gap.is_open(end - step), "{gamma}: {end:e}");

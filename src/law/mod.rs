@@ -12,6 +12,7 @@ mod curve;
 mod fill;
 mod gap;
 mod panel;
+mod planes;
 mod position;
 mod row;
 mod shares;
@@ -29,10 +30,11 @@ use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
 use panel::Sample;
+use planes::Planes;
 use shares::Shares;
 
 pub use curve::Unfollowed;
-use gap::Lengths;
+pub use gap::Lengths;
 pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
@@ -60,7 +62,7 @@ const LIGHTEST_PULL_OFF: f64 = 1e-30;
 pub enum Quantity {
     /// The friction force.
     Friction,
-    /// The sum of contact radii, to which the tangential stiffness is proportional.
+    /// The sum of contact radii over psi, to which the tangential stiffness is proportional.
     Radius,
 }
 
@@ -73,16 +75,17 @@ impl Quantity {
     pub fn of(self, sums: &Sums) -> (f64, f64) {
         match self {
             Self::Friction => (sums.friction, sums.friction_slope),
-            Self::Radius => (sums.radius, sums.radius_slope),
+            Self::Radius => sums.spread_radius(),
         }
     }
 }
 
-/// Friction force and tangential stiffness against load, and load against separation.
+/// Friction force and tangential stiffness against load, and load against gap.
 #[derive(Debug, Clone)]
 pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     gap: Gap,
+    planes: Option<Box<Planes>>,
     shares: Shares,
 }
 
@@ -131,11 +134,17 @@ impl Reach {
 }
 
 impl Law {
-    /// Compiles the law in units of load, of each quantity and of length.
+    /// Compiles the law in units of load, of each quantity and of length; `mean_height` is that of the mean of the summits above the
+    /// mean plane, in that unit.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
-    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], length: f64) -> Result<Self, Unfollowed> {
+    pub fn new(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+    ) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
         let reach = Reach::of(branch);
         let curve = Curve::new(branch, reach, &mut samples)?;
@@ -146,9 +155,8 @@ impl Law {
             compiled
         });
         let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
-        let lengths = Lengths { unit: length, origin: branch.population().heights().origin() };
         let gap = Gap::new(branch, &curve, reach, lengths, load);
-        Ok(Self { compiled, gap, shares })
+        Ok(Self { compiled, gap, planes: curve.into_planes(), shares })
     }
 
     /// The table of a quantity.
@@ -183,7 +191,24 @@ impl Law {
         &self.shares
     }
 
-    /// Load against separation.
+    /// The gap between mean planes at a separation of the population, in the caller's unit.
+    pub fn gap_at(&self, separation: f64) -> f64 {
+        let gap = self.planes.as_ref().map_or(separation, |planes| planes.gap(separation));
+        self.gap.lengths().callers(gap)
+    }
+
+    /// The separation of the population at a gap in the caller's unit.
+    pub fn separation_at(&self, gap: f64) -> f64 {
+        let gap = self.gap.lengths().dimensionless(gap);
+        self.planes.as_ref().map_or(gap, |planes| planes.separation(gap))
+    }
+
+    /// The separation that carries a load, to some digits; `None` beyond the table.
+    pub fn separation_of(&self, load: f64) -> Option<f64> {
+        self.gap.of_load(load).map(|gap| self.separation_at(gap))
+    }
+
+    /// Load against gap.
     #[inline]
     pub fn gap(&self) -> &Gap {
         &self.gap
@@ -259,20 +284,20 @@ mod tests {
 
     const LOAD: f64 = 3.0;
     const UNITS: [f64; 2] = [0.5, 7.0];
-    const LENGTH: f64 = 3e-9;
+    const LENGTHS: Lengths = Lengths { unit: 3e-9, origin: 0.0 };
 
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
                 assert!(error > 1e-16 && error < 5e-11, "{quantity:?}: {error:e}");
             }
             let table = law.table(Quantity::Friction);
             for load in [0.1, 1.0, 55.0, 3e3].map(|load| load * LOAD) {
-                let separation = law.gap().separation_of(load).expect("it is covered");
+                let separation = law.separation_of(load).expect("it is covered");
                 let found = branch.log_excess(separation).sums.load() * LOAD;
                 assert!((found / load - 1.0).abs() < 1e-8, "{found}, not {load}");
             }
@@ -302,7 +327,7 @@ mod tests {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let table = law.table(Quantity::Friction);
             // Hertz' overlap at that radius, in sigma, with R = beta/alpha and sigma = alpha beta.
             let overlap = 8e4 * 8e4 / (beta * beta);
@@ -355,7 +380,7 @@ mod tests {
                     let branch = Branch::new(of(&surface(groups, heights, radii))).expect("a branch");
                     let mut samples = Vec::new();
                     let curve = Curve::new(&branch, Reach::of(&branch), &mut samples).expect("a curve");
-                    let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+                    let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
                     let rows = law.table(Quantity::Friction).rows.len();
                     [samples.len(), curve.joints().count(), rows, law.gap().table().rows.len()]
                 },
@@ -425,7 +450,7 @@ mod tests {
         let panels = surfaces.map(|params| {
             [panels_laid(|| {
                 let branch = Branch::new(of(&params)).expect("a branch");
-                Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law")
+                Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law")
             })]
         });
         assert_work(
@@ -447,7 +472,7 @@ mod tests {
         for heights in [crate::params::HeightFamily::Weibull { shape: 1.1 }, crate::population::tests::table(), steps] {
             let branch = Branch::new(crate::population::tests::of(&Params { heights, ..Params::paper() }));
             let branch = branch.expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let excess = |sums: &Sums| sums.load() - branch.pull_off_load();
             let at = |separation: f64| branch.population().at_separation(separation);
             let kinks: Vec<f64> =
@@ -483,7 +508,7 @@ mod tests {
                 ..default
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let feet: Vec<f64> = branch.kinks().iter().copied().filter(|&kink| kink > -10.0).collect();
             assert!(feet.len() >= 2, "{feet:?}");
             for quantity in Quantity::ALL {

@@ -175,7 +175,7 @@ fn normalised(mut shares: PerElement) -> PerElement {
 #[cfg(test)]
 mod tests {
     use super::super::tests::branch;
-    use super::super::Law;
+    use super::super::{Law, Lengths};
     use super::*;
 
     fn force(shares: &PerElement, x: f64) -> f64 {
@@ -237,7 +237,7 @@ mod tests {
         let mut params = surface(WEAK, crate::params::HeightFamily::Gaussian, [0.0, 1.0]);
         (params.slip.radius_1, params.slip.radius_2, params.slip.stress_2) = (20.0, 40.0, 0.006);
         let branch = Branch::new(of(&params)).expect("a branch");
-        let law = Law::new(&branch, 1.0, [1.0; 2], 1.0).expect("a law");
+        let law = Law::new(&branch, 1.0, [1.0; 2], Lengths { unit: 1.0, origin: 0.0 }).expect("a law");
         let Shares { first, rows } = &law.shares;
         let mut differences = Vec::new();
         for (row, shares) in rows.iter().enumerate().filter(|(row, _)| row % LONGEST == 0).skip(1) {
@@ -267,7 +267,7 @@ mod tests {
     #[test]
     fn elements_resist_what_the_contacts_of_their_load_do() {
         let branch = branch(0.001);
-        let law = Law::new(&branch, 1.0, [1.0; 2], 1.0).expect("a law");
+        let law = Law::new(&branch, 1.0, [1.0; 2], Lengths { unit: 1.0, origin: 0.0 }).expect("a law");
         for log_excess in [-20.0_f64, -8.3, -3.1, 0.2, 4.9, 9.0] {
             let (separation, sums) = branch.at_log_excess(log_excess, None).expect("a state");
             let (mut shares, mut slopes) = ([0.0; ELEMENTS], [0.0; ELEMENTS]);

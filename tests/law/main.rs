@@ -5,4 +5,4 @@ mod common;
 
 mod compiled;
 mod contact_radius_sum;
-mod load_at_separation;
+mod load_at_gap;

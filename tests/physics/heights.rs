@@ -193,10 +193,10 @@ fn the_whole_domain_makes_sound_models() {
             asked += 1;
             answered += usize::from(force != exact.friction_force);
             assert!(exact.contacting >= 0.0 && exact.contacting < 1.0 + 1e-12, "{name}: {exact:?}");
-            assert!(exact.dload_dseparation < 0.0, "{name}, load {load}: {exact:?}");
+            assert!(exact.dload_dgap < 0.0, "{name}, load {load}: {exact:?}");
             if let Some(before) = before {
                 assert!(exact.friction_force > before.friction_force, "{name}, load {load}: friction falls");
-                assert!(exact.separation <= before.separation, "{name}, load {load}: separation rises");
+                assert!(exact.gap <= before.gap, "{name}, load {load}: separation rises");
             }
             before = Some(exact);
         }
@@ -357,19 +357,17 @@ fn slopes_are_those_of_secants() {
                 };
                 made += 1;
                 for separation in [-2.0, 0.1, 0.7, 1.0] {
-                    let at = |part: f64| {
-                        model.state_at_separation((separation + part) * params.height_std).expect("a state")
-                    };
+                    let at = |part: f64| model.state_at_gap((separation + part) * params.height_std).expect("a state");
                     let (here, step) = (at(0.0), 1e-5);
                     if here.contacting + here.attracted == 0.0 {
                         continue; // above the highest summit
                     }
                     let (above, below) = (at(step), at(-step));
-                    let secant = (above.load - below.load) / (above.separation - below.separation);
+                    let secant = (above.load - below.load) / (above.gap - below.gap);
                     assert!(
-                        (secant / here.dload_dseparation - 1.0).abs() < 1e-6,
+                        (secant / here.dload_dgap - 1.0).abs() < 1e-6,
                         "{heights:?}, gamma {gamma}, epsilon {amplitude}, d {separation}: {secant:e}, not {:e}",
-                        here.dload_dseparation
+                        here.dload_dgap
                     );
                     let secant = (above.friction_force - below.friction_force) / (above.load - below.load);
                     assert!(

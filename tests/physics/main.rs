@@ -8,6 +8,7 @@ mod few_contacts;
 mod figures;
 mod film;
 mod heights;
+mod mean_planes;
 mod microslip;
 mod published;
 mod reference;

@@ -144,7 +144,7 @@ struct Answers<L: Lanes> {
     apart: L::Mask,
 }
 
-/// What is known beside the table. Zero is a separation like others, and there is no load where the surfaces are apart.
+/// What is known beside the table. Zero is a gap like others, and there is no load where the surfaces are apart.
 fn known(model: &Model, quantity: Quantity) -> Known {
     let unknown = (f64::NAN, f64::NAN);
     match quantity {
@@ -181,7 +181,7 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
 ) -> usize {
     let table = quantity.table(model);
     let cap = model.params().max_friction_coefficient;
-    // A load by separation goes on as a power of the separation, which is left to the scalar call.
+    // A load by gap goes on as a power of the gap, which is left to the scalar call.
     let beyond = (quantity != Quantity::Load).then(|| model.continuations(quantity.tabulated()));
     let limits = Limits { table, known: known(model, quantity), cap, inverse_cap: model.inverse_cap(), beyond };
     let vectors = arrays.n / L::COUNT;
