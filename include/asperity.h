@@ -212,8 +212,10 @@ typedef struct asperity_params {
    * default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
    * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
-  /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
-   */
+  /** Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
+   * Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of
+   * contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the
+   * summits approach by. A/A_0 counts as 0.5 at most. */
   double nominal_area;
   /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */
   int32_t contact_law;
@@ -340,8 +342,8 @@ typedef struct asperity_state {
   uint64_t struct_size;
   /** Normal load P [force]; negative pulls. */
   double load;
-  /** Separation d of the flat from the mean of the summit heights [length]. */
-  double separation;
+  /** Gap between the mean planes of the surfaces [length], as for `asperity_load_at_gap`. */
+  double gap;
   /** Friction force F [force], >= 0. */
   double friction_force;
   /** Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it. */
@@ -350,8 +352,8 @@ typedef struct asperity_state {
   double dforce_dload;
   /** d(F/P)/dP [1/force]; 0 where the coefficient is capped. */
   double dmu_dload;
-  /** dP/dd [force/length]: minus the normal contact stiffness. */
-  double dload_dseparation;
+  /** d(load)/d(gap) [force/length]: minus the normal contact stiffness. */
+  double dload_dgap;
   /** Real area of contact [length^2]. */
   double real_area;
   /** Number of summits in contact [-]; need not be an integer. */
@@ -389,8 +391,8 @@ typedef struct asperity_state {
   double fraction_elastic;
   /** Fraction of the contacts that are fully plastic [-]. */
   double fraction_flowing;
-  /** Sum of the radii of all contacts [length]. The constriction conductance, thermal or electrical, of independent
-   * contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
+  /** Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or
+   * electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
@@ -1172,8 +1174,8 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model, 
 
 /** Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact conductance.
  *
- * The conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two
- * bodies. The sum is K_t/(8 G^), of `asperity_tangential_stiffness_at_load`.
+ * The conductance is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two bodies. The sum is
+ * K_t/(8 G^), of `asperity_tangential_stiffness_at_load`: over psi, where `nominal_area` is known.
  *
  * @param model  a model
  * @param load   normal load [force]
@@ -1257,44 +1259,43 @@ asperity_status asperity_microslip_step(const struct asperity_model *model, doub
 asperity_status asperity_microslip_steps(const struct asperity_model *model, size_t n, const double *load,
     const double *increment, const double *before, double *after, double *force, double *stiffness);
 
-/** Load at a separation of the mean planes, from the compiled law.
+/** Load at a gap, from the compiled law.
  *
- * The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
- * pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
- * half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
- * weaker than 1e-30 of that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
- * load or to the pull-off load, whichever is larger. In compression beyond that of 1e6 times the load at which half of the
- * asperities touch, the load goes on as a power of the compression.
+ * The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
+ * pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
+ * adhesion the load decays with the gap: below about 1e-24 of the load at which half of the asperities touch it is taken to 0
+ * smoothly, within about one standard deviation of heights. A pull-off load weaker than 1e-30 of that counts as none. Values are
+ * within 1e-9 of exact ones, slopes within 1e-7, both relative to the load or to the pull-off load, whichever is larger. In
+ * compression beyond that of 1e6 times the load at which half of the asperities touch, the load goes on as a power of the
+ * compression.
+ *
+ * @param model  a model
+ * @param gap    between the mean planes [length]; negative in deep compression
+ * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
+ *         infinite or below -1e50 `height_std`, or a NULL model */
+double asperity_load_at_gap(const struct asperity_model *model, double gap);
+
+/** Load at a gap, with its slope.
  *
  * @param model       a model
- * @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
- * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation
- *         that is NaN, infinite or below -1e50 `height_std`, or a NULL model */
-double asperity_load_at_separation(const struct asperity_model *model, double separation);
+ * @param gap         as for `asperity_load_at_gap`
+ * @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
+ *                    beyond; NaN where the load is
+ * @return as `asperity_load_at_gap` */
+double asperity_load_and_slope_at_gap(const struct asperity_model *model, double gap, double *dload_dgap);
 
-/** Load at a separation, with its slope.
+/** Loads at many gaps, and their slopes.
  *
- * @param model              a model
- * @param separation         as for `asperity_load_at_separation`
- * @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
- *                           pull-off and beyond; NaN where the load is
- * @return as `asperity_load_at_separation` */
-double asperity_load_and_slope_at_separation(const struct asperity_model *model, double separation,
-    double *dload_dseparation);
-
-/** Loads at many separations, and their slopes.
- *
- * @param model             a model
- * @param n                 number of separations
- * @param separation        n separations [length]
- * @param load              receives n loads [force]
- * @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness;
- *                          0 at pull-off and beyond
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or
- *         infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
+ * @param model       a model
+ * @param n           number of gaps
+ * @param gap         n gaps [length]
+ * @param load        receives n loads [force]
+ * @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
+ *                    and beyond
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
  *         below -1e50 `height_std`) */
-asperity_status asperity_loads_at_separations(const struct asperity_model *model, size_t n, const double *separation,
-    double *load, double *dload_dseparation);
+asperity_status asperity_loads_at_gaps(const struct asperity_model *model, size_t n, const double *gap, double *load,
+    double *dload_dgap);
 
 /** Computes load, friction force and contact radius of single summits, by the law that the model sums over all summits.
  *
@@ -1335,15 +1336,14 @@ asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
  *         `ASPERITY_OUT_OF_MEMORY` */
 asperity_status asperity_state_at_load(const struct asperity_model *model, double load, struct asperity_state *state);
 
-/** Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
+/** Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
  *
- * @param model       a model
- * @param separation  of the flat from the mean of the summit heights [length]; may be negative
- * @param state       receives the state
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a separation that
- *         is not finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY` */
-asperity_status asperity_state_at_separation(const struct asperity_model *model, double separation,
-    struct asperity_state *state);
+ * @param model  a model
+ * @param gap    as for `asperity_load_at_gap` [length]; may be negative
+ * @param state  receives the state
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a gap that is not
+ *         finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY` */
+asperity_status asperity_state_at_gap(const struct asperity_model *model, double gap, struct asperity_state *state);
 
 /** Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table.
  *
@@ -1482,10 +1482,10 @@ const char *asperity_version(void);
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`) */
 asperity_status asperity_table_of(const struct asperity_model *model, struct asperity_table *table);
 
-/** Gives a view of the compiled load against separation, for the evaluators of `asperity_table_of`.
+/** Gives a view of the compiled load against gap, for the evaluators of `asperity_table_of`.
  *
- * In its rows minus the separation stands in place of a load and the load in place of the friction force: F at -separation is
- * the load, and minus dF/d(load) there its slope by separation. Between the lightest load of the rows and the end it is 0.
+ * In its rows minus the gap stands in place of a load and the load in place of the friction force: F at -gap is
+ * the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the end it is 0.
  *
  * @param model  a model
  * @param table  as for `asperity_table_of`
