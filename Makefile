@@ -59,6 +59,7 @@ tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh
 tests/harden/supply_chain.sh
+packaging/size.py
 tests/dist/same_bits.sh
 tests/dist/refusals.sh
 tests/setup.sh hosts

@@ -77,6 +77,15 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.params_text(params, written, length + 1) == length == len(written.value)
     assert lib.params_init(back, ctypes.sizeof(back)) == Status.OK
     assert lib.params_set_text(back, written, length) == Status.OK and bytes(back) == bytes(params)
+    surface = b"pair = 'Si/Si'\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_count = 1e5\n"
+    estimates = (_header.asperity_estimate * 2)()
+    estimates[0].struct_size = ctypes.sizeof(_header.asperity_estimate)
+    loads = (ctypes.c_double * 2)(1e-3, 1e-2)
+    assert lib.estimate_at_loads(surface, len(surface), 2, loads, estimates) == Status.OK and estimates[1].load == 1e-2
+    assert estimates[0].low < estimates[0].friction_coefficient < estimates[0].high and estimates[1].strength_source == 0
+    length = lib.estimate_text(surface, len(surface), 2, loads, None, 0)
+    told = ctypes.create_string_buffer(length + 1)
+    assert lib.estimate_text(surface, len(surface), 2, loads, told, length + 1) == length and told.value.startswith(b"mu(0.001 N)")
     assert lib.params_set_units(back, 1e-3, 1.0) == Status.OK and math.isclose(back.height_std, 1e3 * params.height_std)
     assert lib.params_read(back, b"nowhere.toml") == Status.INVALID_PARAMETER
 

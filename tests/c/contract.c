@@ -1209,7 +1209,7 @@ static void a_warning_is_told_with_its_loads(void)
     FAILS(asperity_warning_loads(model, 16, &lightest, NULL), ASPERITY_NULL_POINTER, "heaviest is NULL");
     FAILS(asperity_warning_loads(model, 0, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 0: must be one");
     FAILS(asperity_warning_loads(model, 3, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 3: must be one");
-    FAILS(asperity_warning_loads(model, 1024, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 512: ");
+    FAILS(asperity_warning_loads(model, 1024, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 1024: ");
 #undef FAILS
     CHECK(asperity_warning_loads(model, ASPERITY_WARNING_UNCALIBRATED, &lightest, &heaviest) == ASPERITY_OK && isnan(lightest) &&
           isnan(heaviest), "a strength of its own: %g to %g", lightest, heaviest);
