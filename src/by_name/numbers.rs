@@ -178,18 +178,18 @@ impl Numbers {
         Ok(())
     }
 
-    /// The measurement, where one is given: its load, and the friction force, or what is wrong with its coefficient.
+    /// The measurement, where one is given: its load and the friction force.
     ///
     /// # Errors
-    /// [`Error::Meaningless`] of a part of one, or of two.
-    pub fn measured(&self) -> Result<Option<(f64, Result<f64, Error>)>, Error> {
+    /// [`Error::Meaningless`] of a part of one, or of two; those of the coefficient in [`Params::calibrate`].
+    pub fn measured(&self) -> Result<Option<(f64, f64)>, Error> {
         let [load, coefficient, force] =
             ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"]
                 .map(|name| self.get(name));
         match (load, coefficient, force) {
             (None, None, None) => Ok(None),
-            (Some(load), Some(coefficient), None) => Ok(Some((load, Params::measured_force(load, coefficient)))),
-            (Some(load), None, Some(force)) => Ok(Some((load, Ok(force)))),
+            (Some(load), Some(coefficient), None) => Ok(Some((load, Params::measured_force(load, coefficient)?))),
+            (Some(load), None, Some(force)) => Ok(Some((load, force))),
             _ => Err(meaningless(
                 "calibration_load: must be given together with calibration_friction_coefficient or \
                  calibration_friction_force, and with one of the two alone",

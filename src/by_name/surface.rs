@@ -149,11 +149,9 @@ impl Entries<'_> {
 
     /// The measured points: those of `measured`, or that of the calibration.
     fn points(&self, numbers: &Numbers, error: f64) -> Outcome<Vec<Point>> {
-        let problem = |error| self.problem(error, self.measured());
-        let one = numbers.measured().map_err(problem)?;
+        let one = numbers.measured().map_err(|error| self.problem(error, self.measured()))?;
         let Some(entry) = self.find(Table::Top, "measured") else {
-            let point = one.map(|(load, force)| Ok(Point { load, force: force?, error }));
-            return Ok(point.transpose().map_err(problem)?.into_iter().collect());
+            return Ok(one.map(|(load, force)| Point { load, force, error }).into_iter().collect());
         };
         if one.is_some() {
             return Err(entry.refused(format_args!("calibration_load gives a measured point already, leave one out")));

@@ -129,7 +129,7 @@ impl Estimate {
             let mut here = Vec::with_capacity(seen.len());
             for (one, point) in seen.iter().zip(&described.points) {
                 let force = model.friction_force_at_load(point.load);
-                if !(force > 0.0) {
+                if !finite(force) || force <= 0.0 {
                     return Err(of_points(bytes, Model::not_evaluated(point.load)));
                 }
                 here.push(Seen { force, ..*one });

@@ -163,6 +163,16 @@ fn at_no_load_the_limit_is_said_and_no_cap() {
     assert!(light.friction_coefficient > 0.4, "capped: {light:?}");
 }
 
+/// Surfaces that stick part long before their summits do not touch.
+#[test]
+fn surfaces_that_adhere_strongly_are_estimated() {
+    let text = "pair = \"PDMS/PDMS\"\nburgers_vector = 50e-9\nnominal_area = 1e-4\n[roughness]\nSq = 5e-7\nSdq = 0.08\n";
+    let model = Model::new(&Params::from_toml(text).expect("a surface")).expect("a model");
+    for found in estimate(text, &[1e-3, 1e-2, 10.0]).1 {
+        assert_near(found.friction_coefficient, model.friction_force_at_load(found.load) / found.load, 1e-7);
+    }
+}
+
 #[test]
 fn metal_that_yields_takes_the_law_that_knows_it() {
     let yields = "asperities yield, plasticity index";

@@ -71,7 +71,8 @@ impl Curve {
         let mut from = curve.sample(branch, positions.middle - depth)?;
         if reach.is_part {
             for height in NEARER {
-                let nearer = curve.sample(branch, positions.middle + height)?;
+                // Where adhesion holds surfaces together the branch may end before.
+                let Ok(nearer) = curve.sample(branch, positions.middle + height) else { continue };
                 if nearer.log_excess > reach.log_heaviest && nearer.separation < steps.end {
                     from = nearer;
                     break;

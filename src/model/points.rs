@@ -5,6 +5,7 @@
 //! points are those of ln F.
 
 use crate::elementary::{exp, log};
+use crate::float_bits::nan;
 
 /// A friction force measured at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +96,7 @@ pub fn slice(seen: &[Seen], prior: Prior, kappa: f64) -> Slice {
             precision += weight * by_log_c * by_log_c;
         }
         let step = slope / precision;
-        if !(step.abs() > 1e-14) {
+        if nan(step) || step.abs() <= 1e-14 {
             break;
         }
         log_c -= step.clamp(-1.0, 1.0);

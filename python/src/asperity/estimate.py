@@ -113,11 +113,13 @@ def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
     found[0].struct_size = ctypes.sizeof(_header.asperity_estimate)
     check(LIBRARY.asperity_estimate_at_loads(text, len(text), flat.size, flat.ctypes.data_as(_header._double), found))
 
-    def column(name: str, called: str | None = None) -> Any:
-        values = np.array([getattr(one, name) for one in found[: flat.size]]).reshape(loads.shape)
-        return float(values) if isinstance(load, numbers.Real) else like(load, values, called or name)
+    table = np.ctypeslib.as_array(found)[: flat.size]
 
-    known = all(one.low == one.high for one in found[: flat.size])
+    def column(name: str) -> Any:
+        values = np.ascontiguousarray(table[name]).reshape(loads.shape)
+        return float(values) if isinstance(load, numbers.Real) else like(load, values, name)
+
+    known = bool((table["low"] == table["high"]).all())
     return Estimate(
         column("friction_coefficient"),
         None if known else column("low"),
