@@ -241,10 +241,9 @@ module asperity
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
     real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
-                                                    ! nominally equal contacts under this load, from the number of
-                                                    ! contacts; 0 if asperity_count is 1
+                                                    ! nominally equal contacts under this load; 0 if asperity_count is 1
     real(c_double) :: friction_bias                 ! Mean friction force of nominally equal contacts under this load
-                                                    ! over friction_force, minus 1 [-]; 0 if asperity_count is 1
+                                                    ! over friction_force, minus 1 [-]; 0 and NaN as friction_scatter
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters

@@ -383,11 +383,12 @@ typedef struct asperity_state {
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
-  /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from
-   * the number of contacts; 0 if `asperity_count` is 1. */
+  /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
+   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+   */
   double friction_scatter;
-  /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if
-   * `asperity_count` is 1. */
+  /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
+   * `friction_scatter`. */
   double friction_bias;
 } asperity_state;
 
