@@ -91,12 +91,13 @@ def test_a_bandwidth_hardly_matters_and_may_be_given_in_three_ways() -> None:
 
 def test_the_other_names_of_a_profile_are_refused_together_or_alone() -> None:
     rest: dict[str, Any] = dict(nominal_area=AREA, **CONTACT)
-    for given, message in (
+    cases: tuple[tuple[dict[str, Any], str], ...] = (
         ({"Rq": 5e-9}, "RSm: must be set, or Rdq"),
         ({"Rq": 5e-9, "RSm": 1e-6, "Rdq": 0.1}, "Rdq: must not be given together with RSm"),
         ({"Rq": 5e-9, "RSm": 0}, "RSm = 0: must be finite and > 0"),
         ({"Rq": 5e-9, "Rdq": 4.0}, "rms_slope = 5.6.*: must be at most 5, .* is Sdq in degrees or per cent"),
-    ):
+    )
+    for given, message in cases:
         with pytest.raises(Error, match=message):
             Params.from_profile(**given, **rest)
 

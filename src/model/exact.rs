@@ -6,6 +6,7 @@ use crate::elementary::log;
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::law::Quantity;
+use crate::params::Params;
 use crate::population::{OneSummit, Statistics, Sums};
 use crate::sensitivity::Sensitivities;
 
@@ -224,6 +225,11 @@ impl Model {
         let ends = self.measures_of(lightest, farthest, &light)?.warnings()
             | self.measures_of(heaviest, nearest, &heavy)?.warnings();
         Ok(ends | warnings_between(nearest, farthest, |d| self.measures_at(d))?)
+    }
+
+    /// The same with the strength that other parameters of these surfaces have.
+    pub(crate) fn check_loads_with(&self, params: &Params, lightest: f64, heaviest: f64) -> Result<u64, Error> {
+        Self { params: params.clone(), ..self.clone() }.check_loads(lightest, heaviest)
     }
 
     /// Between which loads of the compiled law a warning holds: the lightest and the heaviest at which it does; `None` if it

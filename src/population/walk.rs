@@ -152,8 +152,8 @@ impl Population {
         (1.0 + fall * LONGER_PER_FOLD).min(2.0)
     }
 
-    /// Whether the summits above one add nothing to what has been summed: above the last mode, where ln of their density
-    /// falls about as fast as there.
+    /// Whether the summits above one add nothing to what has been summed: above the last mode, where the density falls on. Of a table
+    /// that may be as slowly as can be, elsewhere its logarithm falls about as fast as there.
     pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point, log_density: f64) -> bool {
         if from.z < self.heights.last_mode() {
             return false;
@@ -161,8 +161,11 @@ impl Population {
         let density = exp(log_density);
         // Where the density is 0 it has no rate.
         density == 0.0 || {
-            let rate = -self.heights.log_density_slope(from.z);
-            density * importance(from.contact.overlap) <= NEGLIGIBLE * progress.total * rate
+            let (rate, rise) = match self.heights.is_piecewise_polynomial() {
+                true => (1.0 / (self.highest - from.z), self.highest - from.z),
+                false => (-self.heights.log_density_slope(from.z), 0.0),
+            };
+            density * importance(from.contact.overlap + rise) <= NEGLIGIBLE * progress.total * rate
         }
     }
 

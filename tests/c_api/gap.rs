@@ -97,8 +97,7 @@ fn the_first_gap_that_is_not_in_order_is_named() {
             gaps[299] = gap;
             let mut load = [0.0; 300];
             // SAFETY: arrays of 300 elements.
-            let found =
-                unsafe { asperity_loads_at_gaps(model, 300, gaps.as_ptr(), load.as_mut_ptr(), null_mut()) };
+            let found = unsafe { asperity_loads_at_gaps(model, 300, gaps.as_ptr(), load.as_mut_ptr(), null_mut()) };
             assert_eq!(found, status, "{gap}: {}", message());
             let message = message();
             assert!(message.starts_with(&format!("element {index}: ")) && message.contains(says), "{message}");

@@ -479,7 +479,7 @@ class FrictionLaw:
         still attract. `asperity.pads` makes pads of few contacts of them.
 
         Args:
-            overlap: height of a summit less the separation [length]; an array of any shape.
+            overlap: how far a summit would reach beyond the flat [length]; an array of any shape.
             height: of each from the mean of the summit heights [length], on which radii depend where `radius_amplitude` is
                 not 0; without, the mean height.
 

@@ -69,7 +69,8 @@ def estimates(height: Array, curvature: Array, tile: npt.NDArray[np.intp], areas
 def _jackknife(without: Array) -> Array:
     """Standard errors of numbers, from what they are without one tile at a time, shape (numbers, tiles)."""
     count = without.shape[1]
-    return np.sqrt((count - 1) / count * ((without - without.mean(axis=1, keepdims=True)) ** 2).sum(axis=1))
+    variance = (count - 1) / count * ((without - without.mean(axis=1, keepdims=True)) ** 2).sum(axis=1)
+    return np.asarray(np.sqrt(variance))
 
 
 def height_and_slope(level: Array, dx: float, dy: float) -> list[Estimate]:
