@@ -2,7 +2,7 @@
 # make test      Rust, C, C++, Fortran, Python, JavaScript and one host, in minutes
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
-# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
+# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, two hours or so
 # make bench     measures speed and accuracy, and writes docs/performance.md and its tables anew
 # make core      what the numerical core costs: lines, constants, instructions, memory
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
@@ -59,6 +59,7 @@ tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh
 tests/harden/supply_chain.sh
+packaging/size.py
 tests/dist/same_bits.sh
 tests/dist/refusals.sh
 tests/setup.sh hosts

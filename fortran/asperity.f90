@@ -152,8 +152,8 @@ module asperity
     real(c_double) :: tangential_modulus            ! G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the
                                                     ! stiffness of contacts that stick; 0, the default, stands for E* G*
                                                     ! / (2 (E* + G*))
-    real(c_double) :: nominal_area                  ! Nominal area of contact [length^2], >= 0, with which warnings
-                                                    ! compare the real area; 0, the default, means not known
+    real(c_double) :: nominal_area                  ! Nominal area A_0 of contact [length^2], >= 0; 0, the default,
+                                                    ! means not known
     integer(c_int32_t) :: contact_law               ! Law of one summit in contact, one of ASPERITY_CONTACT_; Maugis' by
                                                     ! default
     integer(c_int32_t) :: slip_onset                ! How a contact begins to slip, one of ASPERITY_SLIP_; partial slip
@@ -232,8 +232,10 @@ module asperity
                                                     ! positive displacement
     real(c_double) :: stiffness(4)                  ! dT/d(increment) [force/length], row by row: T1 by the first, T1 by
                                                     ! the second, T2 by the first, T2 by the second
-    real(c_double) :: dforce_dload(2)               ! dT/d(load), of the same increment
-    real(c_double) :: dissipated                    ! Work that slip turned into heat in this step, >= 0 [force length]
+    real(c_double) :: dforce_dload(2)               ! dT/d(load) of the same increment; at the load of the last step, as
+                                                    ! it rises
+    real(c_double) :: dissipated                    ! Energy lost in this step, >= 0 [force length]: heat of slip, and
+                                                    ! what parts held that separated
     real(c_double) :: slipping                      ! Fraction of the strength that slips, 0 to 1; 1 is gross slip
   end type asperity_microslip
 
@@ -241,14 +243,14 @@ module asperity
   type, bind(c), public :: asperity_state
     integer(c_int64_t) :: struct_size = 224         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load P [force]; negative pulls
-    real(c_double) :: separation                    ! Separation d of the flat from the mean of the summit heights
-                                                    ! [length]
+    real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [length], as for
+                                                    ! asperity_load_at_gap
     real(c_double) :: friction_force                ! Friction force F [force], >= 0
     real(c_double) :: friction_coefficient          ! Friction coefficient F/P [-], at most max_friction_coefficient, as
                                                     ! asperity_friction_at_load returns it
     real(c_double) :: dforce_dload                  ! dF/dP [-]; infinity at the pull-off load itself
     real(c_double) :: dmu_dload                     ! d(F/P)/dP [1/force]; 0 where the coefficient is capped
-    real(c_double) :: dload_dseparation             ! dP/dd [force/length]: minus the normal contact stiffness
+    real(c_double) :: dload_dgap                    ! d(load)/d(gap) [force/length]: minus the normal contact stiffness
     real(c_double) :: real_area                     ! Real area of contact [length^2]
     real(c_double) :: contacting                    ! Number of summits in contact [-]; need not be an integer
     real(c_double) :: attracted                     ! Number of summits that attract without contact [-]
@@ -274,7 +276,8 @@ module asperity
     real(c_double) :: fraction_elastic              ! Fraction of the contacts below first yield [-]; 1 for
                                                     ! ASPERITY_CONTACT_MAUGIS without a hardness
     real(c_double) :: fraction_flowing              ! Fraction of the contacts that are fully plastic [-]
-    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts [length]
+    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts over psi (see nominal_area)
+                                                    ! [length]
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
     real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
@@ -870,7 +873,7 @@ module asperity
       integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
     end function asperity_contact_radius_sum_at_loads
 
-    ! How many doubles the state of one contact takes; today 32, the same for all models
+    ! How many doubles the state of one contact takes; today 42, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
@@ -908,41 +911,46 @@ module asperity
       integer(c_int32_t) :: asperity_microslip_steps
     end function asperity_microslip_steps
 
-    ! Load at a separation of the mean planes, from the compiled law
-    pure function asperity_load_at_separation(model, separation) bind(c)
+    ! Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine
+    function asperity_microslip_turn(state, cosine, sine) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation
-                                                    ! of the mean planes of asperity heights and flat [length]; negative
-                                                    ! in deep compression
-      real(c_double) :: asperity_load_at_separation
-    end function asperity_load_at_separation
+      type(c_ptr), intent(in), value :: state       ! real(c_double): asperity_microslip_length doubles, changed in
+                                                    ! place
+      real(c_double), intent(in), value :: cosine   ! both of any length
+      real(c_double), intent(in), value :: sine     ! but 0
+      integer(c_int32_t) :: asperity_microslip_turn
+    end function asperity_microslip_turn
 
-    ! Load at a separation, with its slope
-    function asperity_load_and_slope_at_separation(model, separation, dload_dseparation) bind(c)
+    ! Load at a gap, from the compiled law
+    pure function asperity_load_at_gap(model, gap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation ! as for asperity_load_at_separation
-      type(c_ptr), intent(in), value :: dload_dseparation
-                                                    ! real(c_double): receives d(load)/d(separation) [force/length], <=
-                                                    ! 0: minus the normal stiffness; 0 at pull-off and beyond; NaN where
+      real(c_double), intent(in), value :: gap      ! between the mean planes [length]; negative in deep compression
+      real(c_double) :: asperity_load_at_gap
+    end function asperity_load_at_gap
+
+    ! Load at a gap, with its slope
+    function asperity_load_and_slope_at_gap(model, gap, dload_dgap) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model       ! a model
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap
+      type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives d(load)/d(gap) [force/length], <= 0:
+                                                    ! minus the normal stiffness; 0 at pull-off and beyond; NaN where
                                                     ! the load is
-      real(c_double) :: asperity_load_and_slope_at_separation
-    end function asperity_load_and_slope_at_separation
+      real(c_double) :: asperity_load_and_slope_at_gap
+    end function asperity_load_and_slope_at_gap
 
-    ! Loads at many separations, and their slopes
-    function asperity_loads_at_separations(model, n, separation, load, dload_dseparation) bind(c)
+    ! Loads at many gaps, and their slopes
+    function asperity_loads_at_gaps(model, n, gap, load, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of separations
-      type(c_ptr), intent(in), value :: separation  ! real(c_double): n separations [length]
+      integer(c_size_t), intent(in), value :: n     ! number of gaps
+      type(c_ptr), intent(in), value :: gap         ! real(c_double): n gaps [length]
       type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]
-      type(c_ptr), intent(in), value :: dload_dseparation
-                                                    ! real(c_double): receives n slopes d(load)/d(separation)
-                                                    ! [force/length], <= 0: minus the normal stiffness; 0 at pull-off
-                                                    ! and beyond
-      integer(c_int32_t) :: asperity_loads_at_separations
-    end function asperity_loads_at_separations
+      type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives n slopes d(load)/d(gap) [force/length],
+                                                    ! <= 0: minus the normal stiffness; 0 at pull-off and beyond
+      integer(c_int32_t) :: asperity_loads_at_gaps
+    end function asperity_loads_at_gaps
 
     ! Computes load, friction force and contact radius of single summits, by the law that the model sums over all
     ! summits
@@ -950,8 +958,8 @@ module asperity
       import
       type(c_ptr), intent(in), value :: model       ! a model
       integer(c_size_t), intent(in), value :: n     ! number of summits
-      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: the height of the summit less
-                                                    ! the separation, negative for a gap unless n = 0
+      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
+                                                    ! reach beyond the flat, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
                                                     ! [length], on which radii of summits depend where radius_amplitude
                                                     ! is not 0; c_null_ptr: all summits have the mean height
@@ -973,17 +981,14 @@ module asperity
       integer(c_int32_t) :: asperity_state_at_load
     end function asperity_state_at_load
 
-    ! Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in
-    ! equilibrium
-    function asperity_state_at_separation(model, separation, state) bind(c)
+    ! Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium
+    function asperity_state_at_gap(model, gap, state) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation
-                                                    ! of the flat from the mean of the summit heights [length]; may be
-                                                    ! negative
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap [length]; may be negative
       type(asperity_state), intent(inout) :: state  ! receives the state
-      integer(c_int32_t) :: asperity_state_at_separation
-    end function asperity_state_at_separation
+      integer(c_int32_t) :: asperity_state_at_gap
+    end function asperity_state_at_gap
 
     ! Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table
     function asperity_summary_of(model, summary) bind(c)
@@ -1083,7 +1088,7 @@ module asperity
       integer(c_int32_t) :: asperity_table_of
     end function asperity_table_of
 
-    ! Gives a view of the compiled load against separation, for the evaluators of asperity_table_of
+    ! Gives a view of the compiled load against gap, for the evaluators of asperity_table_of
     function asperity_load_table_of(model, table) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
@@ -1106,11 +1111,11 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_load_at_separation, asperity_load_and_slope_at_separation
-  public :: asperity_loads_at_separations, asperity_summits_at_overlaps, asperity_state_at_load
-  public :: asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads
-  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
-  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
+  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_gap, asperity_load_and_slope_at_gap
+  public :: asperity_loads_at_gaps, asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap
+  public :: asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string
+  public :: asperity_warning_loads, asperity_warnings_text, asperity_last_error, asperity_status_string
+  public :: asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -1221,18 +1226,18 @@ module asperity
     procedure, public :: microslip_step => model_microslip_step
     procedure, public :: microslip_steps => model_microslip_steps
 
-    ! load = law%load_at_separation(separation [, slope] [, stat] [, errmsg])
-    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_separation
+    ! load = law%load_at_gap(gap [, slope] [, stat] [, errmsg])
+    !   gap  real(c_double), intent(in) [length] between the mean planes, as for state_at_gap
     !   load        real(c_double) [force]: negative where adhesion pulls, 0 at pull-off and beyond
-    !   slope       real(c_double), intent(out), optional: d(load)/d(separation) [force/length], minus the normal stiffness
-    ! A separation that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
-    procedure, public :: load_at_separation => model_load_at_separation
+    !   slope       real(c_double), intent(out), optional: d(load)/d(gap) [force/length], minus the normal stiffness
+    ! A gap that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
+    procedure, public :: load_at_gap => model_load_at_gap
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
-    ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
+    ! call law%state_at_gap(gap, state [, stat] [, errmsg])    the same at a gap [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
-    procedure, public :: state_at_separation => model_state_at_separation
+    procedure, public :: state_at_gap => model_state_at_gap
 
     ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
     !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
@@ -1251,7 +1256,7 @@ module asperity
     procedure, public :: check_loads => model_check_loads
 
     ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
-    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   overlap  real(c_double), intent(in) [length], (n): how far a summit would reach beyond the flat
     !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
     !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
     !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
@@ -1740,15 +1745,15 @@ contains
     call report(asperity_state_at_load(self%handle, load, state), stat, errmsg)
   end subroutine model_state_at_load
 
-  subroutine model_state_at_separation(self, separation, state, stat, errmsg)
+  subroutine model_state_at_gap(self, gap, state, stat, errmsg)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     type(asperity_state), intent(inout) :: state
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
-  end subroutine model_state_at_separation
+    call report(asperity_state_at_gap(self%handle, gap, state), stat, errmsg)
+  end subroutine model_state_at_gap
 
   subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
     class(friction_model), intent(in), target :: self
@@ -1863,20 +1868,20 @@ contains
     end if
   end function model_slip_force
 
-  function model_load_at_separation(self, separation, slope, stat, errmsg) result(load)
+  function model_load_at_gap(self, gap, slope, stat, errmsg) result(load)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     real(c_double), intent(out), optional, target :: slope
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double) :: load
     real(c_double), target :: at(1)
-    load = asperity_load_and_slope_at_separation(c_model(self), separation, scalar_address(slope))
+    load = asperity_load_and_slope_at_gap(c_model(self), gap, scalar_address(slope))
     if (.not. is_created(self, stat, errmsg)) return
-    at(1) = separation
-    call report(open_is_an_answer(asperity_loads_at_separations(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
+    at(1) = gap
+    call report(open_is_an_answer(asperity_loads_at_gaps(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
                                                                 c_null_ptr)), stat, errmsg)
-  end function model_load_at_separation
+  end function model_load_at_gap
 
   ! Surfaces apart carry no load: that is no failure.
   pure function open_is_an_answer(status) result(found)

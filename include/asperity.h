@@ -238,8 +238,10 @@ typedef struct asperity_params {
    * default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
    * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
-  /** Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
-   */
+  /** Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
+   * Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of
+   * contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the
+   * summits approach by. A/A_0 counts as 0.5 at most. */
   double nominal_area;
   /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */ int32_t contact_law;
   /** How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
@@ -332,8 +334,9 @@ typedef struct asperity_microslip {
   /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
    * Symmetric, with eigenvalues from 0 to K_t. */
   double stiffness[4];
-  /** dT/d(load), of the same increment. */ double dforce_dload[2];
-  /** Work that slip turned into heat in this step, >= 0 [force length]. */ double dissipated;
+  /** dT/d(load) of the same increment; at the load of the last step, as it rises. */ double dforce_dload[2];
+  /** Energy lost in this step, >= 0 [force length]: heat of slip, and what parts held that separated. */
+  double dissipated;
   /** Fraction of the strength that slips, 0 to 1; 1 is gross slip. */ double slipping;
 } asperity_microslip;
 
@@ -342,13 +345,13 @@ typedef struct asperity_state {
   /** Set it to `sizeof(asperity_state)` before the call; the library writes no more than that. */
   uint64_t struct_size;
   /** Normal load P [force]; negative pulls. */ double load;
-  /** Separation d of the flat from the mean of the summit heights [length]. */ double separation;
+  /** Gap between the mean planes of the surfaces [length], as for `asperity_load_at_gap`. */ double gap;
   /** Friction force F [force], >= 0. */ double friction_force;
   /** Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it. */
   double friction_coefficient;
   /** dF/dP [-]; INFINITY at the pull-off load itself. */ double dforce_dload;
   /** d(F/P)/dP [1/force]; 0 where the coefficient is capped. */ double dmu_dload;
-  /** dP/dd [force/length]: minus the normal contact stiffness. */ double dload_dseparation;
+  /** d(load)/d(gap) [force/length]: minus the normal contact stiffness. */ double dload_dgap;
   /** Real area of contact [length^2]. */ double real_area;
   /** Number of summits in contact [-]; need not be an integer. */ double contacting;
   /** Number of summits that attract without contact [-]. */ double attracted;
@@ -378,8 +381,8 @@ typedef struct asperity_state {
   /** Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness. */
   double fraction_elastic;
   /** Fraction of the contacts that are fully plastic [-]. */ double fraction_flowing;
-  /** Sum of the radii of all contacts [length]. The constriction conductance, thermal or electrical, of independent
-   * contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
+  /** Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or
+   * electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
@@ -411,8 +414,8 @@ typedef struct asperity_summary {
   /** Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
    * the pull-off load. */
   double min_table_load;
-  /** Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load.
-   */
+  /** Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 %
+   * below exact states at ten times the load, 63 % at a thousand times (docs/contract.md). */
   double max_table_load;
   /** Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
    * made; between samples it may be four times as large, or 2e-10 where that is more. */
@@ -1169,8 +1172,8 @@ asperity_status asperity_tangential_at_load(const struct asperity_model *model, 
 
 /** Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact conductance.
  *
- * The conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two
- * bodies. The sum is K_t/(8 G^), of `asperity_tangential_stiffness_at_load`.
+ * The conductance is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two bodies. The sum is
+ * K_t/(8 G^), of `asperity_tangential_stiffness_at_load`: over psi, where `nominal_area` is known.
  *
  * @param model  a model
  * @param load   normal load [force]
@@ -1202,7 +1205,7 @@ double asperity_contact_radius_sum_at_load(const struct asperity_model *model, d
 asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *model, size_t n, const double *load,
     double *sum, double *dsum_dload);
 
-/** How many doubles the state of one contact takes; today 32, the same for all models.
+/** How many doubles the state of one contact takes; today 42, the same for all models.
  *
  * @param model  a model
  * @return the number of doubles; 0 for a NULL model */
@@ -1210,20 +1213,18 @@ size_t asperity_microslip_length(const struct asperity_model *model);
 
 /** Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
  *
- * The contacts of the surfaces are represented by springs in series with sliders, whose shares were found when the model
- * was made. The force rises with the stiffness K_t (`asperity_tangential_stiffness_at_load`) and ends at the friction force F
- * (`asperity_friction_force_at_load`), in any direction, after any path. After a reversal it follows Masing's rule. It
- * does not depend on time or on the number of steps in which a straight path is taken.
+ * The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). Each
+ * part of the contact remembers how far it is sheared; parts separate and touch as the load changes. No path of displacement
+ * and load gains energy.
  *
  * The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
- * closed. They are the forces of the sliders, first all along the first direction, then all along the second [force]; where the
- * directions turn with the contact, turn each pair with them. An iteration repeats the call with the same `before`; the
+ * closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
  * step that is accepted keeps `after`.
  *
- * More load on a contact at rest adds stiffness and no force. Less load lets sliders slip that are no longer held. Below
- * the pull-off load the contact is open: force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At
- * zero load without adhesion they are 0 too, with `ASPERITY_OK`. At the pull-off load itself, where F and K_t have no
- * finite slope, `dforce_dload` is that of the next load.
+ * More load on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy.
+ * Where the load rises in a step, separation and displacement change together. Below the pull-off load the contact is open:
+ * force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0
+ * too, with `ASPERITY_OK`.
  *
  * @param model      a model
  * @param load       normal load of this step [force]
@@ -1231,9 +1232,9 @@ size_t asperity_microslip_length(const struct asperity_model *model);
  * @param before     the state before the step
  * @param after      receives the state after the step
  * @param out        receives force, tangents and work
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a
- *         state that is not finite), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0),
- *         `ASPERITY_OUT_OF_RANGE` */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment that is
+ *         not finite, a state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0 but for
+ *         `dissipated`), `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_microslip_step(const struct asperity_model *model, double load, const double *increment,
     const double *before, double *after, struct asperity_microslip *out);
 
@@ -1254,44 +1255,51 @@ asperity_status asperity_microslip_step(const struct asperity_model *model, doub
 asperity_status asperity_microslip_steps(const struct asperity_model *model, size_t n, const double *load,
     const double *increment, const double *before, double *after, double *force, double *stiffness);
 
-/** Load at a separation of the mean planes, from the compiled law.
+/** Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine.
  *
- * The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
- * pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
- * half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
- * weaker than 1e-30 of that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
- * load or to the pull-off load, whichever is larger. In compression beyond that of 1e6 times the load at which half of the
- * asperities touch, the load goes on as a power of the compression.
+ * @param state   `asperity_microslip_length` doubles, changed in place
+ * @param cosine  both of any length
+ * @param sine    but 0
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (what is not finite; both 0) */
+asperity_status asperity_microslip_turn(double *state, double cosine, double sine);
+
+/** Load at a gap, from the compiled law.
+ *
+ * The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
+ * pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
+ * adhesion the load goes to 0 at the highest asperity; if heights have no end, it is taken to 0 smoothly below about 1e-24 of the
+ * load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-9
+ * of exact ones, slopes within 1e-7, relative to the load or to the pull-off load, whichever is larger, or within what the
+ * rounding of the gap changes them by. In compression beyond that of 1e6 times the load at which half of the asperities touch,
+ * the load goes on as a power of the compression.
+ *
+ * @param model  a model
+ * @param gap    between the mean planes [length]; negative in deep compression
+ * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
+ *         infinite or below -1e50 `height_std`, or a NULL model */
+double asperity_load_at_gap(const struct asperity_model *model, double gap);
+
+/** Load at a gap, with its slope.
  *
  * @param model       a model
- * @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
- * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation
- *         that is NaN, infinite or below -1e50 `height_std`, or a NULL model */
-double asperity_load_at_separation(const struct asperity_model *model, double separation);
+ * @param gap         as for `asperity_load_at_gap`
+ * @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
+ *                    beyond; NaN where the load is
+ * @return as `asperity_load_at_gap` */
+double asperity_load_and_slope_at_gap(const struct asperity_model *model, double gap, double *dload_dgap);
 
-/** Load at a separation, with its slope.
+/** Loads at many gaps, and their slopes.
  *
- * @param model              a model
- * @param separation         as for `asperity_load_at_separation`
- * @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
- *                           pull-off and beyond; NaN where the load is
- * @return as `asperity_load_at_separation` */
-double asperity_load_and_slope_at_separation(const struct asperity_model *model, double separation,
-    double *dload_dseparation);
-
-/** Loads at many separations, and their slopes.
- *
- * @param model             a model
- * @param n                 number of separations
- * @param separation        n separations [length]
- * @param load              receives n loads [force]
- * @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness;
- *                          0 at pull-off and beyond
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or
- *         infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
+ * @param model       a model
+ * @param n           number of gaps
+ * @param gap         n gaps [length]
+ * @param load        receives n loads [force]
+ * @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
+ *                    and beyond
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
  *         below -1e50 `height_std`) */
-asperity_status asperity_loads_at_separations(const struct asperity_model *model, size_t n, const double *separation,
-    double *load, double *dload_dseparation);
+asperity_status asperity_loads_at_gaps(const struct asperity_model *model, size_t n, const double *gap, double *load,
+    double *dload_dgap);
 
 /** Computes load, friction force and contact radius of single summits, by the law that the model sums over all summits.
  *
@@ -1300,7 +1308,7 @@ asperity_status asperity_loads_at_separations(const struct asperity_model *model
  *
  * @param model    a model
  * @param n        number of summits
- * @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap unless n = 0
+ * @param overlap  n overlaps [length]: how far the summit would reach beyond the flat, negative for a gap unless n = 0
  * @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
  *                 `radius_amplitude` is not 0; NULL: all summits have the mean height
  * @param load     receives n loads [force], negative where a summit pulls
@@ -1332,15 +1340,14 @@ asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
  *         `ASPERITY_OUT_OF_MEMORY` */
 asperity_status asperity_state_at_load(const struct asperity_model *model, double load, struct asperity_state *state);
 
-/** Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
+/** Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
  *
- * @param model       a model
- * @param separation  of the flat from the mean of the summit heights [length]; may be negative
- * @param state       receives the state
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a separation that
- *         is not finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY` */
-asperity_status asperity_state_at_separation(const struct asperity_model *model, double separation,
-    struct asperity_state *state);
+ * @param model  a model
+ * @param gap    as for `asperity_load_at_gap` [length]; may be negative
+ * @param state  receives the state
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a gap that is not
+ *         finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY` */
+asperity_status asperity_state_at_gap(const struct asperity_model *model, double gap, struct asperity_state *state);
 
 /** Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table.
  *
@@ -1479,10 +1486,10 @@ const char *asperity_version(void);
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`) */
 asperity_status asperity_table_of(const struct asperity_model *model, struct asperity_table *table);
 
-/** Gives a view of the compiled load against separation, for the evaluators of `asperity_table_of`.
+/** Gives a view of the compiled load against gap, for the evaluators of `asperity_table_of`.
  *
- * In its rows minus the separation stands in place of a load and the load in place of the friction force: F at -separation is
- * the load, and minus dF/d(load) there its slope by separation. Between the lightest load of the rows and the end it is 0.
+ * In its rows minus the gap stands in place of a load and the load in place of the friction force: F at -gap is
+ * the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the end it is 0.
  *
  * @param model  a model
  * @param table  as for `asperity_table_of`

@@ -586,8 +586,10 @@ public:
     /// Sets it.
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
-    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not
-    /// known.
+    /// Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A
+    /// with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them,
+    /// and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by
+    /// psi times what the summits approach by. A/A_0 counts as 0.5 at most.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets it.
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }
@@ -848,49 +850,48 @@ public:
                                     dforce_dload.data(), dforce_dslip_rate.data());
     }
 
-    /// Load [force] at a separation [length] of the mean planes, from the compiled law.
+    /// Load [force] at a gap [length] between the mean planes, from the compiled law.
     ///
-    /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite separation.
-    double load_at_separation(double separation) const {
-        return asperity_load_at_separation(open(), separation);
+    /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite gap.
+    double load_at_gap(double gap) const {
+        return asperity_load_at_gap(open(), gap);
     }
 
-    /// Load as load_at_separation, and its slope d(load)/d(separation) [force/length]: minus the normal stiffness.
-    ValueAndSlope load_and_slope_at_separation(double separation) const {
+    /// Load as load_at_gap, and its slope d(load)/d(gap) [force/length]: minus the normal stiffness.
+    ValueAndSlope load_and_slope_at_gap(double gap) const {
         ValueAndSlope load;
-        load.value = asperity_load_and_slope_at_separation(open(), separation, &load.slope);
+        load.value = asperity_load_and_slope_at_gap(open(), gap, &load.slope);
         return load;
     }
 
-    /// Loads at many separations, into memory of the caller; for the inner loop: allocates nothing.
+    /// Loads at many gaps, into memory of the caller; for the inner loop: allocates nothing.
     ///
-    /// Every element is as load_at_separation gives it, also when the status is not ASPERITY_OK.
+    /// Every element is as load_at_gap gives it, also when the status is not ASPERITY_OK.
     ///
-    /// @param separations        separations [length]
-    /// @param load               receives as many loads [force]; may be `separations` itself
-    /// @param dload_dseparation  receives as many slopes [force/length]; none by default
-    /// @return ASPERITY_OK, or what is wrong with the first separation that has no load: ASPERITY_SEPARATED (at pull-off or
+    /// @param gaps        gaps [length]
+    /// @param load        receives as many loads [force]; may be `gaps` itself
+    /// @param dload_dgap  receives as many slopes [force/length]; none by default
+    /// @return ASPERITY_OK, or what is wrong with the first gap that has no load: ASPERITY_SEPARATED (at pull-off or
     ///         beyond, the load is 0), ASPERITY_INVALID_PARAMETER (NaN, infinite) or ASPERITY_OUT_OF_RANGE; last_error()
     ///         names its index
     /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    [[nodiscard]] Status load_at_separation(Span<const double> separations, Span<double> load,
-                                            Span<double> dload_dseparation = {}) const {
-        return many(asperity_loads_at_separations, separations, load, dload_dseparation);
+    [[nodiscard]] Status load_at_gap(Span<const double> gaps, Span<double> load, Span<double> dload_dgap = {}) const {
+        return many(asperity_loads_at_gaps, gaps, load, dload_dgap);
     }
 
-    /// Loads [force] at many separations.
+    /// Loads [force] at many gaps.
     ///
     /// 0 at pull-off and beyond. Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE) that names the first
-    /// separation that has no answer.
-    std::vector<double> load_at_separation(Span<const double> separations) const {
-        std::vector<double> load(separations.size());
-        const Status status = many(asperity_loads_at_separations, separations, load, {});
-        // An open contact is an answer, but may hide a separation without one.
+    /// gap that has no answer.
+    std::vector<double> load_at_gap(Span<const double> gaps) const {
+        std::vector<double> load(gaps.size());
+        const Status status = many(asperity_loads_at_gaps, gaps, load, {});
+        // An open contact is an answer, but may hide a gap without one.
         for (std::size_t i = 0; status == ASPERITY_SEPARATED && i < load.size(); ++i) {
             double value;
             if (is_nan(load[i])) {
-                const Status why = asperity_loads_at_separations(open(), 1, separations.data() + i, &value, nullptr);
-                throw Error(why, "element " + std::to_string(i) + " of the separations: " + last_error());
+                const Status why = asperity_loads_at_gaps(open(), 1, gaps.data() + i, &value, nullptr);
+                throw Error(why, "element " + std::to_string(i) + " of the gaps: " + last_error());
             }
         }
         if (status != ASPERITY_SEPARATED) {
@@ -1107,12 +1108,12 @@ public:
         return state;
     }
 
-    /// The exact state at a separation [length] from the mean of the summit heights, also beyond the pull-off point.
+    /// The exact state at a gap [length] between the mean planes, also beyond the pull-off point.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
-    State state_at_separation(double separation) const {
+    State state_at_gap(double gap) const {
         auto state = detail::sized<State>();
-        check(asperity_state_at_separation(open(), separation, &state));
+        check(asperity_state_at_gap(open(), gap, &state));
         return state;
     }
 
@@ -1148,7 +1149,7 @@ public:
 
     /// Single summits at overlaps [length], by the law that the model sums over all summits.
     ///
-    /// @param overlaps  height of a summit less the separation; negative for a gap
+    /// @param overlaps  how far a summit would reach beyond the flat; negative for a gap
     /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not
     ///                  0; the mean height by default
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
@@ -1179,7 +1180,7 @@ public:
         return table;
     }
 
-    /// The compiled load against separation, for code that cannot call out of a kernel: minus the separation stands in place
+    /// The compiled load against gap, for code that cannot call out of a kernel: minus the gap stands in place
     /// of a load, and the load in place of the friction force. Valid as `table` is.
     Table load_table() const {
         auto table = detail::sized<Table>();

@@ -809,7 +809,7 @@ contains
     call asperity_free(model)
   end subroutine batches_beside_friction
 
-  ! The load at a separation, of one and of many, and by the table.
+  ! The load at a gap, of one and of many, and by the table.
   subroutine gaps
     real(c_double), target :: at(2), load(2), slope(2), one
     type(asperity_state) :: state
@@ -817,14 +817,14 @@ contains
     type(c_ptr) :: model
     model = default_model()
     call asperity_check(asperity_state_at_load(model, 3.0_c_double, state))
-    at = [state%separation, 1e6_c_double]
+    at = [state%gap, 1e6_c_double]
     call check('surfaces apart are reported', &
-               asperity_loads_at_separations(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
-    call check_close('the load at a separation', load(1), 3.0_c_double, 1e-9_c_double)
-    call check_close('its slope', slope(1), state%dload_dseparation, 1e-7_c_double)
+               asperity_loads_at_gaps(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
+    call check_close('the load at a gap', load(1), 3.0_c_double, 1e-9_c_double)
+    call check_close('its slope', slope(1), state%dload_dgap, 1e-7_c_double)
     call check('apart there is none', identical(load(2), 0.0_c_double))
-    call check('one as many', identical(asperity_load_at_separation(model, at(1)), load(1)))
-    call check('with its slope', identical(asperity_load_and_slope_at_separation(model, at(1), c_loc(one)), load(1)))
+    call check('one as many', identical(asperity_load_at_gap(model, at(1)), load(1)))
+    call check('with its slope', identical(asperity_load_and_slope_at_gap(model, at(1), c_loc(one)), load(1)))
     call check('... too', identical(one, slope(1)))
     call asperity_check(asperity_load_table_of(model, table))
     call check('the table has rows', table%row_count > 50 .and. -table%pull_off_load > at(1))
@@ -928,7 +928,7 @@ contains
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     do i = 1, size(T)
-      call asperity_check(asperity_state_at_separation(model, T(i) * p%height_std, state))
+      call asperity_check(asperity_state_at_gap(model, T(i) * p%height_std, state))
       fraction = erfc(T(i) / sqrt(2.0_c_double)) / 2
       area = PI * p%asperity_count * p%summit_radius * p%height_std * (normal_density(T(i)) - T(i) * fraction)
       call check_close('n = N/2 erfc(t/sqrt 2)', state%contacting, p%asperity_count * fraction, 1e-10_c_double)
@@ -954,7 +954,7 @@ contains
       call check('... with the loads at which they hold', warned(1) <= state%load .and. warned(2) >= state%load)
       call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
-      call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
+      call check_close('the state at that load is the state', at_load%gap, state%gap, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
       load(1) = state%load
       call check_close('the stiffness is that of the state', asperity_tangential_stiffness_at_load(model, load(1)), &

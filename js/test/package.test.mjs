@@ -26,14 +26,14 @@ const KNOWN = Object.entries(CONSTANTS).flatMap(([name, bit]) => (name.startsWit
 const loads = Array.from({ length: 25 }, (_, i) => 1e-7 * 10 ** (i / 3));
 
 for (const [name, params] of Object.entries(surfaces)) {
-  test(`the load at a separation is that of the exact state: ${name}`, () => {
+  test(`the load at a gap is that of the exact state: ${name}`, () => {
     const model = new Model(params);
-    const { separation, dload_dseparation: slope } = model.stateAtLoad(1e-3);
-    const found = model.loadAndSlopeAtSeparation(separation);
+    const { gap, dload_dgap: slope } = model.stateAtLoad(1e-3);
+    const found = model.loadAndSlopeAtGap(gap);
     assert.ok(Math.abs(found.value / 1e-3 - 1) < 1e-8 && Math.abs(found.slope / slope - 1) < 1e-6);
-    assert.equal(model.loadAtSeparation(separation), found.value);
-    assert.deepEqual([...model.loadAtSeparation([1, separation])], [0, found.value]);
-    assert.throws(() => model.loadAtSeparation([separation, NaN]), /element 1: separation = NaN/);
+    assert.equal(model.loadAtGap(gap), found.value);
+    assert.deepEqual([...model.loadAtGap([1, gap])], [0, found.value]);
+    assert.throws(() => model.loadAtGap([gap, NaN]), /element 1: gap = NaN/);
   });
 
   test(`answers have the bits of the native library: ${name}`, () => {

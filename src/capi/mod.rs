@@ -13,6 +13,8 @@ mod calibration;
 mod conductance;
 mod estimate;
 mod evaluate;
+#[cfg(target_arch = "x86_64")]
+mod four_avx2;
 mod fp_environment;
 mod gap;
 mod given;

@@ -164,8 +164,9 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_CROWDED => {
             c"summits do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
-              given, more than 10 % of the summits touch; use lighter loads, or check height_std, asperity_count and \
-              nominal_area, which are usually too small"
+              given, more than 10 % of the summits touch; areas are rough here, and stiffness no longer grows with neighbours from \
+              about half of nominal_area on; use lighter loads, or check height_std, asperity_count and nominal_area, which \
+              are usually too small"
         }
         ASPERITY_WARNING_STEEP => {
             c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \

@@ -12,6 +12,8 @@ use std::sync::Arc;
 
 /// No surface is steeper on average; it is the slope in another unit.
 const STEEPEST: f64 = 5.0;
+/// Means of summits are no higher, in height_std: gaps between mean planes would have few digits.
+const HIGHEST_SUMMITS: f64 = 1e4;
 
 /// Larger ones are another quantity; friction forces stay in range.
 const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
@@ -49,6 +51,10 @@ impl Params {
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
         not_negative("summit_mean_height", self.summit_mean_height, "must be finite and >= 0; 0 means not known")?;
+        if self.summit_mean_height > HIGHEST_SUMMITS * self.height_std {
+            let allowed = "must be at most 1e4 height_std; are both in one unit?";
+            return Err(Error::invalid("summit_mean_height", self.summit_mean_height, allowed));
+        }
         check_rms_slope(self.rms_slope)?;
         let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
@@ -71,6 +77,7 @@ impl Params {
             b_over_h: self.burgers_vector / self.adhesion_range,
             hardness: if self.hardness > 0.0 { self.hardness / self.composite_modulus } else { f64::INFINITY },
             yields: self.contact_law == ContactLawKind::ElasticPlastic,
+            nominal_area: self.nominal_area / (self.burgers_vector * self.burgers_vector) / self.asperity_count,
         }
     }
 

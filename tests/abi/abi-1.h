@@ -148,12 +148,12 @@ typedef struct asperity_microslip {
 typedef struct asperity_state {
   uint64_t struct_size; /* 0, 8 */
   double load; /* 8, 8 */
-  double separation; /* 16, 8 */
+  double gap; /* 16, 8 */
   double friction_force; /* 24, 8 */
   double friction_coefficient; /* 32, 8 */
   double dforce_dload; /* 40, 8 */
   double dmu_dload; /* 48, 8 */
-  double dload_dseparation; /* 56, 8 */
+  double dload_dgap; /* 56, 8 */
   double real_area; /* 64, 8 */
   double contacting; /* 72, 8 */
   double attracted; /* 80, 8 */
@@ -255,15 +255,16 @@ asperity_status asperity_get_params(const struct asperity_model *, struct asperi
 asperity_status asperity_interface(const char *, struct asperity_interface_data *);
 const char *asperity_interface_name(size_t);
 size_t asperity_last_error(char *, size_t);
-double asperity_load_and_slope_at_separation(const struct asperity_model *, double, double *);
-double asperity_load_at_separation(const struct asperity_model *, double);
+double asperity_load_and_slope_at_gap(const struct asperity_model *, double, double *);
+double asperity_load_at_gap(const struct asperity_model *, double);
 asperity_status asperity_load_table_of(const struct asperity_model *, struct asperity_table *);
-asperity_status asperity_loads_at_separations(const struct asperity_model *, size_t, const double *, double *, double *);
+asperity_status asperity_loads_at_gaps(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_material(const char *, struct asperity_material_data *);
 const char *asperity_material_name(size_t);
 size_t asperity_microslip_length(const struct asperity_model *);
 asperity_status asperity_microslip_step(const struct asperity_model *, double, const double *, const double *, double *, struct asperity_microslip *);
 asperity_status asperity_microslip_steps(const struct asperity_model *, size_t, const double *, const double *, const double *, double *, double *, double *);
+asperity_status asperity_microslip_turn(double *, double, double);
 asperity_status asperity_pair(const char *, struct asperity_pair_data *);
 const char *asperity_pair_name(size_t);
 asperity_status asperity_params_calibrate(struct asperity_params *, double, double);
@@ -291,8 +292,8 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *, double, 
 asperity_status asperity_shear_stresses_at_pressures(const struct asperity_model *, size_t, const double *, double, double *, double *);
 double asperity_slip_force(const struct asperity_model *, double, double, double, double *, double *);
 asperity_status asperity_slip_forces(const struct asperity_model *, size_t, const double *, const double *, double, double *, double *, double *);
+asperity_status asperity_state_at_gap(const struct asperity_model *, double, struct asperity_state *);
 asperity_status asperity_state_at_load(const struct asperity_model *, double, struct asperity_state *);
-asperity_status asperity_state_at_separation(const struct asperity_model *, double, struct asperity_state *);
 const char *asperity_status_string(asperity_status);
 asperity_status asperity_summary_of(const struct asperity_model *, struct asperity_summary *);
 asperity_status asperity_summits_at_overlaps(const struct asperity_model *, size_t, const double *, const double *, double *, double *, double *);

@@ -81,7 +81,7 @@ static sums summed(const asperity_params *p, const asperity_model *model, const 
 
     for (int i = 0; i < HEIGHTS; i++) {
         const double height = -5 * sigma + (i + 0.5) * step, z = height / sigma;
-        overlap[i] = height - state->separation;
+        overlap[i] = height - state->gap;
         number[i] = p->asperity_count * exp(-z * z / 2) / sqrt(2 * PI) * step / sigma;
     }
     needs(asperity_summits_at_overlaps(model, HEIGHTS, overlap, NULL, load, force, radius));
@@ -125,9 +125,9 @@ static void state_of_many_summits(void)
     n = sum.contacting;
     HOLDS(state, s, struct_size, s.struct_size == sizeof s);
     NEAR(state, s, load, load, 0);
-    expected = asperity_load_and_slope_at_separation(model, s.separation, &slope);
-    HOLDS(state, s, separation, fabs(expected / load - 1) < 1e-7);
-    NEAR(state, s, dload_dseparation, slope, 1e-5);
+    expected = asperity_load_and_slope_at_gap(model, s.gap, &slope);
+    HOLDS(state, s, gap, fabs(expected / load - 1) < 1e-7);
+    NEAR(state, s, dload_dgap, slope, 1e-5);
     NEAR(state, s, friction_force, asperity_friction_force_and_slope_at_load(model, load, &slope), 1e-9);
     NEAR(state, s, friction_coefficient, asperity_friction_and_slope_at_load(model, load, &mu_slope), 1e-9);
     NEAR(state, s, dforce_dload, slope, 1e-6);

@@ -275,7 +275,7 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
     CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
-    /* Asperities by their dimensions, with L = (m0/(2 m2))^(1/2); m4 changes the radius alone, by the power -0.03 or so. */
+    /* Asperities by their dimensions, with L = (m0/(2 m2))^(1/2); m4 changes the radius alone, by the power -0.043. */
     expected = p;
     CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
     CHECK(close_to(p.height_std, sqrt(3), 0.2) && close_to(p.summit_mean_height, 2.3, 0.2), "heights");
@@ -1033,9 +1033,9 @@ static asperity_status fill_state(const asperity_model *model, void *out)
     return asperity_state_at_load(model, 1.0, out);
 }
 
-static asperity_status fill_state_at_separation(const asperity_model *model, void *out)
+static asperity_status fill_state_at_gap(const asperity_model *model, void *out)
 {
-    return asperity_state_at_separation(model, 10.0, out);
+    return asperity_state_at_gap(model, 10.0, out);
 }
 
 static asperity_status fill_separated_state(const asperity_model *model, void *out)
@@ -1055,7 +1055,7 @@ static asperity_status fill_sensitivities(const asperity_model *model, void *out
 
 static void outputs_are_written_no_further_than_struct_size(void)
 {
-    fill_call *const calls[] = { fill_state, fill_state_at_separation, fill_summary, fill_sensitivities };
+    fill_call *const calls[] = { fill_state, fill_state_at_gap, fill_summary, fill_sensitivities };
     const size_t sizes[] = { sizeof(asperity_state), sizeof(asperity_state), sizeof(asperity_summary),
                              sizeof(asperity_sensitivities) };
     asperity_model *model = model_of(surface(0));
@@ -1101,10 +1101,10 @@ static void failing_states_say_what_is_wrong(void)
     CHECK(asperity_state_at_load(model, 1e200, &state) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
     CHECK(asperity_state_at_load(hertz, 0, &state) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
     CHECK(asperity_state_at_load(hertz, -1, &state) == ASPERITY_SEPARATED, "Hertz below 0");
-    CHECK(asperity_state_at_separation(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("separation = NaN: "),
-          "NaN separation");
-    CHECK(asperity_state_at_separation(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf separation");
-    CHECK(asperity_state_at_separation(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("separation = 1e300: "),
+    CHECK(asperity_state_at_gap(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("gap = NaN: "),
+          "NaN gap");
+    CHECK(asperity_state_at_gap(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf gap");
+    CHECK(asperity_state_at_gap(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("gap = 1e300: "),
           "'%s'", last_message());
     CHECK(SAME(state, before), "the state was touched by a failing call");
     asperity_free(model);
@@ -1310,11 +1310,11 @@ static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
               state.dforce_dload);
         CHECK(fabs(mu_slope - (slope - mu) / load) <= 1e-12 * mu / load, "%s at %g: dmu/dP", name, load);
         CHECK(fabs(state.dmu_dload - mu_slope) <= 3e-8 * mu / load, "%s at %g: dmu/dP of the state", name, load);
-        CHECK(state.dload_dseparation < 0, "%s at %g: no stiffness", name, load);
+        CHECK(state.dload_dgap < 0, "%s at %g: no stiffness", name, load);
         {
             asperity_state again;
             again.struct_size = sizeof again;
-            CHECK(asperity_state_at_separation(model, state.separation, &again) == ASPERITY_OK, "%s", last_message());
+            CHECK(asperity_state_at_gap(model, state.gap, &again) == ASPERITY_OK, "%s", last_message());
             CHECK(close_to(again.friction_force, state.friction_force, 1e-9), "%s at %g: not on the way back", name,
                   load);
         }

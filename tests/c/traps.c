@@ -61,7 +61,7 @@ static void microslip_at(const asperity_model *model, double x)
     double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[64] = { 0.0 }, after[64], force[4], slope[8];
 
     out.struct_size = sizeof out;
-    CHECK(asperity_microslip_length(model) == 32, "a state of another length");
+    CHECK(asperity_microslip_length(model) == 42, "a state of another length");
     for (int which = 0; which < 3; which++) {
         double *where = which == 0 ? &loads[0] : which == 1 ? &by[1] : &states[5], before = *where;
         memcpy(where, &x, sizeof x);
@@ -93,8 +93,8 @@ static void evaluate_at(const asperity_model *model, double x)
     state.struct_size = sizeof state;
     doing = "asperity_state_at_load";
     asperity_state_at_load(model, x, &state);
-    doing = "asperity_state_at_separation";
-    asperity_state_at_separation(model, x, &state);
+    doing = "asperity_state_at_gap";
+    asperity_state_at_gap(model, x, &state);
     sensitivities.struct_size = sizeof sensitivities;
     doing = "asperity_sensitivities_at_load";
     asperity_sensitivities_at_load(model, x, &sensitivities);
@@ -103,12 +103,12 @@ static void evaluate_at(const asperity_model *model, double x)
     doing = "asperity_summits_at_overlaps";
     asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
     microslip_at(model, x);
-    doing = "asperity_load_at_separation";
-    asperity_load_at_separation(model, x);
-    doing = "asperity_load_and_slope_at_separation";
-    asperity_load_and_slope_at_separation(model, x, slope);
-    doing = "asperity_loads_at_separations";
-    asperity_loads_at_separations(model, 2, in, out, slope);
+    doing = "asperity_load_at_gap";
+    asperity_load_at_gap(model, x);
+    doing = "asperity_load_and_slope_at_gap";
+    asperity_load_and_slope_at_gap(model, x, slope);
+    doing = "asperity_loads_at_gaps";
+    asperity_loads_at_gaps(model, 2, in, out, slope);
     doing = "asperity_friction_force_at_loads_of";
     {
         const uint32_t which[] = {0, 1};
@@ -356,10 +356,10 @@ static void null_pointers(void)
     REFUSES(asperity_friction_force_at_loads(model, 1, NULL, &y, NULL));
     REFUSES(asperity_state_at_load(NULL, 1, &state));
     REFUSES(asperity_state_at_load(model, 1, NULL));
-    REFUSES(asperity_state_at_separation(NULL, 1, &state));
+    REFUSES(asperity_state_at_gap(NULL, 1, &state));
     REFUSES(asperity_summits_at_overlaps(NULL, 1, &x, NULL, &y, NULL, NULL));
     REFUSES(asperity_summits_at_overlaps(model, 1, NULL, NULL, &y, NULL, NULL));
-    REFUSES(asperity_state_at_separation(model, 1, NULL));
+    REFUSES(asperity_state_at_gap(model, 1, NULL));
     REFUSES(asperity_check_loads(NULL, 1, 2, &warnings));
     REFUSES(asperity_check_loads(model, 1, 2, NULL));
     REFUSES(asperity_warning_loads(NULL, 64, &x, &y));

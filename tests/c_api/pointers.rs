@@ -324,14 +324,14 @@ fn null_is_refused_or_skipped() {
             asperity_set_params(null_mut(), &params),
             asperity_get_params(null(), &mut params),
             asperity_state_at_load(null(), 1.0, &mut state),
-            asperity_state_at_separation(null(), 1.0, &mut state),
+            asperity_state_at_gap(null(), 1.0, &mut state),
             asperity_check_loads(null(), 1.0, 2.0, &mut 0),
             asperity_warning_loads(null(), 16, &mut 0.0, &mut 0.0),
             asperity_summits_at_overlaps(null(), 1, &1.0, null(), &mut slope, null_mut(), null_mut()),
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
-            asperity_loads_at_separations(null(), 1, &1.0, &mut slope, null_mut()),
+            asperity_loads_at_gaps(null(), 1, &1.0, &mut slope, null_mut()),
             asperity_friction_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
             asperity_shear_stresses_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
             asperity_slip_forces(null(), 1, &1.0, &1.0, 1.0, &mut slope, null_mut(), null_mut()),
@@ -340,6 +340,7 @@ fn null_is_refused_or_skipped() {
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
             asperity_microslip_step(null(), 1.0, &0.0, &0.0, null_mut(), &mut asperity_microslip::empty()),
             asperity_microslip_steps(null(), 1, &1.0, &0.0, &0.0, null_mut(), null_mut(), null_mut()),
+            asperity_microslip_turn(null_mut(), 1.0, 0.0),
             asperity_sensitivities_at_load(null(), 1.0, &mut asperity_sensitivities::empty()),
         ] {
             assert_eq!(refused, NULL_POINTER);
@@ -348,7 +349,7 @@ fn null_is_refused_or_skipped() {
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
         assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
         assert_eq!(asperity_microslip_length(null()), 0);
-        assert!(asperity_load_at_separation(null(), 1.0).is_nan());
+        assert!(asperity_load_at_gap(null(), 1.0).is_nan());
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());
@@ -458,10 +459,10 @@ fn one_contact(handle: &Handle) {
         assert_eq!(forces(one.pointer(), other.pointer()), OK);
         assert_eq!((found(one.word(0)), forces(null_mut(), null_mut())), (force, OK));
         let separation = 0.0;
-        let pressed = asperity_load_and_slope_at_separation(handle.0, separation, one.pointer());
+        let pressed = asperity_load_and_slope_at_gap(handle.0, separation, one.pointer());
         assert!(pressed > 0.0 && found(one.word(0)) < 0.0);
-        assert_eq!(asperity_load_at_separation(handle.0, separation), pressed);
-        assert_eq!(asperity_loads_at_separations(handle.0, 1, &separation, other.pointer(), third.pointer()), OK);
+        assert_eq!(asperity_load_at_gap(handle.0, separation), pressed);
+        assert_eq!(asperity_loads_at_gaps(handle.0, 1, &separation, other.pointer(), third.pointer()), OK);
         assert_eq!((found(other.word(0)), third.word(0)), (pressed, one.word(0)));
         let mut table: asperity_table = std::mem::zeroed();
         table.struct_size = size_of::<asperity_table>() as u64;
@@ -588,7 +589,7 @@ fn structs(handle: &Handle) {
     };
     let at_separation = |place: &Place| {
         // SAFETY: as before.
-        unsafe { asperity_state_at_separation(handle.0, 0.3, place.pointer()) }
+        unsafe { asperity_state_at_gap(handle.0, 0.3, place.pointer()) }
     };
     // SAFETY: as before.
     let summary_of = |place: &Place| unsafe { asperity_summary_of(handle.0, place.pointer()) };
@@ -635,7 +636,7 @@ fn structs(handle: &Handle) {
     // SAFETY: NULL is refused.
     unsafe {
         assert_eq!(asperity_state_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);
-        assert_eq!(asperity_state_at_separation(handle.0, 1.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_state_at_gap(handle.0, 1.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), NULL_POINTER);
         let warnings = Place::aligned(size_of::<u64>());
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, warnings.pointer()), OK);

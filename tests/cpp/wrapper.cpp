@@ -477,7 +477,7 @@ void a_model_that_was_moved_from_says_so() {
         [&] { first.tangential_stiffness_at_load(loads); },
         [&] { first.tangential_at_load(1.0, 1.0); },
         [&] { first.state_at_load(1.0); },
-        [&] { first.state_at_separation(1.0); },
+        [&] { first.state_at_gap(1.0); },
         [&] { first.sensitivities_at_load(1.0); },
         [&] { first.check_loads(1.0, 2.0); },
         [&] { first.warning_loads(ASPERITY_WARNING_FEW); },
@@ -534,7 +534,7 @@ void friction_is_that_of_the_reference() {
 
 void states_are_those_of_the_reference() {
     const Model model(Params::paper());
-    const asperity::State state = model.state_at_separation(model.params().height_std());
+    const asperity::State state = model.state_at_gap(model.params().height_std());
     EXPECT(close(state.load, REFERENCE_LOAD, 1e-7));
     EXPECT(close(state.friction_force, REFERENCE_FORCE, 1e-7));
     EXPECT(close(state.real_area, 318699.2525830931, 1e-7));
@@ -548,7 +548,7 @@ void states_are_those_of_the_reference() {
     EXPECT((soft.state_at_load(state.load).warnings & ASPERITY_WARNING_PLASTIC) != 0);
 
     const asperity::State same = model.state_at_load(state.load);
-    EXPECT(close(same.separation, state.separation, 1e-9));
+    EXPECT(close(same.gap, state.gap, 1e-9));
     EXPECT(close(same.friction_force, state.friction_force, 1e-9));
 }
 
@@ -624,7 +624,7 @@ void friction_is_defined_at_every_load() {
     EXPECT(model.friction_force_and_slope_at_load(2.0 * pull_off).value == 0.0);
     EXPECT(thrown_by([&] { model.state_at_load(2.0 * pull_off); }).status() == ASPERITY_SEPARATED);
     EXPECT(thrown_by([&] { model.state_at_load(INF); }).status() == ASPERITY_INVALID_LOAD);
-    EXPECT(thrown_by([&] { model.state_at_separation(NOT_A_NUMBER); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.state_at_gap(NOT_A_NUMBER); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void pressure_is_load_per_area_of_the_summits() {
@@ -748,19 +748,19 @@ void a_contact_remembers() {
 void a_gap_has_a_load() {
     const Model model(Params::paper());
     const asperity::State state = model.state_at_load(REFERENCE_LOAD);
-    const asperity::ValueAndSlope load = model.load_and_slope_at_separation(state.separation);
-    EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dseparation, 1e-7));
-    EXPECT(model.load_at_separation(state.separation) == load.value);
-    const std::vector<double> separations{state.separation, 1e6, 0.0};
-    const std::vector<double> loads = model.load_at_separation(separations);
+    const asperity::ValueAndSlope load = model.load_and_slope_at_gap(state.gap);
+    EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dgap, 1e-7));
+    EXPECT(model.load_at_gap(state.gap) == load.value);
+    const std::vector<double> gaps{state.gap, 1e6, 0.0};
+    const std::vector<double> loads = model.load_at_gap(gaps);
     EXPECT(loads[0] == load.value && loads[1] == 0.0 && loads[2] > loads[0]);
     std::vector<double> into(3), slopes(3);
-    EXPECT(model.load_at_separation(separations, into, slopes) == ASPERITY_SEPARATED && into == loads);
+    EXPECT(model.load_at_gap(gaps, into, slopes) == ASPERITY_SEPARATED && into == loads);
     EXPECT(slopes[0] == load.slope && slopes[1] == 0.0);
     EXPECT(model.load_table().row_count > 0);
     const std::vector<double> wrong{1e6, NAN};
-    EXPECT(thrown_by([&] { model.load_at_separation(wrong); }).status() == ASPERITY_INVALID_PARAMETER);
-    EXPECT(thrown_by([&] { model.load_at_separation(std::vector<double>{INF}); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.load_at_gap(wrong); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.load_at_gap(std::vector<double>{INF}); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void batches_have_the_answers_of_one_contact() {

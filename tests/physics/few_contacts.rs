@@ -81,7 +81,7 @@ fn scatter_and_bias_are_those_of_monte_carlo() {
     for (name, params) in laws() {
         let model = model(&params);
         for separation in [3.2, 2.7, 2.25, 1.85] {
-            let state = model.state_at_separation(separation * params.height_std).expect("a state");
+            let state = model.state_at_gap(separation * params.height_std).expect("a state");
             let (mean, deviation) = monte_carlo(&model, state.load, &mut random);
             let (scatter, bias) = (deviation / mean, mean / state.friction_force - 1.0);
             let n = state.contacting;

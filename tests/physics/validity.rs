@@ -25,7 +25,7 @@ fn in_order() -> Params {
 }
 
 fn at(params: &Params, separation: f64) -> State {
-    model(params).state_at_separation(separation * params.height_std).expect("a state")
+    model(params).state_at_gap(separation * params.height_std).expect("a state")
 }
 
 /// Fails unless a warning is all that is set on one side of its bound, and nothing on the other.
@@ -254,10 +254,10 @@ fn surfaces() -> Vec<(&'static str, Params)> {
 /// Loads spaced evenly in separation, from where one summit in 1e4 touches to where all do.
 fn states(model: &Model) -> Vec<State> {
     let sigma = model.params().height_std;
-    let state = |i: i32| model.state_at_separation((-6.0 + 0.01 * f64::from(i)) * sigma).expect("a state");
+    let state = |i: i32| model.state_at_gap((-6.0 + 0.01 * f64::from(i)) * sigma).expect("a state");
     let pull_off = model.summary().pull_off_load;
     let mut states: Vec<State> = (0..1000).map(state).take_while(|s| s.fraction_in_contact > 1e-4).collect();
-    states.retain(|state| state.load > pull_off.max(-f64::MAX) && state.dload_dseparation < 0.0);
+    states.retain(|state| state.load > pull_off.max(-f64::MAX) && state.dload_dgap < 0.0);
     states.sort_by(|a, b| b.load.total_cmp(&a.load));
     states
 }

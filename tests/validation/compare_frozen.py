@@ -1,7 +1,7 @@
-"""Whether boundary elements computed anew are those of boundary_elements.csv or yielding.csv to 1e-4; versions of tamaas may
-differ.
+"""Whether boundary elements computed anew are those of boundary_elements.csv, adhesion.csv or yielding.csv to 1e-4; versions of
+tamaas may differ.
 
-usage: compare_frozen.py elastic|yielding FILE.csv
+usage: compare_frozen.py elastic|sticky|yielding FILE.csv
 """
 
 from __future__ import annotations
@@ -10,12 +10,14 @@ import sys
 from dataclasses import astuple, fields
 from pathlib import Path
 
+import adhesion
 import boundary_elements
 import yielding
 from boundary_elements import Known
 
 FROZEN: dict[str, tuple[Path, type[Known]]] = {
     "elastic": (boundary_elements.FILE, boundary_elements.Row),
+    "sticky": (adhesion.FILE, adhesion.Row),
     "yielding": (yielding.FILE, yielding.Row),
 }
 # What one pixel that touches or does not, or the last step of the solver, changes.

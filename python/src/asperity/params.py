@@ -149,8 +149,11 @@ class Params:
         tangential_modulus: G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that
             stick; 0, the default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and
             for one rigid body.
-        nominal_area: Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the
-            default, means not known.
+        nominal_area: Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare
+            the real area A with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces
+            and normal to them, and the sum of contact radii are those of lone contacts over psi = (1 -
+            (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the summits approach by. A/A_0 counts as 0.5 at
+            most.
         contact_law: Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
         slip_onset: How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not
             depend on it, the tangential force before gross slip does.

@@ -218,9 +218,9 @@ impl<'a> Calls<'a> {
         let state_at: *mut asperity_state = &mut state;
         let pull_off = model.summary.pull_off_load;
         assert_eq!(call!(self, model.params, asperity_state_at_load(at, pull_off, state_at)), OK, "{:?}", model.params);
-        let (end, height_std) = (state.separation, model.params.height_std);
+        let (end, height_std) = (state.gap, model.params.height_std);
         for offset in (-15..0).map(|k| height_std * 10_f64.powi(k)) {
-            let status = call!(self, model.params, asperity_state_at_separation(at, end + offset, state_at));
+            let status = call!(self, model.params, asperity_state_at_gap(at, end + offset, state_at));
             assert_eq!(status, OK, "{end:e} + {offset:e}: {}; {:?}", message(), model.params);
             let loads = (state.load - state.attraction_load).abs() + state.attraction_load.abs();
             let change = (state.load - pull_off) / loads;
@@ -289,9 +289,9 @@ impl<'a> Calls<'a> {
         let (from, slope_at): (*const f64, *mut f64) = (&separation, &mut slope);
         let (load_at, slopes_at, third_at): (*mut f64, *mut f64, *mut f64) =
             (&mut load_of_batch, &mut slope_of_batch, &mut third);
-        let load: f64 = call!(self, p, asperity_load_at_separation(at, separation));
-        let again: f64 = call!(self, p, asperity_load_and_slope_at_separation(at, separation, slope_at));
-        let status: i32 = call!(self, p, asperity_loads_at_separations(at, one, from, load_at, slopes_at));
+        let load: f64 = call!(self, p, asperity_load_at_gap(at, separation));
+        let again: f64 = call!(self, p, asperity_load_and_slope_at_gap(at, separation, slope_at));
+        let status: i32 = call!(self, p, asperity_loads_at_gaps(at, one, from, load_at, slopes_at));
         let what = || format!("separation {separation:e}: {load:e} {slope:e}, status {status}; {p:?}");
         let same = [load, again, load_of_batch].map(f64::to_bits);
         assert!(same[0] == same[1] && same[0] == same[2] && slope.to_bits() == slope_of_batch.to_bits(), "{}", what());
@@ -354,7 +354,7 @@ impl<'a> Calls<'a> {
 
     /// A path of a contact that remembers, and each of its steps in a batch of one.
     pub fn path(&mut self, model: &Model, steps: &[(f64, [f64; 2])]) {
-        const LENGTH: usize = 32;
+        const LENGTH: usize = 42;
         let (at, p): (Shared, _) = (model.handle.0, model.params);
         let length: usize = call!(self, p, asperity_microslip_length(at));
         assert_eq!(length, LENGTH);
@@ -594,7 +594,7 @@ impl<'a> Calls<'a> {
         let before = bytes(&state).to_vec();
         let state_at: *mut asperity_state = &mut state;
         reset_message();
-        let status = call!(self, model.params, asperity_state_at_separation(at, separation, state_at));
+        let status = call!(self, model.params, asperity_state_at_gap(at, separation, state_at));
         let what = || format!("state at separation {separation:e}: {state:?}; {:?}", model.params);
         if status == OK {
             check_state(&state, &what);
@@ -647,7 +647,7 @@ impl<'a> Calls<'a> {
             let (at, mut state): (Shared, _) = (model.handle.0, asperity_state::empty());
             let state_at: *mut asperity_state = &mut state;
             assert_eq!(call!(self, model.params, asperity_state_at_load(at, load, state_at)), OK, "load {load:e}");
-            state.separation
+            state.gap
         });
         let height_std = model.params.height_std;
         (lighter - heavier).abs() > UNRESOLVED * f64::EPSILON * lighter.abs().max(height_std)
@@ -1008,8 +1008,8 @@ fn words_of(params: &asperity_params) -> Vec<u64> {
 
 /// Every number of a state is one, finite where it must be, with its sign.
 fn check_state(state: &asperity_state, what: &dyn Fn() -> String) {
-    let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
-    let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dseparation];
+    let finite = [state.load, state.gap, state.friction_force, state.real_area, state.contacting];
+    let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dgap];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
     let sound = finite.iter().all(|&x| is_finite(x))
         && !rates.iter().any(|x| x.is_nan())
