@@ -231,7 +231,7 @@ module asperity
     real(c_double) :: force(2)                      ! T [force], along both directions: positive where it resists a
                                                     ! positive displacement
     real(c_double) :: stiffness(4)                  ! dT/d(increment) [force/length], row by row: T1 by the first, T1 by
-                                                    ! the second, T2 by the first, T2 by the second
+                                                    ! the second, then T2; eigenvalues are 0 to K_t
     real(c_double) :: dforce_dload(2)               ! dT/d(load) of the same increment; at the load of the last step, as
                                                     ! it rises
     real(c_double) :: dissipated                    ! Energy lost in this step, >= 0 [force length]: heat of slip, and
@@ -281,10 +281,9 @@ module asperity
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
     real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
-                                                    ! nominally equal contacts under this load, from the number of
-                                                    ! contacts; 0 if asperity_count is 1
+                                                    ! nominally equal contacts under this load; 0 if asperity_count is 1
     real(c_double) :: friction_bias                 ! Mean friction force of nominally equal contacts under this load
-                                                    ! over friction_force, minus 1 [-]; 0 if asperity_count is 1
+                                                    ! over friction_force, minus 1 [-]; 0 and NaN as friction_scatter
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters
@@ -1222,8 +1221,10 @@ module asperity
     ! call law%microslip_steps(load, increment, before, after, force, stiffness [, stat] [, errmsg])    many contacts
     !   load (n), increment (2, n), before and after (length, n), force (2, n), stiffness (2, 2, n)
     ! Below pull-off the contact is open: force, tangents and after are 0. That is no error, but stat tells it.
+    ! call law%microslip_turn(state, cosine, sine [, stat] [, errmsg])    turns a state with the directions of the contact
     procedure, public :: microslip_length => model_microslip_length
     procedure, public :: microslip_step => model_microslip_step
+    procedure, public :: microslip_turn => model_microslip_turn
     procedure, public :: microslip_steps => model_microslip_steps
 
     ! load = law%load_at_gap(gap [, slope] [, stat] [, errmsg])
@@ -2090,6 +2091,17 @@ contains
     if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
     call report(status, stat, errmsg)
   end subroutine model_microslip_step
+
+  subroutine model_microslip_turn(self, state, cosine, sine, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(inout), contiguous, target :: state(:)
+    real(c_double), intent(in) :: cosine, sine
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call require_shape('state', shape(state), [model_microslip_length(self)])
+    call report(asperity_microslip_turn(address(state), cosine, sine), stat, errmsg)
+  end subroutine model_microslip_turn
 
   subroutine model_microslip_steps(self, load, increment, before, after, force, stiffness, stat, errmsg)
     class(friction_model), intent(in), target :: self

@@ -330,8 +330,8 @@ typedef struct asperity_microslip {
   /** T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T,
    * the other T. */
   double force[2];
-  /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
-   * Symmetric, with eigenvalues from 0 to K_t. */
+  /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, then T2; eigenvalues are 0 to K_t.
+   */
   double stiffness[4];
   /** dT/d(load) of the same increment; at the load of the last step, as it rises. */ double dforce_dload[2];
   /** Energy lost in this step, >= 0 [force length]: heat of slip, and what parts held that separated. */
@@ -385,11 +385,12 @@ typedef struct asperity_state {
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
-  /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from
-   * the number of contacts; 0 if `asperity_count` is 1. */
+  /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
+   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+   */
   double friction_scatter;
-  /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if
-   * `asperity_count` is 1. */
+  /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
+   * `friction_scatter`. */
   double friction_bias;
 } asperity_state;
 
@@ -1209,18 +1210,14 @@ size_t asperity_microslip_length(const struct asperity_model *model);
 
 /** Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
  *
- * The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). Each
- * part of the contact remembers how far it is sheared; parts separate and touch as the load changes. No path of displacement
- * and load gains energy.
+ * The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). More load
+ * on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy. No path of
+ * displacement and load gains energy. In a step whose load rises, separation and displacement change together.
  *
  * The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
  * closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
- * step that is accepted keeps `after`.
- *
- * More load on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy.
- * Where the load rises in a step, separation and displacement change together. Below the pull-off load the contact is open:
- * force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0
- * too, with `ASPERITY_OK`.
+ * step that is accepted keeps `after`. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
+ * the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
  *
  * @param model      a model
  * @param load       normal load of this step [force]

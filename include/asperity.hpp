@@ -1067,7 +1067,15 @@ public:
         return out;
     }
 
-    /// The same step of many contacts, into memory of the caller; for the inner loop: allocates nothing.
+    /// Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for what is not finite, an angle of no length, a state of another length.
+    void microslip_turn(Span<double> state, double cosine, double sine) const {
+        require_state("state", state.size(), 1);
+        check(asperity_microslip_turn(state.data(), cosine, sine));
+    }
+
+    /// The step of microslip_step of many contacts, into memory of the caller; for the inner loop: allocates nothing.
     ///
     /// Every element is as microslip_step gives it, to the bit, also when the status is not ASPERITY_OK; force and stiffness of one
     /// that is not in order are NaN, and its state is not written.

@@ -53,11 +53,14 @@ static WIDTHS: PerLevel = {
 /// The cells are laid anew where the stiffness is less than this part of their reach.
 const LEAST_OF_REACH: f64 = 0.4;
 
+/// What is narrower than this part of the reach holds nothing: its inverse is a number.
+const NARROWEST: f64 = 1e-290;
+
 /// Displacements beyond this many times strength over stiffness are taken as this: all levels then slip.
 pub const FARTHEST: f64 = 1e140;
 /// Over the strength of all, no slope by load is taken as larger: sums of them are numbers.
 const STEEPEST: f64 = 1e290;
-/// No slope of a contact without strength is taken as larger.
+/// No slope of a contact without strength is taken as larger, and no displacement whose energy is asked for.
 const LARGEST: f64 = 1e150;
 
 /// A number for each cell.
@@ -189,7 +192,8 @@ impl Levels {
         let edges = if is_laid_anew { lay(now, !falls, state) } else { [NO_EDGE; 2] };
         let mut lost = if DETAILS { (before - energy(state)).max(0.0) } else { 0.0 };
         let reach = state[REACH];
-        let (first, place) = (state[LAST] / reach, now / reach);
+        // A root of it is to be more than 0.
+        let (first, place) = ((state[LAST] / reach).max(f64::MIN_POSITIVE), now / reach);
         state[LAST] = now;
         for j in (0..LEVELS).step_by(4) {
             (within_cells(j, V::splat(place)) * V::splat(reach)).write(&mut self.width, j);
@@ -374,9 +378,9 @@ impl Levels {
             for j in 0..LEVELS {
                 let share = self.shares[j];
                 let limit = share * strength;
-                let (gained_x, gained_y) = (self.came[0][j] * stiffness_slope, self.came[1][j] * stiffness_slope);
+                let [gained_x, gained_y] = [0, 1].map(|axis: usize| at_most(self.came[axis][j] * stiffness_slope, STEEPEST));
                 let slips = inverse[j] > 0.0;
-                let limit_slope = share * strength_slope + self.share_slopes[j] * strength;
+                let limit_slope = at_most(share * strength_slope + self.share_slopes[j] * strength, STEEPEST);
                 let across = (ny[j] * gained_x - nx[j] * gained_y) * limit * inverse[j];
                 by_x[j] = if slips { limit_slope * nx[j] + across * ny[j] } else { gained_x };
                 by_y[j] = if slips { limit_slope * ny[j] - across * nx[j] } else { gained_y };
@@ -405,7 +409,7 @@ impl Levels {
             rate += (stiffness * WIDTHS[j] * size).min(strength * self.shares[j]);
         }
         let along = if size > 0.0 { rate / size } else { 0.0 };
-        let dissipated = at_most(energy(state), f64::MAX);
+        let dissipated = energy(state);
         state.fill(0.0);
         Response { by_load: [dx * along, dy * along], dissipated, ..Response::default() }
     }
@@ -419,10 +423,10 @@ pub fn energy(state: &[f64; STATE]) -> f64 {
     }
     let place = last / reach;
     let held = |j: usize| {
-        let (x, y) = (state[j], state[LEVELS + j]);
+        let (x, y) = (at_most(state[j], LARGEST), at_most(state[LEVELS + j], LARGEST));
         within_cell(j, place) * (x * x + y * y)
     };
-    0.5 * reach * sum(&std::array::from_fn(held))
+    at_most(0.5 * reach * sum(&std::array::from_fn(held)), f64::MAX)
 }
 
 /// Turns all displacements by the angle of a cosine and a sine, of any length but 0.
@@ -490,7 +494,7 @@ fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2] {
             cell += 1;
         }
         let width = to - start;
-        let inverse = if width > 0.0 { 1.0 / width } else { 0.0 };
+        let inverse = if width > NARROWEST { 1.0 / width } else { 0.0 };
         let touches = end < place || (j + 1 == LEVELS && end <= place);
         for axis in 0..2 {
             let (mean, more) = (integral[axis] * inverse, added[axis] * inverse);
@@ -517,7 +521,7 @@ fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2] {
         }
     };
     let part = if finite(part) { part.clamp(0.0, 1.0) } else { 0.0 };
-    for axis in 0..2 {
+    for axis in 0..if part > 0.0 { 2 } else { 0 } {
         for j in 0..LEVELS {
             state[axis * LEVELS + j] += part * bends[axis][j];
             edges[axis][j + 1] += part * bend[axis][j + 1];
@@ -581,8 +585,8 @@ fn harmonic(below: [f64; 2], above: [f64; 2]) -> [f64; 2] {
     let product = above[0] * below[0] + above[1] * below[1];
     let sum = [above[0] + below[0], above[1] + below[1]];
     let square = sum[0] * sum[0] + sum[1] * sum[1];
-    if product > 0.0 && square > 0.0 {
-        let part = 2.0 * (product / square);
+    let part = 2.0 * (product / square);
+    if product > 0.0 && finite(part) {
         [part * sum[0], part * sum[1]]
     } else {
         [0.0; 2]

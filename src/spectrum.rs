@@ -179,7 +179,7 @@ mod tests {
         assert!((of(0.0).radius / of(FITTED.bandwidth).radius - 1.0).abs() < 1e-14);
         for bandwidth in [1.5, 5.0, 1e3] {
             let asperities = of(bandwidth);
-            assert!((asperities.radius / of(0.0).radius - 1.0).abs() < 0.2, "{bandwidth}");
+            assert!((asperities.radius / of(0.0).radius - 1.0).abs() < 0.3, "{bandwidth}");
             assert_eq!(Summits { radius: of(0.0).radius, ..asperities }, of(0.0));
         }
     }

@@ -915,7 +915,7 @@ contains
     type(asperity_sensitivities) :: sensitivities
     type(c_ptr) :: model
     integer(c_int64_t) :: warnings
-    real(c_double), target :: warned(2), memory(32), increment(2), force(2)
+    real(c_double), target :: warned(2), memory(42), increment(2), force(2)
     type(asperity_microslip) :: step
     integer :: i
     warnings = 0
@@ -971,6 +971,7 @@ contains
       increment = [1e-3_c_double, 0.0_c_double] * state%friction_force / state%tangential_stiffness
       call asperity_check(asperity_microslip_step(model, load(1), c_loc(increment), c_loc(memory), c_loc(memory), step))
       call check_close('it begins with the stiffness', step%force(1), 1e-3_c_double * state%friction_force, 1e-9_c_double)
+      call asperity_check(asperity_microslip_turn(c_loc(memory), 0.0_c_double, -1.0_c_double))
       increment = 1e9_c_double
       call asperity_check(asperity_microslip_steps(model, 1_c_size_t, c_loc(load), c_loc(increment), c_loc(memory), &
                                                    c_null_ptr, c_loc(force), c_null_ptr))

@@ -294,8 +294,8 @@ export const WORDS = {
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
  * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
- * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from the number of contacts; 0 if `asperity_count` is 1.
- * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if `asperity_count` is 1.
+ * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+ * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as `friction_scatter`.
  */
 
 /**

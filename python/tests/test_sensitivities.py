@@ -205,7 +205,7 @@ def test_the_band_at_the_load_of_the_measurement_is_that_of_the_measurement(carb
     assert drawn.deviation[1] == pytest.approx(0.05, rel=0.15)
     assert (drawn.high / drawn.low)[1] < min((drawn.high / drawn.low)[[0, 2]])
 
-    # Elsewhere it is that of surfaces drawn from what was known before, each with the probability that it gives to the measurement.
+    # Elsewhere it is that of surfaces drawn as they were known before, with the probability that each gives to the measurement.
     random = np.random.default_rng(2)
     logs = []
     for sigma, work, radius in np.exp(wide * np.array([1, 2, 2]) * random.standard_normal((300, 3))):

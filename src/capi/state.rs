@@ -69,11 +69,11 @@ pub struct asperity_state {
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
-    /// Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from
-    /// the number of contacts; 0 if `asperity_count` is 1.
+    /// Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
+    /// `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
     pub friction_scatter: f64,
-    /// Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if
-    /// `asperity_count` is 1.
+    /// Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
+    /// `friction_scatter`.
     pub friction_bias: f64,
 }
 

@@ -182,8 +182,8 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
         (1.0, [f64::NEG_INFINITY, 0.0], [0.0; STATE], INVALID_PARAMETER, "increment[0] = -inf: must be finite"),
         (1.0, [0.0, f64::NAN], [0.0; STATE], INVALID_PARAMETER, "increment[1] = NaN: must be finite"),
         (1.0, fine, bad_state, INVALID_PARAMETER, "before[7] = NaN: must be finite"),
-        (1.0, fine, less, INVALID_PARAMETER, "before[41] = -1.0: must be from 0 to the number before it"),
-        (1.0, fine, more, INVALID_PARAMETER, "before[41] = 3.0: must be from 0 to the number before it"),
+        (1.0, fine, less, INVALID_PARAMETER, "before[41] = -1: must be from 0 to the number before it"),
+        (1.0, fine, more, INVALID_PARAMETER, "before[41] = 3: must be from 0 to the number before it"),
     ] {
         let mut out = asperity_microslip::empty();
         out.dissipated = UNTOUCHED;
@@ -265,10 +265,11 @@ fn anything_finite_gives_finite_numbers_within_the_strength() {
             (state[STATE - 2], state[STATE - 1]) = (a.max(b), a.min(b));
             let load = [1e-280, 1e-30, 1e-6, 1.0, 1e6, 1e60, 0.0, handle.summary().pull_off_load][i % 8];
             let (strength, stiffness) = strength_and_stiffness(&handle, load);
+            let before = state;
             let ((status, out), complaint) = flags::watch(|| step(&handle, load, increment, &mut state));
             assert_eq!((status, complaint), (OK, None), "{load}");
             let force = out.force[0].hypot(out.force[1]);
-            assert!(force <= strength * (1.0 + 1e-14), "{load}: {out:?}, {strength}");
+            assert!(force <= strength * (1.0 + 1e-14), "{load}: {out:?}, {strength}, {increment:?}, {before:?}");
             let numbers = [out.dforce_dload, [out.dissipated, out.slipping]].concat();
             assert!(numbers.iter().chain(&out.stiffness).chain(&state).all(|x| x.is_finite()), "{load}: {out:?}");
             assert!(out.stiffness.iter().all(|x| x.abs() <= stiffness * (1.0 + 1e-13)), "{load}: {out:?}");

@@ -725,6 +725,14 @@ void a_contact_remembers() {
     EXPECT(trial.force[1] == ended.force[1] && close(ended.slipping, 1.0, 1e-12) && ended.dissipated > 0.0);
     EXPECT(close(std::hypot(ended.force[0], ended.force[1]), REFERENCE_FORCE, 1e-7));
 
+    // Over a quarter: the state is as if all had been displaced along the other direction.
+    std::vector<double> turned(before);
+    model.microslip_turn(turned, 0.0, 1.0);
+    const double back[2] = {-large[1], 0.0};
+    const asperity::Microslip aside = model.microslip_step(REFERENCE_LOAD, back, turned, {});
+    EXPECT(aside.force[0] == -ended.force[1] && aside.force[1] == ended.force[0]);
+    EXPECT(thrown_by([&] { model.microslip_turn(turned, INF, 0.0); }).status() == ASPERITY_INVALID_PARAMETER);
+
     const double open = 2.0 * model.summary().pull_off_load;
     const std::vector<double> loads{REFERENCE_LOAD, open}, increment{large[0], large[1], 0.0, 0.0};
     std::vector<double> states(before), force(4), tangents(8);

@@ -97,10 +97,7 @@ fn forces_and_work_are_those_of_the_contacts() {
                         assert!((low..high).contains(&ratio), "{onset:?}, {ratio} at {amplitude}, {load}: {params:?}");
                     }
                     let error = (work[1] + work[2]) / (strength * length) - expected;
-                    assert!(
-                        error.abs() < 3e-3 * most || (0.9..1.1).contains(&ratio),
-                        "{onset:?}: {error} of {expected}"
-                    );
+                    assert!(error.abs() < 7e-3 * most, "{onset:?}: {error} of {expected}, {most}");
                 }
             }
         }

@@ -180,6 +180,10 @@ class Known:
         """Whether the constants of src/spectrum.rs were fitted to this surface, by fit_asperities.py."""
         return self.seed % 2 == 0
 
+    def is_of(self, spectrum: Spectrum) -> bool:
+        """Whether the surface has this spectrum."""
+        return (self.grid, self.lowest, self.corner, self.highest, self.hurst, self.bands) == astuple(spectrum)[:-1]
+
     def from_moments(self, **law: Any) -> Params:
         """Parameters from m0 and m2, with the law of contact."""
         moments = dict(m0=self.m0, m2=self.m2, nominal_area=float(self.grid**2))

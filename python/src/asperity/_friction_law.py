@@ -320,8 +320,8 @@ class FrictionLaw:
         """A contact that remembers how it was displaced, or many: its force under changing load along any path.
 
         The force rises from K_t times the displacement to the friction force F, follows Masing's rule after a reversal, and keeps
-        what was before: `asperity_microslip_step` of the C interface. `tangential` and `hysteresis` are exact where the load is
-        constant; this is within 2 % of F of them, at the price of a friction call.
+        what was before, also where the load changes: `asperity_microslip_step` of the C interface. `tangential` and `hysteresis` are
+        exact where the load is constant; this is within 1 % of F of them, at the price of a few friction calls.
 
         Args:
             shape: of the array of contacts; one contact by default.

@@ -117,8 +117,8 @@ def evaluate(block: Block) -> Answers:
 
 
 class Drawn(NamedTuple):
-    """A surface that was drawn: its friction forces at the loads, and how many times its strength is that before it was calibrated, with
-    d(ln strength)/d(ln force) there."""
+    """A surface that was drawn: its friction forces at the loads, and how many times its strength is that before it was
+    calibrated, with d(ln strength)/d(ln force) there."""
 
     force: Array
     strength: float = 1.0

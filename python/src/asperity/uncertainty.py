@@ -210,7 +210,8 @@ def uncertainty(
     if samples:
         random = np.random.default_rng(seed)
         varied = tuple(name.given for name in names)
-        strength = next((i for i, name in enumerate(names) if name.field == _STRENGTH and before[i, i] > 0), None) if measured else None
+        strengths = (i for i, name in enumerate(names) if measured and name.field == _STRENGTH and before[i, i] > 0)
+        strength = next(strengths, None)
         with_measured = np.append(load, params.calibration_load) if measured else load
 
         def draw() -> Array | None:
@@ -236,7 +237,8 @@ def uncertainty(
             table = np.array(rows)
             at = with_measured if strength is None else load
             parts = [(i, table[i : i + _BLOCK]) for i in range(0, len(rows), _BLOCK)]
-            blocks = [(i, Block(params, varied, part[:, :-2], at, False, None if strength is None else part[:, -2])) for i, part in parts]
+            forced = [None if strength is None else part[:, -2] for _, part in parts]
+            blocks = [(i, Block(params, varied, part[:, :-2], at, False, force)) for (i, part), force in zip(parts, forced)]
             by_first = dict(_blocks.completed(forces, blocks, executor))
             answers = [one for first, _ in blocks for one in by_first[first]]
             kept = [one.force[: load.size] for one, row in zip(answers, rows) if one is not None and is_kept(one, float(row[-1]))]
