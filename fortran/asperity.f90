@@ -92,12 +92,12 @@ module asperity
     real(c_double) :: high                          ! Upper end
     real(c_double) :: friction_force                ! F [N]
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
-                                                    ! interface: measure friction once
+                                                    ! interface: measure friction
     real(c_double) :: roughness_share               ! Share from the roughness: measure RSm, or Ra
     real(c_double) :: measurement_share             ! Share from the errors of the measured points and what they leave
                                                     ! open: measure more
     real(c_double) :: misfit                        ! How far the measured points are off the law, root mean square in
-                                                    ! their errors; above 2 it cannot follow their trend
+                                                    ! their errors; above 2 it cannot follow them
     integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
                                                     ! heaviest load > 0.
     integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
@@ -382,10 +382,10 @@ module asperity
     function asperity_estimate_text_c(surface, length, n, load, buffer, buffer_length) &
         bind(c, name='asperity_estimate_text')
       import
-      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as above
-      integer(c_size_t), intent(in), value :: length ! as above
-      integer(c_size_t), intent(in), value :: n     ! number of loads
-      type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as of asperity_estimate_at_loads
+      integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads
+      integer(c_size_t), intent(in), value :: n     ! as of asperity_estimate_at_loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): as of asperity_estimate_at_loads
       type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, NUL-terminated, cut to fit;
                                                     ! c_null_ptr to ask for the length only
       integer(c_size_t), intent(in), value :: buffer_length ! size of buffer [bytes]

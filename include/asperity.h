@@ -156,14 +156,13 @@ typedef struct asperity_estimate {
   /** Lower end of the band. */ double low;
   /** Upper end. */ double high;
   /** F [N]. */ double friction_force;
-  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction once. Shares are 0 without a band.
+  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. Shares are 0 without a band.
    */
   double strength_share;
   /** Share from the roughness: measure RSm, or Ra. */ double roughness_share;
   /** Share from the errors of the measured points and what they leave open: measure more. */
   double measurement_share;
-  /** How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow their trend. 0
-   * without points to spare. */
+  /** How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow them. */
   double misfit;
   /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
   /** What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`. */ int32_t strength_source;
@@ -531,10 +530,7 @@ asperity_status asperity_estimate_at_loads(const char *surface, size_t length, s
 /** Writes what `asperity_estimate_at_loads` finds for people: coefficients with their bands, what they rest on, warnings, and what
  * would narrow the bands.
  *
- * @param surface        as above
- * @param length         as above
- * @param n              number of loads
- * @param load           normal loads [N]
+ * @param surface,length,n,load  as of `asperity_estimate_at_loads`
  * @param buffer         receives the lines, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param buffer_length  size of `buffer` [bytes]
  * @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure,

@@ -34,14 +34,13 @@ pub struct asperity_estimate {
     pub high: f64,
     /// F [N].
     pub friction_force: f64,
-    /// Share of the variance of ln(F/P) from the strength of the interface: measure friction once. Shares are 0 without a band.
+    /// Share of the variance of ln(F/P) from the strength of the interface: measure friction. Shares are 0 without a band.
     pub strength_share: f64,
     /// Share from the roughness: measure RSm, or Ra.
     pub roughness_share: f64,
     /// Share from the errors of the measured points and what they leave open: measure more.
     pub measurement_share: f64,
-    /// How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow their trend. 0
-    /// without points to spare.
+    /// How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow them.
     pub misfit: f64,
     /// Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0.
     pub warnings: u64,
@@ -158,10 +157,7 @@ const LARGEST: u64 = 4096;
 /// Writes what `asperity_estimate_at_loads` finds for people: coefficients with their bands, what they rest on, warnings, and what
 /// would narrow the bands.
 ///
-/// @param surface        as above
-/// @param length         as above
-/// @param n              number of loads
-/// @param load           normal loads [N]
+/// @param surface,length,n,load  as of `asperity_estimate_at_loads`
 /// @param buffer         receives the lines, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param buffer_length  size of `buffer` [bytes]
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure,
