@@ -1,8 +1,9 @@
 # make demo      build the library, run the C example, draw its friction curve
+# make quick     after each change of the sources: form, unit tests, header, interface; a minute
 # make test      Rust, C, C++, Fortran, Python, JavaScript and one host, in minutes
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
-# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
+# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, two hours or so
 # make bench     measures speed and accuracy, and writes docs/performance.md and its tables anew
 # make core      what the numerical core costs: lines, constants, instructions, memory
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
@@ -59,6 +60,7 @@ tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh
 tests/harden/supply_chain.sh
+packaging/size.py
 tests/dist/same_bits.sh
 tests/dist/refusals.sh
 tests/setup.sh hosts
@@ -66,7 +68,7 @@ hosts/run.sh
 endef
 export QUICK_TESTS OTHER_TESTS
 
-.PHONY: all demo test test-all hosts site figures header pages abi clean library
+.PHONY: all demo quick test test-all hosts site figures header pages abi clean library
 
 all: library
 
@@ -85,6 +87,12 @@ demo: library
 	    -L$(RELEASE) -Wl,-rpath,$(RELEASE) $(LDFLAGS) -lasperity -lm
 	$(EXAMPLE) $(FIGURE)
 	@echo "The friction curve is drawn in $(FIGURE)"
+
+# Built without link-time optimisation and bit by bit, so that only what changed is compiled.
+quick:
+	$(CARGO) fmt --check
+	$(CARGO) test --profile mutants --locked --no-fail-fast --lib --test layout --test abi
+	$(CARGO) test --profile mutants --locked --test install header::
 
 test:
 	@cmake/check_rust.sh "$(CARGO)"

@@ -38,6 +38,14 @@ module asperity
   ! The system refused memory that the call needs; nothing was made or changed
   integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_MEMORY = 7
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255  ! A bug in the library: please report it
+  ! Of strength_source: the default strength, an order of magnitude
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_DEFAULT = 0
+  ! Of strength_source: a row of the table of interfaces, or the rows of these bodies, measured on other specimens
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_TABLE = 1
+  ! Of strength_source: the text gives slip stresses or a pressure coefficient, taken as known
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
+  ! Of strength_source: measured on these surfaces
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0  ! Gaussian heights, eq (17): the default
   ! Weibull heights, eqs (18)-(21): their skew follows from weibull_shape
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
@@ -73,6 +81,29 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1
 
   ! ---- The C interface: types ----
+
+  ! Friction at one load, with its band
+  type, bind(c), public :: asperity_estimate
+    integer(c_int64_t) :: struct_size = 96          ! bytes of this type; leave it
+    real(c_double) :: load                          ! Normal load [N]
+    real(c_double) :: friction_coefficient          ! F/P; infinite from the pull-off load to 0, where F/P has no limit;
+                                                    ! 0 below
+    real(c_double) :: low                           ! Lower end of the band
+    real(c_double) :: high                          ! Upper end
+    real(c_double) :: friction_force                ! F [N]
+    real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
+                                                    ! interface: measure friction
+    real(c_double) :: roughness_share               ! Share from the roughness: measure RSm, or Ra
+    real(c_double) :: measurement_share             ! Share from the errors of the measured points and what they leave
+                                                    ! open: measure more
+    real(c_double) :: misfit                        ! How far the measured points are off the law, root mean square in
+                                                    ! their errors; above 2 it cannot follow them
+    integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
+                                                    ! heaviest load > 0.
+    integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
+                                                    ! ASPERITY_STRENGTH_....
+    integer(c_int32_t) :: reserved                  ! Keeps the size the same on all systems; 0
+  end type asperity_estimate
 
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat
   type, bind(c), public :: asperity_params
@@ -200,9 +231,11 @@ module asperity
     real(c_double) :: force(2)                      ! T [force], along both directions: positive where it resists a
                                                     ! positive displacement
     real(c_double) :: stiffness(4)                  ! dT/d(increment) [force/length], row by row: T1 by the first, T1 by
-                                                    ! the second, T2 by the first, T2 by the second
-    real(c_double) :: dforce_dload(2)               ! dT/d(load), of the same increment
-    real(c_double) :: dissipated                    ! Work that slip turned into heat in this step, >= 0 [force length]
+                                                    ! the second, then T2; eigenvalues are 0 to K_t
+    real(c_double) :: dforce_dload(2)               ! dT/d(load) of the same increment; at the load of the last step, as
+                                                    ! it rises
+    real(c_double) :: dissipated                    ! Energy lost in this step, >= 0 [force length]: heat of slip, and
+                                                    ! what parts held that separated
     real(c_double) :: slipping                      ! Fraction of the strength that slips, 0 to 1; 1 is gross slip
   end type asperity_microslip
 
@@ -248,10 +281,9 @@ module asperity
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
     real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
-                                                    ! nominally equal contacts under this load, from the number of
-                                                    ! contacts; 0 if asperity_count is 1
+                                                    ! nominally equal contacts under this load; 0 if asperity_count is 1
     real(c_double) :: friction_bias                 ! Mean friction force of nominally equal contacts under this load
-                                                    ! over friction_force, minus 1 [-]; 0 if asperity_count is 1
+                                                    ! over friction_force, minus 1 [-]; 0 and NaN as friction_scatter
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters
@@ -331,6 +363,35 @@ module asperity
   ! A model is a type(c_ptr). Functions of type integer(c_int32_t) return a status.
 
   interface
+    ! Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its
+    ! doubt is part of the band
+    function asperity_estimate_at_loads_c(surface, length, n, load, estimates) &
+        bind(c, name='asperity_estimate_at_loads')
+      import
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: UTF-8, as of
+                                                    ! asperity_params_set_text
+      integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL
+      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
+      type(asperity_estimate), intent(inout) :: estimates ! receives n estimates; unchanged on failure
+      integer(c_int32_t) :: asperity_estimate_at_loads_c
+    end function asperity_estimate_at_loads_c
+
+    ! Writes what asperity_estimate_at_loads finds for people: coefficients with their bands, what they rest on,
+    ! warnings, and what would narrow the bands
+    function asperity_estimate_text_c(surface, length, n, load, buffer, buffer_length) &
+        bind(c, name='asperity_estimate_text')
+      import
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as of asperity_estimate_at_loads
+      integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads
+      integer(c_size_t), intent(in), value :: n     ! as of asperity_estimate_at_loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): as of asperity_estimate_at_loads
+      type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, NUL-terminated, cut to fit;
+                                                    ! c_null_ptr to ask for the length only
+      integer(c_size_t), intent(in), value :: buffer_length ! size of buffer [bytes]
+      integer(c_size_t) :: asperity_estimate_text_c
+    end function asperity_estimate_text_c
+
     ! Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset
     function asperity_params_init_c(params, struct_size) bind(c, name='asperity_params_init')
       import
@@ -811,7 +872,7 @@ module asperity
       integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
     end function asperity_contact_radius_sum_at_loads
 
-    ! How many doubles the state of one contact takes; today 32, the same for all models
+    ! How many doubles the state of one contact takes; today 42, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
@@ -848,6 +909,16 @@ module asperity
                                                     ! [force/length], those of a contact together, row by row
       integer(c_int32_t) :: asperity_microslip_steps
     end function asperity_microslip_steps
+
+    ! Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine
+    function asperity_microslip_turn(state, cosine, sine) bind(c)
+      import
+      type(c_ptr), intent(in), value :: state       ! real(c_double): asperity_microslip_length doubles, changed in
+                                                    ! place
+      real(c_double), intent(in), value :: cosine   ! both of any length
+      real(c_double), intent(in), value :: sine     ! but 0
+      integer(c_int32_t) :: asperity_microslip_turn
+    end function asperity_microslip_turn
 
     ! Load at a gap, from the compiled law
     pure function asperity_load_at_gap(model, gap) bind(c)
@@ -886,8 +957,8 @@ module asperity
       import
       type(c_ptr), intent(in), value :: model       ! a model
       integer(c_size_t), intent(in), value :: n     ! number of summits
-      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: the height of the summit less
-                                                    ! the separation, negative for a gap unless n = 0
+      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
+                                                    ! reach beyond the flat, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
                                                     ! [length], on which radii of summits depend where radius_amplitude
                                                     ! is not 0; c_null_ptr: all summits have the mean height
@@ -1039,11 +1110,11 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_load_at_gap, asperity_load_and_slope_at_gap, asperity_loads_at_gaps
-  public :: asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap, asperity_summary_of
-  public :: asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string, asperity_warning_loads
-  public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
-  public :: asperity_table_of, asperity_load_table_of
+  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_gap, asperity_load_and_slope_at_gap
+  public :: asperity_loads_at_gaps, asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap
+  public :: asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string
+  public :: asperity_warning_loads, asperity_warnings_text, asperity_last_error, asperity_status_string
+  public :: asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -1150,8 +1221,10 @@ module asperity
     ! call law%microslip_steps(load, increment, before, after, force, stiffness [, stat] [, errmsg])    many contacts
     !   load (n), increment (2, n), before and after (length, n), force (2, n), stiffness (2, 2, n)
     ! Below pull-off the contact is open: force, tangents and after are 0. That is no error, but stat tells it.
+    ! call law%microslip_turn(state, cosine, sine [, stat] [, errmsg])    turns a state with the directions of the contact
     procedure, public :: microslip_length => model_microslip_length
     procedure, public :: microslip_step => model_microslip_step
+    procedure, public :: microslip_turn => model_microslip_turn
     procedure, public :: microslip_steps => model_microslip_steps
 
     ! load = law%load_at_gap(gap [, slope] [, stat] [, errmsg])
@@ -1184,7 +1257,7 @@ module asperity
     procedure, public :: check_loads => model_check_loads
 
     ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
-    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   overlap  real(c_double), intent(in) [length], (n): how far a summit would reach beyond the flat
     !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
     !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
     !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
@@ -1222,6 +1295,7 @@ module asperity
   public :: asperity_interface_of, asperity_interface_name_text
   public :: asperity_params_use_pair, asperity_params_use_interface
   public :: asperity_params_read, asperity_params_set_text, asperity_params_text
+  public :: asperity_estimate_at_loads, asperity_estimate_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -1316,6 +1390,50 @@ contains
     text = joined(buffer(:length))
     call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, length > 0), stat, errmsg)
   end function asperity_params_text
+
+  ! Friction at loads with its band, from the text of a surface alone.
+  subroutine asperity_estimate_at_loads(surface, load, estimates, stat, errmsg)
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    real(c_double), intent(in) :: load(:)                 ! [N]
+    type(asperity_estimate), intent(inout) :: estimates(size(load)) ! untouched on failure
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    real(c_double), target :: loads(size(load))
+    type(asperity_estimate) :: none
+    integer(c_int32_t) :: status
+    characters = c_string(surface, size(characters))
+    loads = load
+    if (size(load) > 0) then
+      status = asperity_estimate_at_loads_c(c_loc(characters), len_trim(surface, kind=c_size_t), size(load, kind=c_size_t), &
+                                            c_loc(loads), estimates(1))
+    else
+      status = asperity_estimate_at_loads_c(c_loc(characters), len_trim(surface, kind=c_size_t), 0_c_size_t, c_null_ptr, none)
+    end if
+    call report(status, stat, errmsg)
+  end subroutine asperity_estimate_at_loads
+
+  ! The same for people.
+  function asperity_estimate_text(surface, load, stat, errmsg) result(text)
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    real(c_double), intent(in) :: load(:)                 ! [N]
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text                     ! empty on failure
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    real(c_double), target :: loads(size(load))
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer(c_size_t) :: length, number
+    characters = c_string(surface, size(characters))
+    loads = load
+    length = len_trim(surface, kind=c_size_t)
+    number = asperity_estimate_text_c(c_loc(characters), length, size(load, kind=c_size_t), c_loc(loads), c_null_ptr, 0_c_size_t)
+    allocate(buffer(number + 1))
+    number = asperity_estimate_text_c(c_loc(characters), length, size(load, kind=c_size_t), c_loc(loads), c_loc(buffer), &
+                                      size(buffer, kind=c_size_t))
+    text = joined(buffer(:number))
+    call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, number > 0), stat, errmsg)
+  end function asperity_estimate_text
 
   ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
   subroutine set_by_name(params, name, value, stat, errmsg)
@@ -1973,6 +2091,17 @@ contains
     if (status == ASPERITY_SEPARATED .and. .not. present(stat)) return
     call report(status, stat, errmsg)
   end subroutine model_microslip_step
+
+  subroutine model_microslip_turn(self, state, cosine, sine, stat, errmsg)
+    class(friction_model), intent(in), target :: self
+    real(c_double), intent(inout), contiguous, target :: state(:)
+    real(c_double), intent(in) :: cosine, sine
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    if (.not. is_created(self, stat, errmsg)) return
+    call require_shape('state', shape(state), [model_microslip_length(self)])
+    call report(asperity_microslip_turn(address(state), cosine, sine), stat, errmsg)
+  end subroutine model_microslip_turn
 
   subroutine model_microslip_steps(self, load, increment, before, after, force, stiffness, stat, errmsg)
     class(friction_model), intent(in), target :: self

@@ -58,6 +58,8 @@ using Material = asperity_material_data;
 using Pair = asperity_pair_data;
 /// The measured strength of an interface, in SI units; its fields are described in asperity.h.
 using InterfaceData = asperity_interface_data;
+/// Friction at one load, with its band; estimates() fills it.
+using Estimate = asperity_estimate;
 
 // ---- Versions ----
 
@@ -241,6 +243,30 @@ inline std::vector<std::string> pair_names() { return detail::names(asperity_pai
 
 /// The names of all interfaces.
 inline std::vector<std::string> interface_names() { return detail::names(asperity_interface_name); }
+
+// ---- One call ----
+
+/// Friction at loads with its band, from the text of a surface alone: asperity_estimate_at_loads. Throws Error.
+inline std::vector<Estimate> estimates(std::string_view surface, Span<const double> load) {
+    std::vector<Estimate> found(load.size(), detail::sized<Estimate>());
+    check(asperity_estimate_at_loads(surface.data(), surface.size(), load.size(), load.data(), found.data()));
+    return found;
+}
+
+/// The same at one load.
+inline Estimate estimate(std::string_view surface, double load) { return estimates(surface, {&load, 1}).front(); }
+
+/// The same for people. Throws Error.
+inline std::string estimate_text(std::string_view surface, Span<const double> load) {
+    const auto copy = [&](char *buffer, std::size_t length) {
+        return asperity_estimate_text(surface.data(), surface.size(), load.size(), load.data(), buffer, length);
+    };
+    std::string text = detail::copied(copy);
+    if (text.empty()) {
+        throw Error(ASPERITY_INVALID_PARAMETER, last_error());
+    }
+    return text;
+}
 
 // ---- Parameters ----
 
@@ -1041,7 +1067,15 @@ public:
         return out;
     }
 
-    /// The same step of many contacts, into memory of the caller; for the inner loop: allocates nothing.
+    /// Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine.
+    ///
+    /// Throws Error (ASPERITY_INVALID_PARAMETER) for what is not finite, an angle of no length, a state of another length.
+    void microslip_turn(Span<double> state, double cosine, double sine) const {
+        require_state("state", state.size(), 1);
+        check(asperity_microslip_turn(state.data(), cosine, sine));
+    }
+
+    /// The step of microslip_step of many contacts, into memory of the caller; for the inner loop: allocates nothing.
     ///
     /// Every element is as microslip_step gives it, to the bit, also when the status is not ASPERITY_OK; force and stiffness of one
     /// that is not in order are NaN, and its state is not written.
@@ -1123,7 +1157,7 @@ public:
 
     /// Single summits at overlaps [length], by the law that the model sums over all summits.
     ///
-    /// @param overlaps  height of a summit less the separation; negative for a gap
+    /// @param overlaps  how far a summit would reach beyond the flat; negative for a gap
     /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not
     ///                  0; the mean height by default
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).

@@ -42,9 +42,11 @@ pub mod capi;
 mod elementary;
 mod equilibrium;
 mod error;
+mod estimate;
 mod float_bits;
-mod jenkins;
+mod four;
 mod law;
+mod levels;
 pub mod materials;
 mod model;
 mod nearest;
@@ -67,7 +69,7 @@ pub mod population;
 
 pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
-pub use jenkins::STATE as MICROSLIP_LENGTH;
+pub use levels::STATE as MICROSLIP_LENGTH;
 pub use model::validity::{
     WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC,
     WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,

@@ -29,13 +29,13 @@ struct Fitted {
 
 const FITTED: Fitted = Fitted {
     height_std: 0.92,
-    radius: 1.68,
-    bandwidth_power: -0.07,
-    density: 0.0235,
+    radius: 1.63,
+    bandwidth_power: -0.043,
+    density: 0.026,
     radius_amplitude: -0.61,
     radius_rate: 0.90,
-    mean_height: 1.34,
-    bandwidth: 10.0,
+    mean_height: 1.23,
+    bandwidth: 8.0,
 };
 
 /// Summits as the sums take them. Their heights are Gaussian.

@@ -21,6 +21,7 @@ program c_interface
   call pressure_coefficients
   call names
   call surface_texts
+  call estimates
   call materials
   call interfaces
   call johnson_heights
@@ -347,6 +348,29 @@ contains
     message = asperity_params_text(p, stat)
     call check('what has no meaning has no text', stat == ASPERITY_INVALID_PARAMETER .and. message == '')
   end subroutine surface_texts
+
+  ! Friction from a text alone.
+  subroutine estimates
+    character(*), parameter :: LF = new_line('a')
+    character(*), parameter :: SURFACE = 'pair = "steel/steel"' // LF // 'nominal_area = 1e-4' // LF // &
+      'measured = [1000, 0.16]' // LF // '[roughness]' // LF // 'process = "ground"' // LF // 'Ra = 0.8e-6' // LF
+    type(asperity_estimate) :: found(2), none(0)
+    character(300) :: message
+    integer :: stat
+    call asperity_estimate_at_loads(SURFACE, [10.0_c_double, 1000.0_c_double], found)
+    call check_close('the measured point is met', found(2)%friction_coefficient, 0.16_c_double, 1e-6_c_double)
+    call check('another load has its band', found(1)%low > 0.16 .and. found(1)%low < found(1)%friction_coefficient &
+               .and. found(1)%friction_coefficient < found(1)%high .and. found(1)%high < 0.23)
+    call check('... and what it rests on', found(1)%strength_source == ASPERITY_STRENGTH_MEASURED)
+    call check('so has its text', index(asperity_estimate_text(SURFACE, [10.0_c_double]), &
+                                        'mu(10 N) = 0.194, 95 % band 0.167 to 0.221' // LF) == 1)
+    call asperity_estimate_at_loads(SURFACE, [real(c_double) ::], none)
+    call asperity_estimate_at_loads('measured = 0.16', [1.0_c_double], found, stat, message)
+    call check('what is wrong is named', stat == ASPERITY_INVALID_PARAMETER .and. &
+               index(message, 'line 1: measured = 0.16: must be points') == 1)
+    message = asperity_estimate_text('', [1.0_c_double], stat)
+    call check('... and has no text', stat == ASPERITY_INVALID_PARAMETER .and. message == '')
+  end subroutine estimates
 
   subroutine check_equal_numbers(claim, p, expected)
     character(*), intent(in) :: claim
@@ -891,7 +915,7 @@ contains
     type(asperity_sensitivities) :: sensitivities
     type(c_ptr) :: model
     integer(c_int64_t) :: warnings
-    real(c_double), target :: warned(2), memory(32), increment(2), force(2)
+    real(c_double), target :: warned(2), memory(42), increment(2), force(2)
     type(asperity_microslip) :: step
     integer :: i
     warnings = 0
@@ -947,6 +971,7 @@ contains
       increment = [1e-3_c_double, 0.0_c_double] * state%friction_force / state%tangential_stiffness
       call asperity_check(asperity_microslip_step(model, load(1), c_loc(increment), c_loc(memory), c_loc(memory), step))
       call check_close('it begins with the stiffness', step%force(1), 1e-3_c_double * state%friction_force, 1e-9_c_double)
+      call asperity_check(asperity_microslip_turn(c_loc(memory), 0.0_c_double, -1.0_c_double))
       increment = 1e9_c_double
       call asperity_check(asperity_microslip_steps(model, 1_c_size_t, c_loc(load), c_loc(increment), c_loc(memory), &
                                                    c_null_ptr, c_loc(force), c_null_ptr))

@@ -289,6 +289,13 @@ contains
     call law%microslip_step(P(1), increment(:, 1), state, after, out, stat)
     call check('all of it slips', stat == 0 .and. abs(out%slipping - 1) < 1e-12_c_double .and. out%dissipated > 0)
     call check_close('with the friction force', norm2(out%force), law%friction_force_at_load(P(1)), 1e-12_c_double)
+    after = state
+    call law%microslip_turn(after, 0.0_c_double, 1.0_c_double)
+    call law%microslip_turn(after, 0.0_c_double, -1.0_c_double)
+    call check('a state turns there and back', all([(identical(after(stat), state(stat)), stat = 1, size(after))]))
+    call law%microslip_turn(after, nan(), 1.0_c_double, stat, errmsg)
+    call check_text('an angle that is NaN is refused', errmsg, 'cosine = NaN: must be finite')
+    call law%microslip_step(P(1), increment(:, 1), state, after, out, stat)
     allocate (states(size(state), 2))
     states(:, 1) = state
     states(:, 2) = 1

@@ -122,23 +122,24 @@ contains
 
   ! Moves a point on by a slip increment [length], one number or two, at a pressure [stress].
   ! rotation  of the directions of friction in this increment
-  ! state     forces of the parts along the first direction, then along the second; as it was if the step is invalid
+  ! state     what the point remembers; as it was if the step is invalid
   function microslip_step(surface, pressure, slip, rotation, state) result(step)
     real(c_double), intent(in) :: surface, pressure, slip(:), rotation(2, 2)
     real(c_double), intent(inout) :: state(:)
     type(microslip) :: step
     type(asperity_microslip) :: out
     real(c_double) :: increment(2), before(size(state)), after(size(state)), area
-    integer :: number, half, status
+    integer :: number, status
     step%invalid = .true.
     if (.not. is_ready(surface)) return
     number = nint(surface)
     area = nominal_areas(number)
     increment = 0
     increment(:size(slip)) = slip
-    half = size(state) / 2
-    before(:half) = rotation(1, 1) * state(:half) + rotation(1, 2) * state(half + 1:)
-    before(half + 1:) = rotation(2, 1) * state(:half) + rotation(2, 2) * state(half + 1:)
+    before = state
+    call laws(number)%microslip_turn(before, rotation(1, 1), rotation(2, 1), status)
+    step%invalid = status /= 0
+    if (step%invalid) return
     call laws(number)%microslip_step(pressure * area, increment, before, after, out, status)
     step%apart = status == ASPERITY_SEPARATED
     step%invalid = status /= 0 .and. .not. step%apart

@@ -54,6 +54,9 @@ Frame frame_of(const Contact &c, bool remembers) {
 
 enum { BATCH = Law::BATCH, MOST = Law::MOST_REMEMBERED };
 
+// A state ends with two stiffnesses, which grow with the area of the contact; all else are displacements.
+double of_area(int number, int numbers, double area) { return number < numbers - 2 ? 1 : area; }
+
 // What is solved for a contact: forces and displacements in the directions of its frame.
 struct Step {
     Frame frame;
@@ -148,13 +151,13 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
     for (int k = 0; k < count; k++) {
         const Contact &c = contact[k];
         const double had = c.history[STIFFNESS], now = result[k].stiffness;
-        // What is unloaded loses the force of the part that opens: see spring().
+        // What is unloaded loses the force of the part of the grain that opens: see spring(). The summits know of theirs.
         const double kept = had == 0 ? 0 : now < had ? now / had : 1;
         begin(c, result[k], kept, dt, bodies.grain[k], bodies.summits[k], step[k]);
         if (result[k].limit <= 0) continue;    // without load there is neither friction nor memory
         waiting[open++] = k;
         if (kept > 0)
-            for (int m = 0; m < numbers; m++) before[k * numbers + m] = kept * c.history[SUMMITS + m] / bodies.area[k];
+            for (int m = 0; m < numbers; m++) before[k * numbers + m] = c.history[SUMMITS + m] / of_area(m, numbers, bodies.area[k]);
     }
     for (int call = 0; call < most_calls && open > 0; call++) {
         displace(model_.get(), softening_, numbers, open, waiting, bodies.area, result, before, step, after);
@@ -168,7 +171,7 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
     for (int k = 0; k < count; k++) {
         finish(contact[k], step[k], dt, result[k]);
         if (dt > 0)
-            for (int m = 0; m < numbers; m++) contact[k].history[SUMMITS + m] = bodies.area[k] * after[k * numbers + m];
+            for (int m = 0; m < numbers; m++) contact[k].history[SUMMITS + m] = of_area(m, numbers, bodies.area[k]) * after[k * numbers + m];
     }
 }
 

@@ -10,7 +10,6 @@ import { buildInputs, fill } from "./inputs.js";
 import { readValues } from "./readings.js";
 import { page } from "./state.js";
 import { listenTable } from "./table.js";
-import { buildSpread } from "./uncertainty.js";
 import { schedule } from "./update.js";
 
 /** The library, which lies in the page as text. */
@@ -38,7 +37,6 @@ async function begin() {
   page.surfaces.set("A", start(page.library));
   page.chart = new Chart($("chart"), pointed);
   buildInputs();
-  buildSpread(schedule);
   buildCode();
   listenTable();
   listenMaps();

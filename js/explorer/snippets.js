@@ -167,6 +167,7 @@ print(f"{model.friction_at_load(${real(load)}):.10g}")  # load in N
 
 function toml(params, surface) {
   const lines = [`# ${surface.first} on ${surface.second}, in SI units: a surface file of asperity`];
+  if (!params.contact_law) lines.push('contact_law = "maugis"');
   for (const [name, value] of others(params, BODIES)) lines.push(`${name} = ${typeof value === "string" ? `"${value}"` : real(value)}`);
   lines.push("", "[materials]", ...BODIES.map((name) => `${name} = ${real(params[name])}`));
   const rough = Object.entries(roughness(params, surface));

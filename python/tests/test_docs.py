@@ -68,7 +68,7 @@ def shows(page: Path, before: int, shown: str, printed: str) -> None:
 
 def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
     found = blocks(page)
-    assert {kind for kind, _ in found} <= {"sh", "python", "text", "c"}  # C programs: tests/install/readme.rs
+    assert {kind for kind, _ in found} <= {"sh", "python", "text", "c", "fortran"}  # the last two: tests/install/readme.rs, fortran/test.sh
     for kind, command, echo in (("sh", ["bash", "-eu"], "echo '{}'\n"), ("python", ["python", "-"], "print('{}')\n")):
         chosen = [i for i, (name, _) in enumerate(found) if name == kind]
         source = "".join(found[i][1] + echo.format(MARK.format(n)) for n, i in enumerate(chosen))

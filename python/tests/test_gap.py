@@ -1,4 +1,4 @@
-"""Load against separation in Python, JAX and Warp: the exact state's, with its slope."""
+"""Load against gap in Python, JAX and Warp: the exact state's, with its slope."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def model(request: pytest.FixtureRequest) -> asperity.Model:
     return asperity.Model(MODELS[request.param])
 
 
-def separations(model: asperity.Model) -> npt.NDArray[Any]:
+def gaps(model: asperity.Model) -> npt.NDArray[Any]:
     """From heavy load to one that is 1e-12 of it, or to pull-off."""
     pull_off = model.summary().pull_off_load
     nearest = model.state_at_load(1e3).gap
@@ -40,7 +40,7 @@ def separations(model: asperity.Model) -> npt.NDArray[Any]:
 
 
 def test_load_and_slope_are_those_of_the_exact_state(model: asperity.Model) -> None:
-    at = separations(model)
+    at = gaps(model)
     load, slope = model.load_at_gap(at, slope=True)
     exact = model.state_at_gap(at)
     size = np.maximum(np.abs(exact.load), -model.summary().pull_off_load)
@@ -58,8 +58,8 @@ def test_surfaces_apart_carry_nothing(model: asperity.Model) -> None:
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -1e300])
-def test_a_separation_without_an_answer_is_named(model: asperity.Model, wrong: float) -> None:
-    for given, says in ((wrong, "separation = "), ([1.0, wrong], "element 1: separation = "), ([1e9, wrong], "element 1")):
+def test_a_gap_without_an_answer_is_named(model: asperity.Model, wrong: float) -> None:
+    for given, says in ((wrong, "gap = "), ([1.0, wrong], "element 1: gap = "), ([1e9, wrong], "element 1")):
         with pytest.raises(asperity.Error, match=says):
             model.load_at_gap(given)
 
@@ -69,7 +69,7 @@ def test_in_jax_with_derivatives(model: asperity.Model) -> None:
     import jax
 
     jax.config.update("jax_enable_x64", True)
-    at = separations(model)
+    at = gaps(model)
     load = asperity.jax.load_at_gap(model)
     expected, slope = model.load_at_gap(at, slope=True)
     size = np.maximum(np.abs(expected), -model.summary().pull_off_load)
@@ -84,7 +84,7 @@ def test_in_jax_with_derivatives(model: asperity.Model) -> None:
 
 def test_in_warp_with_a_gradient(model: asperity.Model) -> None:
     law = asperity.warp.load_law(model, device="cpu")
-    places = np.append(separations(model), 1e9)
+    places = np.append(gaps(model), 1e9)
     at = wp.array(places, dtype=wp.float64, device="cpu", requires_grad=True)
     load = wp.zeros(len(places), dtype=wp.float64, device="cpu", requires_grad=True)
     with wp.Tape() as tape:

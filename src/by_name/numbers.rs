@@ -49,24 +49,6 @@ impl Default for Numbers {
     }
 }
 
-/// A measurement of friction, to which the strength of the interface is set.
-#[derive(Debug, Clone, Copy)]
-pub enum Measured {
-    Coefficient { load: f64, coefficient: f64 },
-    Force { load: f64, force: f64 },
-}
-
-impl Measured {
-    /// # Errors
-    /// Those of [`Params::calibrate`] and [`Params::calibrate_force`].
-    pub fn set(&self, params: &mut Params) -> Result<(), Error> {
-        match *self {
-            Self::Coefficient { load, coefficient } => params.calibrate(load, coefficient),
-            Self::Force { load, force } => params.calibrate_force(load, force),
-        }
-    }
-}
-
 fn meaningless(says: &'static str) -> Error {
     Error::Meaningless(Cow::Borrowed(says))
 }
@@ -196,18 +178,18 @@ impl Numbers {
         Ok(())
     }
 
-    /// The measurement, where one is given.
+    /// The measurement, where one is given: its load and the friction force.
     ///
     /// # Errors
-    /// [`Error::Meaningless`] of a part of one, or of two.
-    pub fn measured(&self) -> Result<Option<Measured>, Error> {
+    /// [`Error::Meaningless`] of a part of one, or of two; those of the coefficient in [`Params::calibrate`].
+    pub fn measured(&self) -> Result<Option<(f64, f64)>, Error> {
         let [load, coefficient, force] =
             ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"]
                 .map(|name| self.get(name));
         match (load, coefficient, force) {
             (None, None, None) => Ok(None),
-            (Some(load), Some(coefficient), None) => Ok(Some(Measured::Coefficient { load, coefficient })),
-            (Some(load), None, Some(force)) => Ok(Some(Measured::Force { load, force })),
+            (Some(load), Some(coefficient), None) => Ok(Some((load, Params::measured_force(load, coefficient)?))),
+            (Some(load), None, Some(force)) => Ok(Some((load, force))),
             _ => Err(meaningless(
                 "calibration_load: must be given together with calibration_friction_coefficient or \
                  calibration_friction_force, and with one of the two alone",

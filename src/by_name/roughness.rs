@@ -6,10 +6,14 @@
 
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
+use crate::estimate::known::{machined_slope, Process, PROCESSES};
 use crate::params::positive;
 use crate::spectrum::SpectralMoments;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Arguments;
+
+/// No machined surface has more [m].
+const HIGHEST: f64 = 1e-3;
 
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +24,32 @@ pub struct Roughness {
     pub density: Option<f64>,
     /// Skew and kurtosis of the heights.
     pub shape: Option<[f64; 2]>,
+    pub machined: Option<Machined>,
+}
+
+/// One of the surfaces that a process may have left: of what is not measured, factors on what is usual.
+#[derive(Debug, Clone, Copy)]
+pub struct Case {
+    pub height: f64,
+    pub slope: f64,
+}
+
+impl Default for Case {
+    fn default() -> Self {
+        Self { height: 1.0, slope: 1.0 }
+    }
+}
+
+/// What of a roughness is that of a process, not measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Machined {
+    pub process: &'static Process,
+    pub has_height: bool,
+    pub has_slope: bool,
+    /// Root mean square slope of the profiles of both surfaces.
+    pub slope: f64,
+    /// Ra that the process does not leave.
+    pub unusual: Option<f64>,
 }
 
 /// Ways to describe a roughness, by the names that belong to each.
@@ -45,7 +75,7 @@ const AREAL: Kind = Kind {
 };
 const PROFILE: Kind = Kind {
     height: "Rq",
-    names: &["Rq", "RSm", "Rdq"],
+    names: &["Rq", "RSm", "Rdq", "process"],
     slopes: &["RSm", "Rdq"],
     curvatures: &[],
     called: "parameters of a profile",
@@ -54,14 +84,16 @@ const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
 
 impl Roughness {
     /// What [roughness] gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.
-    pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>) -> Outcome<Self> {
-        let given = Given { entries, begin };
+    pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>, case: Case) -> Outcome<Self> {
+        let mut given = Given { entries, begin, case, process: None };
+        given.process = given.process()?;
         let is_of = |kind: &&Kind| kind.names.iter().any(|name| given.at(name).is_some());
         let Some(kind) = KINDS.into_iter().find(is_of) else {
-            return Err(given.refused("Ra", format_args!("give with it RSm or Rdq, or Sdq, or m2")));
+            return Err(given.refused("Ra", format_args!("give with it RSm or Rdq, or process, or Sdq, or m2")));
         };
         given.check(kind)?;
         let count = given.surfaces()?;
+        given.check_metres(count)?;
         let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         for surface in 0..count {
             let (m0, m2) = (given.height(kind, surface)?, given.slope(kind, surface)?);
@@ -73,7 +105,22 @@ impl Roughness {
         }
         let is_counted = given.at("Ssc").is_some() && given.at("Sds").is_some();
         let density = is_counted.then(|| given.need("Sds", 0)).transpose()?;
-        Ok(Self { moments, density, shape: given.shape(count)? })
+        let machined = given.process.map(|process| {
+            let has = |names: &[&str]| names.iter().any(|name| given.at(name).is_some());
+            let heights = (0..count).filter_map(|surface| given.height(kind, surface).ok());
+            let [least, most] = process.mean_deviation;
+            let mean_deviations = heights.map(|m0| (m0 / FRAC_PI_2).sqrt());
+            let unusual = |ra: &f64| *ra < least * (1.0 - 1e-9) || *ra > most * (1.0 + 1e-9);
+            let has_height = has(&["Ra", kind.height]);
+            Machined {
+                process,
+                has_height,
+                has_slope: has(kind.slopes),
+                slope: moments.m2.sqrt(),
+                unusual: mean_deviations.into_iter().find(unusual).filter(|_| has_height),
+            }
+        });
+        Ok(Self { moments, density, shape: given.shape(count)?, machined })
     }
 
     /// Whether it says m4, so that no bandwidth is to be given beside it.
@@ -87,6 +134,8 @@ impl Roughness {
 struct Given<'a> {
     entries: &'a Entries<'a>,
     begin: usize,
+    case: Case,
+    process: Option<&'static Process>,
 }
 
 impl Given<'_> {
@@ -100,6 +149,24 @@ impl Given<'_> {
     #[inline(never)]
     fn refused(&self, name: &str, says: Arguments) -> Box<Problem> {
         Problem::new(self.at(name).unwrap_or(self.begin), format_args!("{}{name}: {says}", Table::Roughness))
+    }
+
+    /// How the surfaces were machined, where that is given.
+    fn process(&self) -> Outcome<Option<&'static Process>> {
+        let Some(entry) = self.entries.find(Table::Roughness, "process") else { return Ok(None) };
+        let names = PROCESSES.iter().map(|process| process.name);
+        let found = match &entry.value {
+            Value::Word(word) => Process::find(word),
+            _ => None,
+        };
+        let process = found.ok_or_else(|| {
+            let names = names.collect::<Vec<_>>().join(", ");
+            Problem::new(
+                entry.at,
+                format_args!("{}process = {}: must be one of {names}", Table::Roughness, entry.value),
+            )
+        });
+        process.map(Some)
     }
 
     /// Refuses what is not for the kind, and what it lacks.
@@ -118,7 +185,9 @@ impl Given<'_> {
                     format_args!("must not be given together with {}, which it replaces", kind.height),
                 ));
             }
-            (None, None) => return Err(self.refused(kind.height, format_args!("must be set, or Ra"))),
+            (None, None) if self.process.is_none() => {
+                return Err(self.refused(kind.height, format_args!("must be set, or Ra")));
+            }
             _ => {}
         }
         if let Some(name) = ["Ssk", "Sku"].iter().find(|name| self.at("Ra").is_some() && has(name)) {
@@ -130,8 +199,9 @@ impl Given<'_> {
             ));
         }
         match kind.slopes.iter().filter(|name| self.at(name).is_some()).count() {
+            0 if self.process.is_some() => Ok(()),
             0 => {
-                let others = kind.slopes.get(1).map_or("", |_| ", or Rdq");
+                let others = kind.slopes.get(1).map_or("", |_| ", or Rdq, or process");
                 Err(self.refused(kind.slopes[0], format_args!("must be set{others}")))
             }
             1 => Ok(()),
@@ -139,10 +209,26 @@ impl Given<'_> {
         }
     }
 
+    /// Refuses heights of a machined surface that are in another unit.
+    fn check_metres(&self, count: usize) -> Outcome<()> {
+        let heights = ["Ra", "Rq"].into_iter().flat_map(|name| (0..count).map(move |surface| (name, surface)));
+        for (name, surface) in heights.filter(|_| self.process.is_some()) {
+            if let Some(height) = self.get(name, surface).filter(|&height| height > HIGHEST) {
+                let value = Value::Number(height);
+                let says = "of a machined surface must be at most 1e-3 m: is it in um?";
+                return Err(Problem::new(
+                    self.at(name).unwrap_or(self.begin),
+                    format_args!("{}{name} = {value}: {says}", Table::Roughness),
+                ));
+            }
+        }
+        Ok(())
+    }
+
     /// How many rough surfaces the numbers are of: for each key the same.
     fn surfaces(&self) -> Outcome<usize> {
         let mut first: Option<(&str, usize)> = None;
-        for entry in self.entries.of(Table::Roughness).filter(|entry| entry.name != "summits") {
+        for entry in self.entries.of(Table::Roughness).filter(|entry| !["summits", "process"].contains(&entry.name)) {
             let count = match &entry.value {
                 Value::Number(_) => 1,
                 Value::Numbers(numbers) if numbers.len() == 2 => 2,
@@ -191,13 +277,22 @@ impl Given<'_> {
             let deviation = FRAC_PI_2.sqrt() * mean;
             return Ok(if kind.height == "m0" { FRAC_PI_2 * (mean * mean) } else { deviation * deviation });
         }
+        if let (None, Some(process)) = (self.at(kind.height), self.process) {
+            let mean = process.middle_and_factor().0 * self.case.height;
+            return Ok(FRAC_PI_2 * (mean * mean));
+        }
         let height = self.need(kind.height, surface)?;
         Ok(if kind.height == "m0" { height } else { height * height })
     }
 
     /// m2 of one surface.
     fn slope(&self, kind: &Kind, surface: usize) -> Outcome<f64> {
-        let named = kind.slopes.iter().find(|name| self.at(name).is_some()).unwrap_or(&kind.slopes[0]);
+        let named = kind.slopes.iter().find(|name| self.at(name).is_some());
+        if named.is_none() && self.process.is_some() {
+            let slope = machined_slope(self.height(kind, surface)?.sqrt()) * self.case.slope;
+            return Ok(slope * slope);
+        }
+        let named = named.unwrap_or(&kind.slopes[0]);
         let number = self.need(named, surface)?;
         Ok(match *named {
             "m2" => number,

@@ -1,12 +1,15 @@
 //! A contact that remembers: one step of one contact or of many, with the state in the caller's arrays.
 
 use super::boundary::{self, not_null, Failure};
+#[cfg(target_arch = "x86_64")]
+use super::four_avx2::Avx2;
 use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::float_bits::nan;
-use crate::jenkins::{Elements, STATE};
+use crate::four::{Four, Portable};
+use crate::levels::{self, Levels, STATE};
 use crate::model::{MicroslipStep, Model};
 
 /// What resists a displacement of the surfaces along each other.
@@ -18,18 +21,17 @@ pub struct asperity_microslip {
     /// T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T,
     /// the other T.
     pub force: [f64; 2],
-    /// dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, T2 by the first, T2 by the second.
-    /// Symmetric, with eigenvalues from 0 to K_t.
+    /// dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, then T2; eigenvalues are 0 to K_t.
     pub stiffness: [f64; 4],
-    /// dT/d(load), of the same increment.
+    /// dT/d(load) of the same increment; at the load of the last step, as it rises.
     pub dforce_dload: [f64; 2],
-    /// Work that slip turned into heat in this step, >= 0 [force length].
+    /// Energy lost in this step, >= 0 [force length]: heat of slip, and what parts held that separated.
     pub dissipated: f64,
     /// Fraction of the strength that slips, 0 to 1; 1 is gross slip.
     pub slipping: f64,
 }
 
-/// How many doubles the state of one contact takes; today 32, the same for all models.
+/// How many doubles the state of one contact takes; today 42, the same for all models.
 ///
 /// @param model  a model
 /// @return the number of doubles; 0 for a NULL model
@@ -44,20 +46,14 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 
 /// Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
 ///
-/// The contacts of the surfaces are represented by springs in series with sliders, whose shares were found when the model
-/// was made. The force rises with the stiffness K_t (`asperity_tangential_stiffness_at_load`) and ends at the friction force F
-/// (`asperity_friction_force_at_load`), in any direction, after any path. After a reversal it follows Masing's rule. It
-/// does not depend on time or on the number of steps in which a straight path is taken.
+/// The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). More load
+/// on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy. No path of
+/// displacement and load gains energy. In a step whose load rises, separation and displacement change together.
 ///
 /// The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
-/// closed. They are the forces of the sliders, first all along the first direction, then all along the second [force]; where the
-/// directions turn with the contact, turn each pair with them. An iteration repeats the call with the same `before`; the
-/// step that is accepted keeps `after`.
-///
-/// More load on a contact at rest adds stiffness and no force. Less load lets sliders slip that are no longer held. Below
-/// the pull-off load the contact is open: force, stiffness and `after` become 0, and the status is `ASPERITY_SEPARATED`. At
-/// zero load without adhesion they are 0 too, with `ASPERITY_OK`. At the pull-off load itself, where F and K_t have no
-/// finite slope, `dforce_dload` is that of the next load.
+/// closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
+/// step that is accepted keeps `after`. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
+/// the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
 ///
 /// @param model      a model
 /// @param load       normal load of this step [force]
@@ -65,9 +61,9 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 /// @param before     the state before the step
 /// @param after      receives the state after the step
 /// @param out        receives force, tangents and work
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment or a
-///         state that is not finite), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0),
-///         `ASPERITY_OUT_OF_RANGE`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment that is
+///         not finite, a state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0 but for
+///         `dissipated`), `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_step(
     model: *const asperity_model,
@@ -87,7 +83,7 @@ pub unsafe extern "C" fn asperity_microslip_step(
             let step = match one(model, load, read(increment), &mut state) {
                 Err(error @ Error::Separated { .. }) => {
                     separated = Some(error);
-                    MicroslipStep::default()
+                    MicroslipStep { dissipated: levels::energy(&read(before)), ..MicroslipStep::default() }
                 }
                 other => other?,
             };
@@ -137,6 +133,23 @@ pub unsafe extern "C" fn asperity_microslip_steps(
     })
 }
 
+/// Turns the state of a contact with its directions, by the angle from the first to the second of a cosine and a sine.
+///
+/// @param state   `asperity_microslip_length` doubles, changed in place
+/// @param cosine  both of any length
+/// @param sine    but 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (what is not finite; both 0)
+#[no_mangle]
+pub unsafe extern "C" fn asperity_microslip_turn(state: *mut f64, cosine: f64, sine: f64) -> asperity_status {
+    boundary::status(|| {
+        not_null(state, "state")?;
+        let mut turned = read(state);
+        levels::turn(&mut turned, cosine, sine)?;
+        write_all(state, 0, &turned);
+        Ok(())
+    })
+}
+
 /// One step by the instructions that this processor has.
 fn one(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) -> Result<MicroslipStep, Error> {
     #[cfg(target_arch = "x86_64")]
@@ -169,17 +182,17 @@ unsafe fn many(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
     if is_x86_feature_detected!("avx2") {
         return many_avx2(model, arrays);
     }
-    steps(model, arrays)
+    steps::<Portable>(model, arrays)
 }
 
 #[inline(always)]
-unsafe fn steps(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+unsafe fn steps<V: Four>(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
     let mut first_invalid = None;
-    let mut elements = Elements::default();
+    let (mut levels, mut state) = (Levels::default(), [0.0; STATE]);
     for i in 0..arrays.n {
-        let mut state: [f64; STATE] = read(arrays.before.add(STATE * i));
+        copy(arrays.before.add(STATE * i), state.as_mut_ptr(), STATE);
         let (load, increment) = (arrays.load.add(i).read_unaligned(), read(arrays.increment.add(2 * i)));
-        let step = match model.step::<false>(load, increment, &mut state, &mut elements) {
+        let step = match model.step::<V, false>(load, increment, &mut state, &mut levels) {
             Ok(step) => step,
             Err(error) => {
                 let step = of_error(&error);
@@ -213,23 +226,38 @@ unsafe fn one_avx2(
     increment: [f64; 2],
     state: &mut [f64; STATE],
 ) -> Result<MicroslipStep, Error> {
-    model.step::<true>(load, increment, state, &mut Elements::default())
+    model.step::<Avx2, true>(load, increment, state, &mut Levels::default())
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
 unsafe fn many_avx2(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
-    steps(model, arrays)
+    steps::<Avx2>(model, arrays)
 }
 
-/// Numbers of the caller, which need not be aligned.
+/// Numbers of the caller, which need not be aligned. By fours, as the step reads them: what is read otherwise than it was just
+/// written has to wait.
+#[inline(always)]
 unsafe fn read<const N: usize>(from: *const f64) -> [f64; N] {
-    from.cast::<[f64; N]>().read_unaligned()
+    let mut numbers = [0.0; N];
+    copy(from, numbers.as_mut_ptr(), N);
+    numbers
 }
 
+#[inline(always)]
 unsafe fn write_all<const N: usize>(out: *mut f64, index: usize, values: &[f64; N]) {
     if !out.is_null() {
-        out.add(index).cast::<[f64; N]>().write_unaligned(*values);
+        copy(values.as_ptr(), out.add(index), N);
+    }
+}
+
+#[inline(always)]
+unsafe fn copy(from: *const f64, to: *mut f64, count: usize) {
+    for i in (0..count - count % 4).step_by(4) {
+        to.add(i).cast::<[f64; 4]>().write_unaligned(from.add(i).cast::<[f64; 4]>().read_unaligned());
+    }
+    for i in count - count % 4..count {
+        to.add(i).write_unaligned(from.add(i).read_unaligned());
     }
 }
 

@@ -11,7 +11,10 @@ mod batch;
 mod boundary;
 mod calibration;
 mod conductance;
+mod estimate;
 mod evaluate;
+#[cfg(target_arch = "x86_64")]
+mod four_avx2;
 mod fp_environment;
 mod gap;
 mod given;
@@ -47,6 +50,7 @@ mod version;
 pub use about::*;
 pub use calibration::*;
 pub use conductance::*;
+pub use estimate::*;
 pub use evaluate::*;
 pub use gap::*;
 pub use interfaces::*;

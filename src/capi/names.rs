@@ -41,7 +41,7 @@ impl asperity_params {
         numbers.set(&mut draft)?;
         self.take(&draft);
         match numbers.measured()? {
-            Some(measured) => self.calibrate(|surfaces| measured.set(surfaces)),
+            Some((load, force)) => self.calibrate(|surfaces| surfaces.calibrate_force(load, force)),
             None => Ok(()),
         }
     }

@@ -15,6 +15,8 @@ use crate::equilibrium::{Branch, BranchPoint};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
+/// Of a part of the loads it is looked for from far separations on, in sigma above the middle of the heights.
+const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 /// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
@@ -67,6 +69,16 @@ impl Curve {
         let mut gaps = Vec::new();
         let mut depth = FIRST_DEPTH.max(positions.middle + FIRST_DEPTH - steps.end);
         let mut from = curve.sample(branch, positions.middle - depth)?;
+        if reach.is_part {
+            for height in NEARER {
+                // Where adhesion holds surfaces together the branch may end before.
+                let Ok(nearer) = curve.sample(branch, positions.middle + height) else { continue };
+                if nearer.log_excess > reach.log_heaviest && nearer.separation < steps.end {
+                    from = nearer;
+                    break;
+                }
+            }
+        }
         while from.log_excess < reach.log_heaviest {
             depth *= 2.0;
             from = curve.sample(branch, positions.middle - depth)?;
@@ -288,7 +300,7 @@ mod tests {
 
     /// Loads above pull-off between these logarithms.
     fn reach(log_lightest: f64, log_heaviest: f64, has_pull_off: bool) -> Reach {
-        Reach { log_lightest, log_heaviest, has_pull_off, most_rows: 0 }
+        Reach { log_lightest, log_heaviest, has_pull_off, most_rows: 0, is_part: false }
     }
 
     #[test]

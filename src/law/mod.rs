@@ -11,11 +11,11 @@ mod coordinate;
 mod curve;
 mod fill;
 mod gap;
+mod limits;
 mod panel;
 mod planes;
 mod position;
 mod row;
-mod shares;
 mod steps;
 mod table;
 mod tolerance;
@@ -29,9 +29,9 @@ pub use continuation::{Continuation, DIGIT, DIGIT_BITS};
 use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
+use limits::Limits;
 use panel::Sample;
 use planes::Planes;
-use shares::Shares;
 
 pub use curve::Unfollowed;
 pub use gap::Lengths;
@@ -86,7 +86,7 @@ pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     gap: Gap,
     planes: Option<Box<Planes>>,
-    shares: Shares,
+    limits: Limits,
 }
 
 /// One quantity against load.
@@ -114,6 +114,8 @@ pub struct Reach {
     /// Whether pull-off itself is.
     has_pull_off: bool,
     most_rows: usize,
+    /// Whether it is a part of what a law reaches, for one who asks for no other loads.
+    is_part: bool,
 }
 
 impl Reach {
@@ -129,7 +131,15 @@ impl Reach {
             log_heaviest: log(heaviest) + ROW,
             has_pull_off: pull_off > LIGHTEST_PULL_OFF * half,
             most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * branch.kinks().len(),
+            is_part: false,
         }
+    }
+
+    /// The part of it between two loads above pull-off, in the model's units, which is not empty.
+    fn between(self, log_lightest: f64, log_heaviest: f64) -> Self {
+        let log_heaviest = (log_heaviest + ROW).max(self.log_lightest + ROW).min(self.log_heaviest);
+        let log_lightest = (log_lightest - ROW).min(log_heaviest - ROW).max(self.log_lightest);
+        Self { log_lightest, log_heaviest, is_part: true, ..self }
     }
 }
 
@@ -145,8 +155,32 @@ impl Law {
         units: [f64; Quantity::COUNT],
         lengths: Lengths,
     ) -> Result<Self, Unfollowed> {
+        Self::compiled(branch, load, units, lengths, Reach::of(branch))
+    }
+
+    /// The same between two loads above pull-off alone, in the model's units: sooner, for few questions.
+    ///
+    /// # Errors
+    /// As [`Law::new`].
+    pub fn between(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+        [lightest, heaviest]: [f64; 2],
+    ) -> Result<Self, Unfollowed> {
+        let reach = Reach::of(branch).between(log(lightest), log(heaviest));
+        Self::compiled(branch, load, units, lengths, reach)
+    }
+
+    fn compiled(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+        reach: Reach,
+    ) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
-        let reach = Reach::of(branch);
         let curve = Curve::new(branch, reach, &mut samples)?;
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
@@ -154,9 +188,9 @@ impl Law {
             compiled.compare(quantity, scale, &samples);
             compiled
         });
-        let shares = Shares::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
+        let limits = Limits::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
         let gap = Gap::new(branch, &curve, reach, lengths, load);
-        Ok(Self { compiled, gap, planes: curve.into_planes(), shares })
+        Ok(Self { compiled, gap, planes: curve.into_planes(), limits })
     }
 
     /// The table of a quantity.
@@ -185,10 +219,10 @@ impl Law {
         beyond.is_moderate(table, load - table.pull_off)
     }
 
-    /// The shares of the elements that follow the contacts before gross slip.
+    /// The limits of the levels of stiffness.
     #[inline]
-    pub fn shares(&self) -> &Shares {
-        &self.shares
+    pub fn limits(&self) -> &Limits {
+        &self.limits
     }
 
     /// The gap between mean planes at a separation of the population, in the caller's unit.
@@ -396,7 +430,7 @@ mod tests {
                 &[87, 29, 225, 246],
                 &[18, 6, 189, 169],
                 &[85, 28, 429, 304],
-                &[148, 49, 434, 465],
+                &[148, 49, 434, 602],
                 &[40, 13, 406, 373],
             ],
             "states, panels, rows of friction and of the gap",

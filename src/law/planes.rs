@@ -1,9 +1,9 @@
-//! How far apart the mean planes of the surfaces are: the gap u of a separation d of the summits, u = d + the integral of 1 - psi from d
-//! to infinity, and the separation of a gap. Without a nominal area psi is 1, and both are the same.
+//! How far apart the mean planes of the surfaces are: the gap u of a separation d of the summits, u = d + the integral of 1 -
+//! psi from d to infinity, and the separation of a gap. Without a nominal area psi is 1, and both are the same.
 //!
-//! In each panel of the curve psi is a polynomial through the panel's exact states, with its slopes; its integral is the gap. Beyond
-//! the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi is constant.
-//! The height of the mean of the summits above the mean plane of the surface is left to the callers.
+//! In each panel of the curve psi is a polynomial through the panel's exact states, with its slopes; its integral is the gap.
+//! Beyond the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi
+//! is constant. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
 use super::panel::{chebyshev, Hermite, Length, Sample, NODES};
 use super::position::Positions;

@@ -1,13 +1,14 @@
 //! A contact that remembers: what resists a displacement at a load, after all that came before.
 //!
-//! The law of the elements is that of `jenkins`, their shares that of `law`; strength and stiffness are the compiled friction force
-//! and tangential stiffness.
+//! The levels of stiffness are those of `levels`, their limits those of `law`; strength and stiffness are the compiled friction
+//! force and tangential stiffness.
 
 use super::Model;
 use crate::error::{Error, LOAD};
 use crate::float_bits::{finite, infinite};
-use crate::jenkins::{Elements, Response, Sloped, STATE};
+use crate::four::{Four, Portable};
 use crate::law::Quantity;
+use crate::levels::{within, Levels, Response, Sloped, FARTHEST, LAST, REACH, STATE};
 use crate::neighbours::Neighbours;
 
 /// What resists a displacement of the surfaces along each other, in the caller's units.
@@ -19,7 +20,7 @@ pub struct MicroslipStep {
     pub stiffness: [f64; 4],
     /// dT/d(load).
     pub dforce_dload: [f64; 2],
-    /// Work of the sliders in this step, >= 0 [force length].
+    /// Work of slip in this step, and energy that was held by what touches no more, >= 0 [force length].
     pub dissipated: f64,
     /// Fraction of the strength that slips.
     pub slipping: f64,
@@ -29,63 +30,39 @@ impl Model {
     /// Displaces a contact under a load; its state, all 0 if it has just closed, becomes what it is after.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] of an increment or a state that is not finite; those of [`Model::validate_load`]. The state is
-    /// then as before, but all 0 where the surfaces are apart.
+    /// [`Error::InvalidEntry`] of an increment or a state that is not finite, or a state that is none of a contact; those of
+    /// [`Model::validate_load`]. The state is then as before, but all 0 where the surfaces are apart.
     pub fn microslip_step(
         &self,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        self.step::<true>(load, increment, state, &mut Elements::default())
+        self.step::<Portable, true>(load, increment, state, &mut Levels::default())
     }
 
-    /// The same; without `DETAILS` only force and stiffness are told. `elements` become those at the load.
+    /// The same; without `DETAILS` only force and stiffness are told. `levels` become those at the load.
     #[inline(always)] // so that it is compiled for the instructions that its caller has
-    pub(crate) fn step<const DETAILS: bool>(
+    pub(crate) fn step<V: Four, const DETAILS: bool>(
         &self,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
-        elements: &mut Elements,
+        levels: &mut Levels,
     ) -> Result<MicroslipStep, Error> {
-        self.elements_at::<DETAILS>(load, increment, state, elements)?;
-        Ok(MicroslipStep::new(&elements.step::<DETAILS>(increment, state)))
-    }
-
-    /// Makes the elements those at a load, with their slopes if `DETAILS` are asked for, if all is in order.
-    #[inline(always)]
-    fn elements_at<const DETAILS: bool>(
-        &self,
-        load: f64,
-        increment: [f64; 2],
-        state: &mut [f64; STATE],
-        elements: &mut Elements,
-    ) -> Result<(), Error> {
-        const FINITE: &str = "must be finite";
-        if !finite(load) {
-            return Err(Error::InvalidLoad { name: LOAD, value: load });
+        let size = size_of::<V>(state);
+        let (reach, last) = (state[REACH], state[LAST]);
+        let is_sound = finite(size) && 0.0 <= last && last <= reach && finite(reach);
+        if !(is_sound && finite(load) && finite(increment[0]) && finite(increment[1])) {
+            validate(load, increment, state)?;
         }
-        if let Some((index, value)) = increment.into_iter().enumerate().find(|(_, value)| !finite(*value)) {
-            return Err(Error::InvalidEntry { name: "increment", index, value, allowed: FINITE });
-        }
-        // What is not finite is no number when it is multiplied by 0.
-        let mut nothing = [0.0; 4];
-        for four in state.chunks_exact(4) {
-            for i in 0..4 {
-                nothing[i] += 0.0 * four[i];
-            }
-        }
-        if nothing != [0.0; 4] {
-            let found = state.iter().copied().enumerate().find(|(_, value)| !finite(*value));
-            let (index, value) = found.unwrap_or_default();
-            return Err(Error::InvalidEntry { name: "before", index, value, allowed: FINITE });
-        }
-        let (strength, stiffness) = (self.sloped(Quantity::Friction, load), self.sloped(Quantity::Radius, load));
-        let pull_off = self.law.table(Quantity::Friction).pull_off;
+        (levels.strength, levels.stiffness) =
+            (self.sloped(Quantity::Friction, load), self.sloped(Quantity::Radius, load));
+        let (strength, stiffness) = (levels.strength.value, levels.stiffness.value);
+        let excess = load - self.law.table(Quantity::Friction).pull_off;
         // Also of a load that is too heavy.
-        let known = strength.value >= 0.0 && stiffness.value >= 0.0;
-        if load < pull_off || !known {
+        let known = strength >= 0.0 && stiffness >= 0.0;
+        if excess < 0.0 || !known {
             self.validate_load(load).inspect_err(|error| {
                 if matches!(error, Error::Separated { .. }) {
                     state.fill(0.0);
@@ -93,10 +70,19 @@ impl Model {
             })?;
             return Err(Self::not_evaluated(load));
         }
-        (elements.strength, elements.stiffness) = (strength, stiffness);
-        let (shares, slopes) = (&mut elements.shares, &mut elements.share_slopes);
-        self.law.shares().at_excess::<DETAILS>(load - pull_off, shares, slopes);
-        Ok(())
+        let farthest = FARTHEST * (strength / stiffness);
+        if !(strength > 0.0 && stiffness > 0.0 && finite(farthest)) {
+            self.law.limits().at_excess::<V, false>(excess, [1.0, 0.0], &mut levels.shares, &mut levels.share_slopes);
+            return Ok(MicroslipStep::new(&levels.step_of_none(increment, state)));
+        }
+        let increment = within(increment, farthest);
+        if !(size <= farthest) {
+            state[..REACH].iter_mut().for_each(|x| *x = x.clamp(-farthest, farthest));
+        }
+        let cut = levels.cut::<V, DETAILS>(increment, state);
+        let place = [cut.place, cut.slope];
+        self.law.limits().at_excess::<V, DETAILS>(excess, place, &mut levels.shares, &mut levels.share_slopes);
+        Ok(MicroslipStep::new(&levels.step::<V, DETAILS>(increment, cut, state)))
     }
 
     /// A quantity and its slope; at the pull-off load, where that is infinite, the slope at the next load.
@@ -106,6 +92,42 @@ impl Model {
         let slope = if infinite(slope) { self.value_and_slope(quantity, load.above()).1.min(f64::MAX) } else { slope };
         Sloped { value, slope }
     }
+}
+
+/// The root of the sum of the squares of all numbers of a state but the last two; not finite if one of them is not, or is so
+/// large that it has no square.
+#[inline(always)]
+fn size_of<V: Four>(state: &[f64; STATE]) -> f64 {
+    let mut squares = [V::splat(0.0); 2];
+    for j in (0..REACH).step_by(8) {
+        let (some, others) = (V::read(state, j), V::read(state, j + 4));
+        squares = [squares[0] + some * some, squares[1] + others * others];
+    }
+    (squares[0] + squares[1]).sum().sqrt()
+}
+
+/// Whether a step can be taken of these.
+#[cold]
+fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE]) -> Result<(), Error> {
+    const ALLOWED: &str = "must be finite";
+    if !finite(load) {
+        return Err(Error::InvalidLoad { name: LOAD, value: load });
+    }
+    for (name, numbers) in [("increment", &increment[..]), ("before", state)] {
+        if let Some((index, value)) = numbers.iter().copied().enumerate().find(|(_, value)| !finite(*value)) {
+            return Err(Error::InvalidEntry { name, index, value, allowed: ALLOWED });
+        }
+    }
+    let (reach, last) = (state[REACH], state[LAST]);
+    if 0.0 <= last && last <= reach {
+        return Ok(());
+    }
+    Err(Error::InvalidEntry {
+        name: "before",
+        index: LAST,
+        value: last,
+        allowed: "must be from 0 to the number before it",
+    })
 }
 
 impl MicroslipStep {

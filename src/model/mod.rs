@@ -5,10 +5,11 @@
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
-mod calibration;
+pub(crate) mod calibration;
 mod exact;
 mod gap;
 mod microslip;
+pub(crate) mod points;
 pub mod validity;
 
 use crate::elementary::cbrt;
@@ -119,6 +120,18 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
     pub fn new(params: &Params) -> Result<Self, Error> {
+        Self::compiled(params, None)
+    }
+
+    /// The same for loads from one to another, from the pull-off load upwards: sooner, where no others are asked for.
+    ///
+    /// # Errors
+    /// As [`Model::new`].
+    pub(crate) fn between(params: &Params, loads: [f64; 2]) -> Result<Self, Error> {
+        Self::compiled(params, Some(loads))
+    }
+
+    fn compiled(params: &Params, loads: Option<[f64; 2]>) -> Result<Self, Error> {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
@@ -126,7 +139,14 @@ impl Model {
             // Heights count from the mean of the summits, gaps from the mean plane.
             let origin = branch.population().heights().origin() + params.summit_mean_height / units.length;
             let lengths = Lengths { unit: units.length, origin };
-            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), lengths)
+            let of_quantities = Quantity::ALL.map(|quantity| units.of(quantity));
+            match loads {
+                None => Law::new(branch, units.load, of_quantities, lengths),
+                Some(loads) => {
+                    let excess = loads.map(|load| (load / units.load - branch.pull_off_load()).max(f64::MIN_POSITIVE));
+                    Law::between(branch, units.load, of_quantities, lengths, excess)
+                }
+            }
         };
         let mut branch = Branch::new(population)?;
         let mut law = compile(&branch);

@@ -179,10 +179,9 @@ pub fn extent_of(
         let peaks: Vec<_> = states.windows(3).filter(is_peak).map(|around| (around[0].0, around[2].0)).collect();
         for (from, to) in peaks {
             if let Some(peak) = exceeds(from, to, |d| Ok(at(d)?.0[bit]))? {
-                states.push((peak, at(peak)?));
+                states.insert(states.partition_point(|(separation, _)| *separation <= peak), (peak, at(peak)?));
             }
         }
-        states.sort_by(|a, b| a.0.total_cmp(&b.0));
     }
     let holds = |(_, measures): &(f64, Measures)| measures.has(warning);
     let (Some(first), Some(last)) = (states.iter().position(holds), states.iter().rposition(holds)) else {

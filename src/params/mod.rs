@@ -73,7 +73,7 @@ pub struct Params {
     /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0 stands for
     /// E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
     pub tangential_modulus: f64,
-    /// Nominal area of contact [length^2], to judge whether summits crowd; 0 if not known.
+    /// Nominal area of contact [length^2], to judge whether summits crowd and how neighbours stiffen contacts; 0 if not known.
     pub nominal_area: f64,
     /// The law of one summit in contact.
     pub contact_law: ContactLawKind,

@@ -1,11 +1,11 @@
-//! What neighbours change: each presses the surface between the contacts down, so that the mean planes of the surfaces approach by less
-//! than the summits do. A contact in the middle of its share of the nominal area, a flux tube, has the part
-//! psi = (1 - (A/A_0)^(1/2))^1.8 of the compliance, and of the resistance, that it has alone (Cooper, Mikic and Yovanovich, 1969,
-//! with the power 1.5; 1.8 is that of boundary elements, docs/theory.md). A is the real area, A_0 the nominal one.
+//! What neighbours change: each presses the surface between the contacts down, so that the mean planes of the surfaces approach
+//! by less than the summits do. A contact in the middle of its share of the nominal area, a flux tube, has the part psi = (1 -
+//! (A/A_0)^(1/2))^1.8 of the compliance, and of the resistance, that it has alone (Cooper, Mikic and Yovanovich, 1969, with the
+//! power 1.5; 1.8 is that of boundary elements, docs/theory.md). A is the real area, A_0 the nominal one.
 //!
-//! Tubes end where contacts are islands no more: half of the surfaces touch then (0.42 in Dapp, Luecke, Persson and Mueser, Phys. Rev.
-//! Lett. 108 (2012) 244301, 0.5 by Bruggeman). There the share A/A_0 saturates, smoothly, so that stiffness rises with any load and
-//! stays finite.
+//! Tubes end where contacts are islands no more: half of the surfaces touch then (0.415 in A. Wang and M. H. Mueser,
+//! arXiv:2010.13470, 0.5 by Bruggeman). There the share A/A_0 saturates, smoothly, so that stiffness rises with any load and stays
+//! finite.
 
 use super::Sums;
 use crate::elementary::{exp, log};
@@ -27,7 +27,7 @@ impl Crowding {
         if ratio.is_nan() || ratio <= 0.0 {
             return (0.0, 0.0);
         }
-        // The share over the largest is ratio/(1 + ratio^4)^(1/4), and the slope of its logarithm by that of the ratio 1/(1 + ratio^4).
+        // The share over the largest is ratio/(1 + ratio^4)^(1/4); the slope of its logarithm by the ratio's is 1/(1 + ratio^4).
         let square = if ratio < 1.0 { ratio * ratio } else { 1.0 / (ratio * ratio) };
         let fourth_root = (1.0 + square * square).sqrt().sqrt();
         let share = LARGEST_SHARE * if ratio < 1.0 { ratio / fourth_root } else { 1.0 / fourth_root };

@@ -18,6 +18,10 @@
 #define ASPERITY_NOT_CONVERGED 6
 #define ASPERITY_OUT_OF_MEMORY 7
 #define ASPERITY_INTERNAL 255
+#define ASPERITY_STRENGTH_DEFAULT 0
+#define ASPERITY_STRENGTH_TABLE 1
+#define ASPERITY_STRENGTH_GIVEN 2
+#define ASPERITY_STRENGTH_MEASURED 3
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 #define ASPERITY_HEIGHTS_WEIBULL 1
 #define ASPERITY_HEIGHTS_JOHNSON 2
@@ -39,6 +43,22 @@
 #define ASPERITY_TABLE_LAYOUT 1
 typedef struct asperity_model asperity_model;
 typedef int32_t asperity_status;
+
+typedef struct asperity_estimate {
+  uint64_t struct_size; /* 0, 8 */
+  double load; /* 8, 8 */
+  double friction_coefficient; /* 16, 8 */
+  double low; /* 24, 8 */
+  double high; /* 32, 8 */
+  double friction_force; /* 40, 8 */
+  double strength_share; /* 48, 8 */
+  double roughness_share; /* 56, 8 */
+  double measurement_share; /* 64, 8 */
+  double misfit; /* 72, 8 */
+  uint64_t warnings; /* 80, 8 */
+  int32_t strength_source; /* 88, 4 */
+  int32_t reserved; /* 92, 4 */
+} asperity_estimate; /* 96 */
 
 typedef struct asperity_params {
   uint64_t struct_size; /* 0, 8 */
@@ -219,6 +239,8 @@ asperity_status asperity_check_loads(const struct asperity_model *, double, doub
 double asperity_contact_radius_sum_at_load(const struct asperity_model *, double);
 asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
+asperity_status asperity_estimate_at_loads(const char *, size_t, size_t, const double *, struct asperity_estimate *);
+size_t asperity_estimate_text(const char *, size_t, size_t, const double *, char *, size_t);
 void asperity_free(struct asperity_model *);
 double asperity_friction_and_slope_at_load(const struct asperity_model *, double, double *);
 double asperity_friction_at_load(const struct asperity_model *, double);
@@ -242,6 +264,7 @@ const char *asperity_material_name(size_t);
 size_t asperity_microslip_length(const struct asperity_model *);
 asperity_status asperity_microslip_step(const struct asperity_model *, double, const double *, const double *, double *, struct asperity_microslip *);
 asperity_status asperity_microslip_steps(const struct asperity_model *, size_t, const double *, const double *, const double *, double *, double *, double *);
+asperity_status asperity_microslip_turn(double *, double, double);
 asperity_status asperity_pair(const char *, struct asperity_pair_data *);
 const char *asperity_pair_name(size_t);
 asperity_status asperity_params_calibrate(struct asperity_params *, double, double);

@@ -275,7 +275,7 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
     CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
-    /* Asperities by their dimensions, with L = (m0/(2 m2))^(1/2); m4 changes the radius alone, by the power -0.07 or so. */
+    /* Asperities by their dimensions, with L = (m0/(2 m2))^(1/2); m4 changes the radius alone, by the power -0.043. */
     expected = p;
     CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
     CHECK(close_to(p.height_std, sqrt(3), 0.2) && close_to(p.summit_mean_height, 2.3, 0.2), "heights");

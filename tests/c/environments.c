@@ -130,7 +130,7 @@ typedef struct answers {
     asperity_sensitivities sensitivities;
     double tangential[2][EXACT], summits[3][EXACT];
     asperity_microslip slipped[EXACT];
-    double states[EXACT][32], batch_states[EXACT][32], forces[EXACT][2], tangents[EXACT][4];
+    double states[EXACT][42], batch_states[EXACT][42], forces[EXACT][2], tangents[EXACT][4];
     int status[24];
 } answers;
 

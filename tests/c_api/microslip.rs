@@ -4,7 +4,7 @@ use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::ptr::{null, null_mut};
 
-const STATE: usize = 32;
+const STATE: usize = 42;
 const UNTOUCHED: f64 = 77.0;
 
 /// With adhesion and without.
@@ -170,6 +170,11 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
     let fine = [0.3 * strength / stiffness, 0.0];
     let mut bad_state = [0.0; STATE];
     bad_state[7] = f64::NAN;
+    let [less, more] = [[0.0, -1.0], [2.0, 3.0]].map(|[reach, last]| {
+        let mut state = [0.0; STATE];
+        (state[STATE - 2], state[STATE - 1]) = (reach, last);
+        state
+    });
     for (load, increment, before, status, text) in [
         (f64::NAN, fine, [0.0; STATE], INVALID_LOAD, "load = NaN: must be finite"),
         (f64::INFINITY, fine, [0.0; STATE], INVALID_LOAD, "load = inf: must be finite"),
@@ -177,6 +182,8 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
         (1.0, [f64::NEG_INFINITY, 0.0], [0.0; STATE], INVALID_PARAMETER, "increment[0] = -inf: must be finite"),
         (1.0, [0.0, f64::NAN], [0.0; STATE], INVALID_PARAMETER, "increment[1] = NaN: must be finite"),
         (1.0, fine, bad_state, INVALID_PARAMETER, "before[7] = NaN: must be finite"),
+        (1.0, fine, less, INVALID_PARAMETER, "before[41] = -1: must be from 0 to the number before it"),
+        (1.0, fine, more, INVALID_PARAMETER, "before[41] = 3: must be from 0 to the number before it"),
     ] {
         let mut out = asperity_microslip::empty();
         out.dissipated = UNTOUCHED;
@@ -206,7 +213,9 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
         let mut state = [0.1; STATE];
         let (found, out) = step(handle, load, fine, &mut state);
         assert_eq!((found, state), (status, [0.0; STATE]), "{load}");
-        assert_eq!((out.force, out.stiffness, out.dissipated, out.slipping), ([0.0; 2], [0.0; 4], 0.0, 0.0), "{load}");
+        assert_eq!((out.force, out.stiffness, out.slipping), ([0.0; 2], [0.0; 4], 0.0), "{load}");
+        // What the contact held is lost.
+        assert!(near(out.dissipated, 0.1_f64.powi(3), 1e-14), "{load}: {out:?}");
         assert_eq!(status == SEPARATED, out.dforce_dload == [0.0; 2], "{load}: {out:?}");
     }
     let mut out = asperity_microslip { struct_size: 12, ..asperity_microslip::empty() };
@@ -251,18 +260,72 @@ fn anything_finite_gives_finite_numbers_within_the_strength() {
             };
             let mut state: [f64; STATE] = std::array::from_fn(|_| any());
             let increment = [any(), any()];
+            // The last two are stiffnesses, of which the second is the smaller.
+            let [a, b] = [state[STATE - 2].abs(), state[STATE - 1].abs()];
+            (state[STATE - 2], state[STATE - 1]) = (a.max(b), a.min(b));
             let load = [1e-280, 1e-30, 1e-6, 1.0, 1e6, 1e60, 0.0, handle.summary().pull_off_load][i % 8];
             let (strength, stiffness) = strength_and_stiffness(&handle, load);
+            let before = state;
             let ((status, out), complaint) = flags::watch(|| step(&handle, load, increment, &mut state));
             assert_eq!((status, complaint), (OK, None), "{load}");
             let force = out.force[0].hypot(out.force[1]);
-            assert!(force <= strength * (1.0 + 1e-14), "{load}: {out:?}, {strength}");
+            assert!(force <= strength * (1.0 + 1e-14), "{load}: {out:?}, {strength}, {increment:?}, {before:?}");
             let numbers = [out.dforce_dload, [out.dissipated, out.slipping]].concat();
             assert!(numbers.iter().chain(&out.stiffness).chain(&state).all(|x| x.is_finite()), "{load}: {out:?}");
             assert!(out.stiffness.iter().all(|x| x.abs() <= stiffness * (1.0 + 1e-13)), "{load}: {out:?}");
             assert!(out.dissipated >= 0.0 && (0.0..=1.0).contains(&out.slipping), "{load}: {out:?}");
-            let sum: f64 = (0..STATE / 2).map(|j| state[j].hypot(state[STATE / 2 + j])).sum();
-            assert!(sum <= strength * (1.0 + 1e-14), "{load}: {state:?}");
         }
+    }
+}
+
+/// A path that is turned as a whole, or a state that is turned on the way.
+#[test]
+fn a_state_turns_with_the_contact() {
+    let mut random = SplitMix(29);
+    for handle in handles() {
+        let (mut state, mut turned, mut angle) = ([0.0; STATE], [0.0; STATE], 0.0_f64);
+        let mut largest = 0.0_f64;
+        for i in 0..500 {
+            let load = random.log_between(1e-2, 1e2);
+            let (strength, stiffness) = strength_and_stiffness(&handle, load);
+            let increment = [0, 1].map(|_| random.between(-1.0, 1.0) * strength / stiffness);
+            let by = random.between(-3.0, 3.0);
+            angle += by;
+            // SAFETY: a state of its length.
+            let status = unsafe { asperity_microslip_turn(turned.as_mut_ptr(), by.cos(), by.sin()) };
+            assert_eq!(status, OK, "{}", message());
+            let (sine, cosine) = angle.sin_cos();
+            let turn = |[x, y]: [f64; 2]| [cosine * x - sine * y, sine * x + cosine * y];
+            let (_, plain) = step(&handle, load, increment, &mut state);
+            let (_, found) = step(&handle, load, turn(increment), &mut turned);
+            let expected = turn(plain.force);
+            largest = largest.max(plain.force[0].hypot(plain.force[1]));
+            for axis in 0..2 {
+                let error = (found.force[axis] - expected[axis]).abs();
+                assert!(error < 1e-12 * largest, "{i}: {found:?}, not {expected:?}");
+            }
+            assert!((found.dissipated - plain.dissipated).abs() < 1e-12 * largest * strength / stiffness);
+        }
+    }
+}
+
+#[test]
+fn what_is_no_angle_or_no_state_is_refused() {
+    let mut state = [1.0; STATE];
+    for (cosine, sine, text) in [
+        (f64::NAN, 0.0, "cosine = NaN: must be finite"),
+        (1.0, f64::INFINITY, "sine = inf: must be finite"),
+        (0.0, 0.0, "cosine = 0: must not be 0 where the sine is"),
+    ] {
+        // SAFETY: a state of its length.
+        assert_eq!(unsafe { asperity_microslip_turn(state.as_mut_ptr(), cosine, sine) }, INVALID_PARAMETER);
+        assert!(message().starts_with(text), "{}, not {text}", message());
+    }
+    assert_eq!(state, [1.0; STATE]);
+    state[3] = f64::NEG_INFINITY;
+    // SAFETY: as above, or NULL.
+    unsafe {
+        assert_eq!(asperity_microslip_turn(state.as_mut_ptr(), 1.0, 0.0), INVALID_PARAMETER);
+        assert_eq!(asperity_microslip_turn(null_mut(), 1.0, 0.0), NULL_POINTER);
     }
 }

@@ -225,6 +225,20 @@ fn parameters_are_set_in_memory_without_values() {
         let bytes = Place::at(text.len(), 1);
         bytes.pointer::<u8>().copy_from_nonoverlapping(text.as_ptr(), text.len());
         assert_eq!(asperity_params_set_text(params, bytes.pointer(), text.len()), OK);
+        // Loads may lie anywhere, too.
+        let load = Place::at(8, 1);
+        load.pointer::<f64>().write_unaligned(10.0);
+        let surface = b"pair = \"Si/Si\"\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_count = 1e5\n";
+        let surface_bytes = Place::at(surface.len(), 1);
+        surface_bytes.pointer::<u8>().copy_from_nonoverlapping(surface.as_ptr(), surface.len());
+        let mut found: asperity_estimate = std::mem::zeroed();
+        found.struct_size = size_of::<asperity_estimate>() as u64;
+        let (at, load) = (surface_bytes.pointer(), load.pointer());
+        assert_eq!(asperity_estimate_at_loads(at, surface.len(), 1, load, &mut found), OK);
+        let written = asperity_estimate_text(at, surface.len(), 1, load, null_mut(), 0);
+        let buffer = Place::at(written + 1, 1);
+        assert_eq!(asperity_estimate_text(at, surface.len(), 1, load, buffer.pointer(), written + 1), written);
+        assert_eq!(CStr::from_ptr(buffer.pointer()).count_bytes(), written);
         assert_eq!(asperity_params_set_units(params, 1e-3, 1.0), OK);
         let written = asperity_params_text(params, null_mut(), 0);
         let buffer = Place::at(written + 1, 1);
@@ -290,6 +304,8 @@ fn null_is_refused_or_skipped() {
             asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
             asperity_params_set_text(null_mut(), c"".as_ptr(), 0),
             asperity_params_set_text(&mut params, null(), 0),
+            asperity_estimate_at_loads(null(), 0, 0, null(), null_mut()),
+            asperity_estimate_at_loads(c"".as_ptr(), 0, 1, null(), null_mut()),
             asperity_params_read(null_mut(), c"".as_ptr()),
             asperity_params_read(&mut params, null()),
             asperity_params_set_units(null_mut(), 1.0, 1.0),
@@ -324,6 +340,7 @@ fn null_is_refused_or_skipped() {
             asperity_tangential_at_load(null(), 1.0, 1.0, &mut slope, null_mut()),
             asperity_microslip_step(null(), 1.0, &0.0, &0.0, null_mut(), &mut asperity_microslip::empty()),
             asperity_microslip_steps(null(), 1, &1.0, &0.0, &0.0, null_mut(), null_mut(), null_mut()),
+            asperity_microslip_turn(null_mut(), 1.0, 0.0),
             asperity_sensitivities_at_load(null(), 1.0, &mut asperity_sensitivities::empty()),
         ] {
             assert_eq!(refused, NULL_POINTER);

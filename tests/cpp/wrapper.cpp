@@ -353,6 +353,26 @@ void a_surface_is_a_text() {
     EXPECT(thrown_by([&] { (void)other.text(); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
+constexpr const char *GROUND = "pair = \"steel/steel\"\n"
+                               "nominal_area = 1e-4\n"
+                               "measured = [1000, 0.16]\n"
+                               "[roughness]\n"
+                               "process = \"ground\"\n"
+                               "Ra = 0.8e-6\n";
+
+void an_estimate_needs_a_text_alone() {
+    const std::vector<double> loads = {10.0, 1000.0};
+    const std::vector<asperity::Estimate> found = asperity::estimates(GROUND, loads);
+    EXPECT(found.size() == 2 && close(found[1].friction_coefficient, 0.16, 1e-6));
+    EXPECT(0.16 < found[0].low && found[0].low < found[0].friction_coefficient && found[0].high < 0.23);
+    EXPECT(found[0].strength_source == ASPERITY_STRENGTH_MEASURED && found[0].load == 10.0);
+    EXPECT(close(asperity::estimate(GROUND, 10.0).friction_coefficient, found[0].friction_coefficient, 1e-7));
+    EXPECT(begins(asperity::estimate_text(GROUND, loads).c_str(), "mu(10 N) = 0.194, 95 % band 0.167 to 0.221\n"));
+    const Error error = thrown_by([&] { (void)asperity::estimate("measured = 0.16", 1.0); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER && begins(error.what(), "line 1: measured = 0.16: must be points"));
+    EXPECT(begins(thrown_by([&] { (void)asperity::estimate_text("", loads); }).what(), "line 1: "));
+}
+
 // A table of the text belongs to the library: copies, and what comes after, have it too.
 void a_text_may_have_a_table() {
     const std::string text = "table_height = [1.0, 2.0, 3.0, 4.0, 5.0]\ntable_density = [0.0, 1.0, 2.0, 1.0, 0.0]\n";
@@ -705,6 +725,14 @@ void a_contact_remembers() {
     EXPECT(trial.force[1] == ended.force[1] && close(ended.slipping, 1.0, 1e-12) && ended.dissipated > 0.0);
     EXPECT(close(std::hypot(ended.force[0], ended.force[1]), REFERENCE_FORCE, 1e-7));
 
+    // Over a quarter: the state is as if all had been displaced along the other direction.
+    std::vector<double> turned(before);
+    model.microslip_turn(turned, 0.0, 1.0);
+    const double back[2] = {-large[1], 0.0};
+    const asperity::Microslip aside = model.microslip_step(REFERENCE_LOAD, back, turned, {});
+    EXPECT(aside.force[0] == -ended.force[1] && aside.force[1] == ended.force[0]);
+    EXPECT(thrown_by([&] { model.microslip_turn(turned, INF, 0.0); }).status() == ASPERITY_INVALID_PARAMETER);
+
     const double open = 2.0 * model.summary().pull_off_load;
     const std::vector<double> loads{REFERENCE_LOAD, open}, increment{large[0], large[1], 0.0, 0.0};
     std::vector<double> states(before), force(4), tangents(8);
@@ -964,6 +992,7 @@ int main(int, char **arguments) {
     dimensionless_groups_come_back_from_the_model();
     parameters_are_set_and_read_by_name();
     a_surface_is_a_text();
+    an_estimate_needs_a_text_alone();
     a_text_may_have_a_table();
     a_surface_file_is_read(std::string(arguments[0]) + ".toml");
     a_surface_in_other_units_has_the_same_friction();

@@ -164,7 +164,7 @@ static void list_calls(const char *name, const asperity_model *model, const answ
 static void list_microslip(const char *name, const asperity_model *model, const answers *of)
 {
     static asperity_microslip steps[LOADS];
-    static double states[LOADS][32], increments[LOADS][2], after[LOADS][32], force[LOADS][2], stiffness[LOADS][4];
+    static double states[LOADS][42], increments[LOADS][2], after[LOADS][42], force[LOADS][2], stiffness[LOADS][4];
     static const double around[5][2] = {{1, 0}, {0.25, 0.5}, {-2, 0.125}, {0, -0.75}, {0.5, 0.5}};
 
     memset(states, 0, sizeof states);

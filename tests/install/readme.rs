@@ -91,6 +91,7 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
         if let Some(start) = name.strip_prefix("start-").and_then(|rest| rest.strip_suffix(".md")) {
             let name = format!("docs/{name}");
             let text = page(&name);
+            assert!(between(&text, "```c\n", "```").lines().count() <= 20, "{name}");
             prints(
                 &format!("start-{start}.c"),
                 (&name, &text),

@@ -3,8 +3,8 @@
 use super::compiled::{random_models, Failures};
 use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
-use crate::common::surfaces::{crowded, dimensionless, johnson, model, of_the_benchmark};
-use asperity::{Error, HeightFamily, Model, Params};
+use crate::common::surfaces::{bins, crowded, dimensionless, johnson, model, of_the_benchmark, table};
+use asperity::{ContactLawKind, Error, HeightFamily, Model, Params};
 
 const SEED: u64 = 0x6a90;
 const SETS: usize = 48;
@@ -209,4 +209,70 @@ fn heights_with_long_tails_are_resolved_next_to_their_mean() {
             assert!(off[0] < allowed[0] && off[1] < allowed[1], "{skew}, {kurtosis} at {separation}: {off:?}");
         }
     }
+}
+
+/// Heights that end, with a density that jumps to 0 there, is 0 or falls faster; and, last, some that do not.
+fn families() -> Vec<(&'static str, HeightFamily)> {
+    let bins = |densities: &[f64]| bins(densities, 1e-11);
+    vec![
+        ("uniform", table(&[-1.0, 0.0, 1.0], &[1.0, 1.0, 1.0])),
+        ("falling", table(&[-1.0, 0.0, 1.0], &[2.0, 1.0, 0.3])),
+        ("triangle", table(&[-1.0, 0.0, 1.0], &[0.0, 1.0, 0.0])),
+        ("histogram", bins(&[1.0, 3.0, 5.0, 4.0, 2.0, 0.5])),
+        ("decades", bins(&[1.0, 3.0, 5.0, 4.0, 0.4, 0.04, 0.004])),
+        ("a drop", bins(&[1.0, 3.0, 5.0, 4.0, 4e-5])),
+        ("two drops", bins(&[1.0, 3.0, 5.0, 4.0, 1e-3, 1e-8])),
+        ("far", table(&[-1.0, 1.0, 1.001, 100.0], &[1.0, 1.0, 1e-6, 1e-6])),
+        ("bounded", johnson(0.0, 2.0)),
+        ("bounded, skewed", johnson(-0.5, 2.2)),
+        ("Weibull", HeightFamily::Weibull { shape: 3.0 }),
+        ("Gaussian", HeightFamily::Gaussian),
+    ]
+}
+
+/// Without adhesion, of elastic, yielding and varying summits, in two units: down to 1e-24 of the load at which half of them touch,
+/// within 1e-9 or what a rounding of the separation changes the load by. Slopes too, where separations next to each other have digits.
+#[test]
+fn next_to_the_highest_summit_the_load_has_the_digits_of_the_separation() {
+    let elastic = dimensionless(0.01, 1000.0, 0.0, 1.0);
+    let yielding = Params {
+        hardness: 0.01 * elastic.composite_modulus,
+        contact_law: ContactLawKind::ElasticPlastic,
+        ..elastic.clone()
+    };
+    let mut metres = elastic.clone();
+    let lengths = [&mut metres.height_std, &mut metres.summit_radius, &mut metres.burgers_vector];
+    lengths.into_iter().for_each(|length| *length *= 0.3e-9);
+    metres.adhesion_range *= 0.3e-9;
+    metres.composite_modulus *= 1e11;
+    metres.effective_shear_modulus *= 1e11;
+    let varying = Params { radius_amplitude: -0.6, ..elastic.clone() };
+    let mut failures = Failures::default();
+    for (surface, (name, heights)) in [elastic, yielding, metres, varying]
+        .iter()
+        .flat_map(|surface| families().into_iter().map(move |of| (surface, of)))
+    {
+        let model = model(&Params { heights, ..surface.clone() });
+        let half = model.state_at_gap(0.0).expect("a state").load;
+        for step in 0..95 {
+            let Ok(state) = model.state_at_load(half * 10_f64.powf(-0.25 * f64::from(step) - 0.1)) else { continue };
+            let exact = model.state_at_gap(state.gap).expect("a state");
+            let (load, slope) = model.load_and_slope_at_gap(state.gap);
+            let rounding = f64::EPSILON * (state.gap * exact.dload_dgap / exact.load).abs();
+            let errors = [load / exact.load - 1.0, slope / exact.dload_dgap - 1.0].map(f64::abs);
+            failures.claim(errors[0] <= 1e-9 + rounding && errors[1] <= 1e-7 + 100.0 * rounding, || {
+                format!("{name}, {:e} of half contact: {errors:?}, rounding {rounding:e}", exact.load / half)
+            });
+        }
+        // And all the way to where they part.
+        let mut before = f64::INFINITY;
+        let highest = model.state_at_load(1e-23 * half).expect("a state").gap;
+        for i in 0..400 {
+            let separation = highest + (f64::from(i) - 200.0) * 1e-14 * highest;
+            let (load, slope) = model.load_and_slope_at_gap(separation);
+            failures.claim((0.0..=before).contains(&load) && slope <= 0.0, || format!("{name}: {load:e}, {before:e}"));
+            before = load;
+        }
+    }
+    failures.report();
 }

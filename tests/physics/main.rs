@@ -7,6 +7,7 @@ mod contacts;
 mod few_contacts;
 mod figures;
 mod film;
+mod foundation;
 mod heights;
 mod mean_planes;
 mod microslip;

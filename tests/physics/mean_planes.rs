@@ -144,6 +144,29 @@ fn without_a_nominal_area_nothing_changes_but_where_gaps_count_from() {
     assert!((state.gap - from_summits.state_at_load(3.0).expect("a state").gap - 7.0).abs() < 1e-9);
 }
 
+/// On the branch and beyond pull-off, up to where nothing is left.
+#[test]
+fn states_are_found_at_their_gaps_also_beyond_pull_off() {
+    for (gamma, share) in [(1e-3, 0.1), (0.02, 0.5), (0.3, 5.0)] {
+        let params = crowded(dimensionless(0.01, 1000.0, gamma, 1.0), share);
+        let model = model(&params);
+        let sigma = params.height_std;
+        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
+        let mut before: Option<State> = None;
+        for i in 0..400 {
+            let gap = end + sigma * (0.02 * f64::from(i) - 4.0);
+            let state = model.state_at_gap(gap).expect("a state");
+            assert!((state.gap - gap).abs() < 1e-8 * sigma, "{gap}: {}", state.gap);
+            if let Some(before) = before {
+                let steepest = before.dload_dgap.abs().max(state.dload_dgap.abs());
+                let most = 1.01 * steepest * (gap - before.gap) + 1e-9 * state.load.abs();
+                assert!((state.load - before.load).abs() <= most, "{gap}: {state:?} after {before:?}");
+            }
+            before = Some(state);
+        }
+    }
+}
+
 // ---- Persson's theory ----
 
 /// A self-affine spectrum between the wavenumbers 1 and `last`, constant up to `roll_off`.
@@ -180,9 +203,10 @@ impl Spectrum {
     }
 
     /// -p du/dp at a pressure over E*: C. Yang and B. N. J. Persson, J. Phys.: Condens. Matter 20 (2008) 215214, eq. of u(p), with
-    /// their gamma = 0.45. B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502 has gamma = 1.
+    /// gamma = 0.42 as in A. Almqvist and others, J. Mech. Phys. Solids 59 (2011) 2355. B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502
+    /// has gamma = 1.
     fn compliance(&self, pressure: f64) -> f64 {
-        const GAMMA: f64 = 0.45;
+        const GAMMA: f64 = 0.42;
         let of_wave = |&(q, step, square_slope): &(f64, f64, f64)| {
             let w = (2.0 / square_slope).sqrt();
             let area = erf(w * pressure);
@@ -218,8 +242,8 @@ fn surface(moments: SpectralMoments) -> Model {
     model(&params)
 }
 
-/// Between p = .005 and .045 E* h'. The theory's K h/p is 1.8 to 2.1, 2 for u_0 = h/2 (Persson, 2007), 2.08 in S. Akarapu, T. Sharp and
-/// M. O. Robbins, Phys. Rev. Lett. 106 (2011) 204301; the asperities follow boundary elements, which are stiffer under light loads.
+/// Between p = .005 and .045 E* h'. The theory's K h/p is 1.8 to 2.2 there, which is its exponential law p = exp(-u/u_0) with u_0 near
+/// h/2; the asperities follow boundary elements, which are stiffer under light loads.
 #[test]
 fn stiffness_and_gap_are_those_of_perssons_theory() {
     for (hurst, roll_off, last) in
@@ -240,7 +264,7 @@ fn stiffness_and_gap_are_those_of_perssons_theory() {
             let expected_gap = spectrum.gap(x * slope) / height;
             println!("H {hurst}, {roll_off} to {last}, x {x}: K h/p {found:.3}, {expected:.3}; u/h {gap:.3}, {expected_gap:.3}");
             let (stiffer, off) = (found / expected - 1.0, gap - expected_gap);
-            let (most, most_off) = if x > 0.04 { (0.17, 0.13) } else { (0.3, 0.23) };
+            let (most, most_off) = if x > 0.04 { (0.17, 0.13) } else { (0.25, 0.24) };
             assert!(
                 stiffer > 0.0 && stiffer < most && off.abs() < most_off,
                 "H {hurst}, {last} at {x}: {stiffer}, {off}"

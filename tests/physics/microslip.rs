@@ -18,6 +18,7 @@ fn surfaces() -> Vec<Params> {
     };
     let no_stress = SlipConstants { stress_1: 0.0, stress_2: 0.0, ..SlipConstants::default() };
     let heights = table(&[-2.0, -1.0, 0.3, 1.0, 3.0], &[0.0, 0.4, 0.3, 0.5, 0.0]);
+    let two_humps = table(&[-1.2, -1.0, -0.8, 0.8, 1.0, 1.2], &[0.0, 2.0, 0.01, 0.01, 2.0, 0.0]);
     let others = [
         yielding(0.01),
         yielding(0.05),
@@ -25,6 +26,8 @@ fn surfaces() -> Vec<Params> {
         Params { pressure_coefficient: 0.1, ..default.clone() },
         Params { heights: johnson(0.5, 4.0), ..dimensionless(0.02, 300.0, 1e-3, 0.5) },
         Params { heights, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+        Params { heights: two_humps, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
+        Params { radius_amplitude: -1.0, ..dimensionless(0.01, 1000.0, 0.0, 1.0) },
     ];
     of_the_benchmark().into_iter().chain(others).collect()
 }
@@ -56,13 +59,12 @@ fn first_loading(model: &Model, load: f64, displacement: f64) -> f64 {
     step(model, load, [displacement, 0.0], &mut [0.0; MICROSLIP_LENGTH]).force[0]
 }
 
-/// What docs/microslip.md says: within 2 % of F, the work of a cycle within 15 % from a tenth of F/K_t up.
+/// What docs/microslip.md says: within 1 % of F, and the work of a cycle.
 #[test]
 fn forces_and_work_are_those_of_the_contacts() {
-    const AMPLITUDES: [f64; 3] = [0.1, 0.3, 1.2];
     const STEPS: u32 = 16;
     for onset in [SlipOnset::Partial, SlipOnset::Whole] {
-        let (mut worst_force, mut worst_work) = (0.0_f64, 0.0_f64);
+        let (mut worst_force, mut work_at) = (0.0_f64, Vec::new());
         for params in surfaces() {
             let model = model(&Params { slip_onset: onset, ..params.clone() });
             for load in loads(&model) {
@@ -72,10 +74,10 @@ fn forces_and_work_are_those_of_the_contacts() {
                     let x = 0.03 * 1.22_f64.powi(i);
                     let error = (first_loading(&model, load, x * length) / strength - exact(x)).abs();
                     worst_force = worst_force.max(error);
-                    assert!(error < 0.02, "{onset:?}, {params:?} at {load}: {error} at {x}");
+                    assert!(error < 0.01, "{onset:?}, {params:?} at {load}: {error} at {x}");
                 }
-                // As a whole hardly any contact slips at small amplitude.
-                for amplitude in AMPLITUDES.into_iter().filter(|_| onset == SlipOnset::Partial) {
+                for i in 0..40 {
+                    let amplitude = 0.02 * 1.13_f64.powi(i);
                     let width = amplitude / f64::from(STEPS);
                     let simpson = |i: u32| if i == 0 || i == STEPS { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
                     let area: f64 =
@@ -84,13 +86,30 @@ fn forces_and_work_are_those_of_the_contacts() {
                     let mut state = [0.0; MICROSLIP_LENGTH];
                     let path = [1.0, -2.0, 2.0].map(|part| [part * amplitude * length, 0.0]);
                     let work = path.map(|increment| step(&model, load, increment, &mut state).dissipated);
-                    let error = (work[1] + work[2]) / (expected * strength * length) - 1.0;
-                    worst_work = worst_work.max(error.abs());
-                    assert!(error.abs() < 0.15, "{params:?} at {load}: work {error:+} at {amplitude}");
+                    let ratio = (work[1] + work[2]) / (expected * strength * length);
+                    work_at.push((amplitude, ratio));
+                    // As a whole hardly any contact slips at small amplitude: what is lost is next to nothing of 4 F x.
+                    let most = 4.0 * amplitude * exact(amplitude);
+                    let is_small = expected < 2e-3 * most;
+                    // Of two humps of heights the one begins to touch within a few per cent of load.
+                    let (low, high) = if amplitude < 0.1 { (0.7, 1.4) } else { (0.88, 1.1) };
+                    if onset == SlipOnset::Partial || !is_small {
+                        assert!((low..high).contains(&ratio), "{onset:?}, {ratio} at {amplitude}, {load}: {params:?}");
+                    }
+                    let error = (work[1] + work[2]) / (strength * length) - expected;
+                    assert!(
+                        onset == SlipOnset::Partial || error.abs() < 1e-2 * most,
+                        "{onset:?}: {error} of {expected}, {most}"
+                    );
                 }
             }
         }
-        println!("{onset:?}: force within {worst_force:.4} of F, work of a cycle within {worst_work:.3}");
+        println!("{onset:?}: force within {worst_force:.4} of F");
+        for (low, high) in [(0.0, 0.05), (0.05, 0.1), (0.1, 0.3), (0.3, 1.0), (1.0, 9.0)] {
+            let ratios = work_at.iter().filter(|(x, _)| (low..high).contains(x)).map(|(_, ratio)| *ratio);
+            let (least, most) = ratios.fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
+            println!("  amplitude from {low} to {high} F/K: work over exact {least:.3} to {most:.3}");
+        }
     }
 }
 
@@ -174,14 +193,19 @@ fn tangents_are_those_of_differences() {
                 for axis in [0, 1] {
                     let slope = (more[axis] - less[axis]) / (2.0 * small);
                     let error = (found.stiffness[2 * axis + along] - slope).abs();
-                    assert!(error < 1e-6 * strength / length, "{params:?} at {load}: {found:?}, {slope}");
+                    assert!(
+                        error < 1e-6 * strength / length,
+                        "{slope}, load {load}, {compared}: {found:?}; {params:?}"
+                    );
                 }
             }
             let (less, more) = (at(load * (1.0 - 1e-5), increment), at(load * (1.0 + 1e-5), increment));
             for axis in [0, 1] {
                 let slope = (more[axis] - less[axis]) / (2e-5 * load);
                 let error = (found.dforce_dload[axis] - slope).abs() * load / strength;
-                assert!(error < 1e-6, "{params:?} at {load}: {found:?}, {slope}: {error:e}");
+                // How far cells are linear when they are laid anew depends on load, too.
+                let most = if state[MICROSLIP_LENGTH - 2] > before[MICROSLIP_LENGTH - 2] { 2e-3 } else { 1e-6 };
+                assert!(error < most, "{error:e}, {slope}, load {load}, {compared}: {found:?}; {params:?}");
             }
             compared += 1;
             slipped += usize::from(found.slipping > 0.0 && found.slipping < 1.0);
@@ -242,24 +266,135 @@ fn the_work_of_a_closed_cycle_is_the_area_of_its_loop() {
 }
 
 #[test]
-fn more_load_adds_stiffness_and_no_force_and_less_lets_slip() {
+fn more_load_adds_stiffness_and_no_force_and_less_takes_away_what_separates() {
     for params in surfaces() {
         let model = model(&params);
         let load = model.state_at_gap(1.0 * params.height_std).expect("a state").load;
-        let (strength, length) = strength_and_length(&model, load);
+        let (_, length) = strength_and_length(&model, load);
+        let stiffness = |load: f64| model.tangential_stiffness_at_load(load);
+        let small = 1e-4 * length;
         let mut state = [0.0; MICROSLIP_LENGTH];
-        let pushed = step(&model, load, [0.8 * length, 0.0], &mut state);
-        // Shares move a little with load: an element whose share falls by more than its load grows would slip.
+        let stuck = step(&model, load, [small, 0.0], &mut state);
         let pressed = step(&model, 8.0 * load, [0.0; 2], &mut state);
-        assert_near(pressed.force[0], pushed.force[0], 1e-3, &format!("{params:?}"));
-        let (_, longer) = strength_and_length(&model, 8.0 * load);
-        let stiffness = model.tangential_stiffness_at_load(8.0 * load);
-        let more = step(&model, 8.0 * load, [1e-4 * longer, 0.0], &mut state.clone());
-        assert!(more.stiffness[0] > 0.9 * stiffness, "{params:?}: {more:?}, {stiffness}");
-        let lightened = step(&model, 1e-3 * load, [0.0; 2], &mut state);
-        let left = model.friction_force_at_load(1e-3 * load);
-        assert!(lightened.force[0] <= left * (1.0 + 1e-14) && lightened.force[0] > 0.9 * left, "{lightened:?}, {left}");
-        assert!(lightened.dissipated > 0.0 && strength > left);
+        assert_near(pressed.force[0], stuck.force[0], 1e-12, &format!("{params:?}"));
+        let more = step(&model, 8.0 * load, [small, 0.0], &mut state.clone());
+        assert_near(more.stiffness[0], stiffness(8.0 * load), 1e-12, &format!("{params:?}"));
+        // What touches at the lowest load is sheared by all of the displacement: the only elastic solution.
+        let back = step(&model, load, [0.0; 2], &mut state);
+        assert_near(back.force[0], stuck.force[0], 0.25, &format!("{params:?}"));
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        step(&model, load, [small, 0.0], &mut state);
+        let lower = step(&model, 0.1 * load, [0.0; 2], &mut state);
+        let expected = stiffness(0.1 * load) * small;
+        assert_near(lower.force[0], expected, 1e-12, &format!("{params:?}"));
+        // Its energy is what went in less what is held.
+        let held = 0.5 * small * (stuck.force[0] - expected);
+        assert_near(lower.dissipated, held, 1e-9, &format!("{params:?}"));
+    }
+}
+
+/// Any path in the plane under a load that wanders over decades: no more is given back than was put in, and when nothing
+/// touches any more all of it has been told.
+#[test]
+fn no_path_gains_energy_and_all_that_is_lost_is_told() {
+    let mut random = SplitMix(31);
+    for params in surfaces() {
+        for slip_onset in [SlipOnset::Partial, SlipOnset::Whole] {
+            let params = Params { slip_onset, ..params.clone() };
+            let model = model(&params);
+            let half = model.state_at_gap(0.0).expect("a state").load;
+            for _ in 0..6 {
+                let mut state = [0.0; MICROSLIP_LENGTH];
+                let (mut work, mut lost, mut before) = (0.0, 0.0, [0.0; 2]);
+                let (mut load, mut log_rate, mut direction) = (half * random.log_between(1e-2, 1.0), 0.0, [0.0; 2]);
+                for i in 0..3000 {
+                    if i % 100 == 0 {
+                        log_rate = random.between(-0.02, 0.02) - 2e-3 * (load / half).ln();
+                        direction = [0, 1].map(|_| random.between(-0.02, 0.02));
+                    }
+                    load *= f64::exp(log_rate);
+                    let (strength, length) = strength_and_length(&model, load);
+                    let increment = direction.map(|along| along * length);
+                    let found = step(&model, load, increment, &mut state);
+                    let mean = |axis: usize| 0.5 * (before[axis] + found.force[axis]) * increment[axis];
+                    work += mean(0) + mean(1);
+                    lost += found.dissipated;
+                    before = found.force;
+                    assert!(lost <= work + 1e-3 * strength * length, "{params:?}, step {i}: {lost} of {work}");
+                }
+                // Down to a load at which next to nothing touches.
+                for _ in 0..200 {
+                    load *= 0.9;
+                    lost += step(&model, load, [0.0; 2], &mut state).dissipated;
+                }
+                assert_near(lost, work, 0.03, &format!("{params:?}"));
+            }
+        }
+    }
+}
+
+/// The load rises while the surfaces are displaced, by little, so that nothing slips.
+#[test]
+fn a_path_may_be_taken_in_any_number_of_steps_while_the_load_rises() {
+    for params in surfaces() {
+        let model = model(&params);
+        let half = model.state_at_gap(0.0).expect("a state").load;
+        let separation = |load: f64| model.state_at_load(load).expect("a state").gap / params.height_std;
+        let at = |height: f64| model.state_at_gap(height * params.height_std).expect("a state").load;
+        let (high, low) = (separation(0.1 * half), separation(0.3 * half));
+        let (_, length) = strength_and_length(&model, at(high));
+        let by = 1e-4 * length;
+        let parts = 2000;
+        let place = |part: f64| at(high + (low - high) * part);
+        let exact = (0..parts)
+            .map(|i| {
+                model.tangential_stiffness_at_load(place((f64::from(i) + 0.5) / f64::from(parts))) * by
+                    / f64::from(parts)
+            })
+            .sum::<f64>();
+        for (steps, tolerance) in [(1, 0.1), (2, 0.03), (8, 5e-3), (64, 5e-4)] {
+            let mut state = [0.0; MICROSLIP_LENGTH];
+            step(&model, at(high), [0.0; 2], &mut state);
+            let mut force = 0.0;
+            for i in 1..=steps {
+                let load = place(f64::from(i) / f64::from(steps));
+                force = step(&model, load, [by / f64::from(steps), 0.0], &mut state).force[0];
+            }
+            assert_near(force, exact, tolerance, &format!("{params:?}, {steps} steps"));
+        }
+    }
+}
+
+/// The displacement of polished steel back and forth while the load falls and rises (a closed cycle of both).
+#[test]
+fn a_cycle_of_yielding_steel_takes_work() {
+    let bodies = asperity::materials::Bodies::find("steel/steel").expect("a pair");
+    let mut params = Params::default();
+    params.set_bodies(&bodies).expect("bodies");
+    (params.height_std, params.summit_radius, params.asperity_count) = (0.3e-6, 10e-6, 1.2e6);
+    (params.work_of_adhesion, params.contact_law) = (0.0, ContactLawKind::ElasticPlastic);
+    params.calibrate(10.0, 1.6).expect("a calibration");
+    let model = model(&params);
+    let (strength, length) = strength_and_length(&model, 10.0);
+    for amplitude in [0.02, 0.1, 0.3] {
+        for low in [7.0, 3.0, 1.0] {
+            let mut state = [0.0; MICROSLIP_LENGTH];
+            let (mut work, mut lost, mut before) = (0.0, 0.0, 0.0);
+            for (load, path) in [(10.0, amplitude), (low, 0.0), (low, -amplitude), (10.0, 0.0)] {
+                for _ in 0..200 {
+                    let by = path * length / 200.0;
+                    let found = step(&model, load, [by, 0.0], &mut state);
+                    work += 0.5 * (before + found.force[0]) * by;
+                    before = found.force[0];
+                    lost += found.dissipated;
+                }
+            }
+            let unit = 0.5 * strength / length * (amplitude * length).powi(2);
+            let gone = 1.0 - model.tangential_stiffness_at_load(low) / model.tangential_stiffness_at_load(10.0);
+            // At small amplitude all that is lost is what the contacts held that separated.
+            assert!(work / unit > 0.9 * gone && work / unit < 2.0, "{amplitude}, {low}: {}, {gone}", work / unit);
+            assert!(lost <= work * (1.0 + 1e-3) && lost > 0.9 * work, "{amplitude}, {low}: {lost} of {work}");
+        }
     }
 }
 
@@ -273,7 +408,9 @@ fn a_contact_that_opens_forgets_and_one_at_zero_load_begins_anew() {
     assert!(hertz.microslip_step(-1.0, [1.0, 0.0], &mut open).is_err());
     assert_eq!(open, [0.0; MICROSLIP_LENGTH]);
     let none = step(&hertz, 0.0, [1.0, 0.0], &mut state);
-    assert_eq!((none.force, none.stiffness, none.dissipated, state), ([0.0; 2], [0.0; 4], 0.0, open));
+    assert_eq!((none.force, none.stiffness, state), ([0.0; 2], [0.0; 4], open));
+    // What the contact held.
+    assert!(none.dissipated > 0.0 && none.dissipated < 0.5 * pushed.force[0].hypot(pushed.force[1]) * 5.0_f64.sqrt());
     // The next load gives this slope.
     let tiny = hertz.summary().min_table_load;
     for displacement in [1e-3, 1e3] {

@@ -57,7 +57,10 @@ class Row(Known):
 
     @property
     def share(self) -> float:
-        """Adhesive share of the load in the library: loads of Hertz' contacts of the same radii over the load, less 1."""
+        """Adhesive share of the load in the library: loads of Hertz' contacts of the same radii over the load, less 1; infinite
+        if the surfaces are pulled."""
+        if self.load <= 0:
+            return math.inf
         found = state(self._params, self.load)
         return found.hertz_load / found.load - 1
 

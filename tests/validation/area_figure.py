@@ -1,4 +1,6 @@
-"""docs/figures/area.svg: real area against load, by boundary elements, by the library and by theories in closed form.
+"""docs/figures/area.svg: real area over load, by boundary elements, by the library and by theories in closed form.
+
+The markers of one load stand side by side.
 
 usage: area_figure.py [FILE]
 """
@@ -16,6 +18,8 @@ from asperity._style import AMBER, BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, sav
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "figures" / "area.svg"
 
+# Bandwidths of McCool's summits.
+MCCOOL = (30.0, 300.0)
 # Bandwidths up to these, with their markers.
 BANDWIDTHS = ((3, "o", BLUE), (10, "s", GREEN), (30, "^", ORANGE), (100, "D", PURPLE), (math.inf, "v", AMBER))
 
@@ -25,28 +29,30 @@ def draw(file: str) -> None:
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=(6, 4.6), layout="constrained")
-        figure.suptitle("Real area follows load over slope, whatever the bandwidth", weight="bold", fontsize=11)
+        figure.suptitle("Real area over load hardly depends on the bandwidth", weight="bold", fontsize=11)
         axes = figure.subplots()
         rows = boundary_elements.frozen()
         least = 1.0
-        for greatest, marker, colour in BANDWIDTHS:
+        for place, (greatest, marker, colour) in enumerate(BANDWIDTHS):
             found = [row for row in rows if least <= row.bandwidth < greatest]
-            label = f"bandwidth {least:.2g} to {greatest:g}" if least > 1 else f"bandwidth up to {greatest:g}"
+            label = f"bandwidth {least:g} to {greatest:g}" if math.isfinite(greatest) else f"bandwidth above {least:g}"
             axes.plot(
-                [row.pressure for row in found], [row.area for row in found], marker, color=colour, mfc="none", markersize=5,
-                label=label if math.isfinite(greatest) else f"bandwidth above {least:g}",
+                [row.pressure * 1.07 ** (place - 2) for row in found], [row.area / row.pressure for row in found], marker,
+                color=colour, mfc="none", markersize=4, label=label,
             )  # fmt: skip
             least = greatest
-        x = np.geomspace(4e-4, 0.1, 60)
-        params = rows[0].from_moments()
-        unit = boundary_elements.SLOPE * rows[0].grid ** 2
-        ours = [boundary_elements.state(params, load * unit).real_area / rows[0].grid ** 2 for load in x]
-        axes.plot(x, ours, color=BLACK, label="the library, from m₀ and m₂")
-        axes.plot(x, [math.erf(math.sqrt(2) * load) for load in x], "--", color=GREY, label="Persson")
-        axes.plot(x, math.sqrt(2 * math.pi) * x, ":", color=GREY, label="Bush, Gibson and Thomas")
-        axes.set(xscale="log", yscale="log", xlabel="x = p/(E* h′): pressure over modulus and root mean square gradient [–]")
-        axes.set_ylabel("real area over nominal area [–]")
-        axes.legend(loc="upper left", fontsize=8)
+        x = np.geomspace(3.5e-4, 0.1, 60)
+        row = rows[0]
+        axes.plot(x, row.areas(row.from_moments(), x) / x, color=BLACK, label="the library, from m₀ and m₂")
+        for bandwidth in MCCOOL:
+            areas = row.areas(row.from_mccool(bandwidth), x) / x
+            axes.plot(x, areas, color=GREY, lw=1)
+            axes.annotate(f"McCool, bandwidth {bandwidth:g}", (x[0], areas[0] - 0.12), va="top", fontsize=8, color=GREY)
+        axes.plot(x, [math.erf(math.sqrt(2) * load) / load for load in x], "--", color=GREY, label="Persson")
+        axes.plot(x, np.full_like(x, math.sqrt(2 * math.pi)), ":", color=GREY, label="Bush, Gibson and Thomas")
+        axes.set(xscale="log", ylim=(0, 4.4), xlabel="x = p/(E* h′): pressure over modulus and root mean square gradient [–]")
+        axes.set_ylabel("real area over nominal area and x [–]")
+        axes.legend(loc="upper center", ncols=2, fontsize=8)
         saved(figure, file)
 
 

@@ -116,8 +116,8 @@ COARSE = (
     falling(1024, 4, 256, 1.0, 2),
     falling(1024, 1, 256, 0.8, 1),
     Spectrum(1024, 1, 8, 256, 0.8, 1, 1),
-    falling(2048, 4, 512, 0.8, 1),
-    falling(2048, 4, 512, 1.0, 1),
+    falling(2048, 4, 512, 0.8, 2),
+    falling(2048, 4, 512, 1.0, 2),
 )
 SPECTRA = RESOLVED + COARSE
 
@@ -178,12 +178,23 @@ class Known:
     @property
     def fitted(self) -> bool:
         """Whether the constants of src/spectrum.rs were fitted to this surface, by fit_asperities.py."""
-        return self.grid == 512 and self.seed % 2 == 0
+        return self.seed % 2 == 0
+
+    def is_of(self, spectrum: Spectrum) -> bool:
+        """Whether the surface has this spectrum."""
+        return (self.grid, self.lowest, self.corner, self.highest, self.hurst, self.bands) == astuple(spectrum)[:-1]
 
     def from_moments(self, **law: Any) -> Params:
         """Parameters from m0 and m2, with the law of contact."""
         moments = dict(m0=self.m0, m2=self.m2, nominal_area=float(self.grid**2))
         return Params.from_spectral_moments(**moments, **CONTACT | law)
+
+    def from_mccool(self, bandwidth: float) -> Params:
+        """Parameters of McCool's summits, with m0, m2 and a bandwidth."""
+        moments = dict(m0=self.m0, m2=self.m2, m4=bandwidth * self.m2**2 / self.m0, nominal_area=float(self.grid**2))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
+            return Params.from_spectral_moments(**moments, summits="mccool", **CONTACT)
 
     def from_map(self, **law: Any) -> Params:
         """Parameters from the summits on the map, with the law of contact."""
@@ -199,6 +210,11 @@ class Known:
         """A state over the boundary elements."""
         nominal = self.grid**2
         return Prediction(state.real_area / nominal / self.area, state.friction_force / nominal / self.friction)
+
+    def areas(self, params: Params, pressures: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        """Real over nominal area by the library, at nominal pressures over E* and gradient."""
+        nominal = self.grid**2
+        return np.array([state(params, pressure * SLOPE * nominal).real_area / nominal for pressure in pressures])
 
     @property
     def load(self) -> float:
@@ -231,10 +247,7 @@ class Row(Known):
     @property
     def by_mccool(self) -> Prediction:
         """By the library, from the three moments: McCool's summits."""
-        moments = dict(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=float(self.grid**2))
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
-            return self.predicted(Params.from_spectral_moments(**moments, summits="mccool", **CONTACT))
+        return self.predicted(self.from_mccool(self.bandwidth))
 
     @property
     def by_map(self) -> Prediction:

@@ -35,13 +35,13 @@ class Constants:
     """Of a surface with m0 = 2 m2 = 1; the radius at a bandwidth of 5, of which it has the power `bandwidth_power`."""
 
     height_std: float = 0.92
-    radius: float = 1.68
-    density: float = 0.0235
+    radius: float = 1.63
+    density: float = 0.026
     radius_amplitude: float = -0.61
     radius_rate: float = 0.9
-    mean_height: float = 1.34
+    mean_height: float = 1.23
     crowding_power: float = 1.8
-    bandwidth_power: float = -0.07
+    bandwidth_power: float = -0.043
 
 
 class Law:

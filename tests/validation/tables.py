@@ -69,6 +69,18 @@ def _means(answers: list[list[Any]], name: str, form: str = ".2f") -> str:
     return ", ".join(f"{mean:{form}}".replace("-", "−") for mean in means)
 
 
+def counted() -> str:
+    """Library over boundary elements from the summits counted on the map, where 16 points resolve the shortest wave."""
+    rows = ["| Bandwidth | Surfaces | Area | Friction |", "|---|---|---|---|"]
+    for spectrum in boundary_elements.RESOLVED:
+        group = [row for row in boundary_elements.frozen() if row.is_of(spectrum)]
+        loads = [[row.by_map for row in group if row.pressure == pressure] for pressure in SHOWN]
+        cells = [f"{np.mean([row.bandwidth for row in group]):.2g}", str(len(loads[0]))]
+        cells += [_means(loads, name) for name in ("area", "friction")]
+        rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
 def errors() -> str:
     """Library over boundary elements on the surfaces that the constants were not fitted to, by load."""
     rows = [
@@ -162,6 +174,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("validation.md", "areas"): areas,
     ("validation.md", "population"): population,
     ("validation.md", "errors"): errors,
+    ("validation.md", "counted"): counted,
     ("validation.md", "sticky"): sticky,
     ("validation.md", "yielding"): yields,
     ("validation.md", "calibrated"): calibrated.table,

@@ -320,8 +320,8 @@ class FrictionLaw:
         """A contact that remembers how it was displaced, or many: its force under changing load along any path.
 
         The force rises from K_t times the displacement to the friction force F, follows Masing's rule after a reversal, and keeps
-        what was before: `asperity_microslip_step` of the C interface. `tangential` and `hysteresis` are exact where the load is
-        constant; this is within 2 % of F of them, at the price of a friction call.
+        what was before, also where the load changes: `asperity_microslip_step` of the C interface. `tangential` and `hysteresis` are
+        exact where the load is constant; this is within 1 % of F of them, at the price of a few friction calls.
 
         Args:
             shape: of the array of contacts; one contact by default.
@@ -479,7 +479,7 @@ class FrictionLaw:
         still attract. `asperity.pads` makes pads of few contacts of them.
 
         Args:
-            overlap: height of a summit less the separation [length]; an array of any shape.
+            overlap: how far a summit would reach beyond the flat [length]; an array of any shape.
             height: of each from the mean of the summit heights [length], on which radii depend where `radius_amplitude` is
                 not 0; without, the mean height.
 

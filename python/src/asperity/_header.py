@@ -22,6 +22,10 @@ ASPERITY_OUT_OF_RANGE = 5
 ASPERITY_NOT_CONVERGED = 6
 ASPERITY_OUT_OF_MEMORY = 7
 ASPERITY_INTERNAL = 255
+ASPERITY_STRENGTH_DEFAULT = 0
+ASPERITY_STRENGTH_TABLE = 1
+ASPERITY_STRENGTH_GIVEN = 2
+ASPERITY_STRENGTH_MEASURED = 3
 ASPERITY_HEIGHTS_GAUSSIAN = 0
 ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
@@ -47,6 +51,24 @@ _double = POINTER(c_double)
 
 class asperity_model(Structure):
     """Opaque."""
+
+
+class asperity_estimate(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("load", c_double),
+        ("friction_coefficient", c_double),
+        ("low", c_double),
+        ("high", c_double),
+        ("friction_force", c_double),
+        ("strength_share", c_double),
+        ("roughness_share", c_double),
+        ("measurement_share", c_double),
+        ("misfit", c_double),
+        ("warnings", c_uint64),
+        ("strength_source", c_int32),
+        ("reserved", c_int32),
+    ]
 
 
 class asperity_params(Structure):
@@ -242,6 +264,7 @@ class asperity_table(Structure):
 
 
 _model = POINTER(asperity_model)
+_estimate = POINTER(asperity_estimate)
 _params = POINTER(asperity_params)
 _material = POINTER(asperity_material_data)
 _pair = POINTER(asperity_pair_data)
@@ -254,6 +277,8 @@ _table = POINTER(asperity_table)
 
 # name: (what it returns, what it takes)
 PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
+    "asperity_estimate_at_loads": (c_int32, [c_char_p, c_size_t, c_size_t, _double, _estimate]),
+    "asperity_estimate_text": (c_size_t, [c_char_p, c_size_t, c_size_t, _double, POINTER(c_char), c_size_t]),
     "asperity_params_init": (c_int32, [_params, c_size_t]),
     "asperity_params_set_dimensionless": (c_int32, [_params, c_double, c_double, c_double, c_double, c_double]),
     "asperity_params_set_materials": (c_int32, [_params, c_double, c_double, c_double, c_double]),
@@ -307,6 +332,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_microslip_length": (c_size_t, [_model]),
     "asperity_microslip_step": (c_int32, [_model, c_double, _double, _double, _double, _microslip]),
     "asperity_microslip_steps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double, _double]),
+    "asperity_microslip_turn": (c_int32, [_double, c_double, c_double]),
     "asperity_load_at_gap": (c_double, [_model, c_double]),
     "asperity_load_and_slope_at_gap": (c_double, [_model, c_double, _double]),
     "asperity_loads_at_gaps": (c_int32, [_model, c_size_t, _double, _double, _double]),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +14,7 @@ from . import _header
 from ._handle import Handle
 from ._library import LIBRARY
 from .errors import Status, check
+from .params import Params
 
 Array = npt.NDArray[np.float64]
 
@@ -27,7 +29,7 @@ class MicroslipStep:
         force: T, (..., 2) [force]: positive where it resists a positive displacement.
         stiffness: dT/d(increment), (..., 2, 2) [force/length], symmetric.
         dforce_dload: dT/d(load), (..., 2); only where `details` are asked for, as what follows.
-        dissipated: work that slip turned into heat in the step, (...) [force length], >= 0.
+        dissipated: energy lost in the step, (...) [force length], >= 0: heat of slip, and what parts held that separated.
         slipping: fraction of the strength that slips, (...), 0 to 1; 1 is gross slip.
     """
 
@@ -45,11 +47,11 @@ class Microslip:
         for increment in increments:
             force = contact.step(load, increment).force
 
-    The law is that of the model when this was made.
+    The law is that of the model when this was made. Pickled and copied, they go with their law and their states.
 
     Attributes:
-        state: of the contacts, (..., length), all 0 where a contact has just closed [force]: the forces of the sliders, all along the
-            first direction, then all along the second. Copy it to keep it, assign to it to go back.
+        state: of the contacts, (..., length), all 0 where a contact has just closed. Copy it to keep it, assign to it to go back,
+            `turn` it with the contacts.
     """
 
     state: Array
@@ -57,6 +59,32 @@ class Microslip:
     def __init__(self, handle: Handle, shape: tuple[int, ...]) -> None:
         self._handle = handle
         self.state = np.zeros((*shape, LIBRARY.asperity_microslip_length(handle.pointer)))
+
+    def __getstate__(self) -> tuple[Params, Array]:
+        return self._handle.params, self.state
+
+    def __setstate__(self, saved: tuple[Params, Array]) -> None:
+        params, self.state = saved
+        self._handle = Handle(params)
+
+    def turn(self, angle: npt.ArrayLike) -> None:
+        """Turns the states with the directions of the contacts.
+
+        Args:
+            angle: by which a force turns from the first direction to the second [rad]; a number, or one for each contact.
+
+        Raises:
+            Error: an angle or a state that is not finite; the contacts are then as before.
+            ValueError: angles that do not have the shape of the contacts.
+        """
+        shape = self.state.shape[:-1]
+        length = LIBRARY.asperity_microslip_length(self._handle.pointer)
+        angles = _like("angle", angle, shape).ravel()
+        turned = _like("state", self.state, (*shape, length)).copy()
+        for state, by in zip(turned.reshape(-1, length), angles):
+            cosine, sine = (math.cos(by), math.sin(by)) if math.isfinite(by) else (by, by)
+            check(LIBRARY.asperity_microslip_turn(_data(state), cosine, sine))
+        self.state = turned
 
     def step(
         self, load: npt.ArrayLike, increment: npt.ArrayLike, *, keep: bool = True, details: bool = False

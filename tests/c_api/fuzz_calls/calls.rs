@@ -354,7 +354,7 @@ impl<'a> Calls<'a> {
 
     /// A path of a contact that remembers, and each of its steps in a batch of one.
     pub fn path(&mut self, model: &Model, steps: &[(f64, [f64; 2])]) {
-        const LENGTH: usize = 32;
+        const LENGTH: usize = 42;
         let (at, p): (Shared, _) = (model.handle.0, model.params);
         let length: usize = call!(self, p, asperity_microslip_length(at));
         assert_eq!(length, LENGTH);
@@ -856,6 +856,7 @@ impl<'a> Calls<'a> {
             self.documented(status, &allowed, &what);
             assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
         }
+        self.estimate(text, &[any, unit]);
         // Units that are any numbers, and some that are.
         for (length, force) in [(any, unit), (unit, any), (unit, 1.0 / unit)] {
             let before = params;
@@ -865,6 +866,33 @@ impl<'a> Calls<'a> {
                 assert_eq!(bytes(&params), bytes(&before), "{length:e}, {force:e}: refused, yet changed");
             }
         }
+    }
+
+    /// An estimate of a text: refused, it writes nothing; taken, the coefficient is in its band.
+    fn estimate(&mut self, text: &[u8], loads: &[f64; 2]) {
+        // SAFETY: zero bits are a value of every field.
+        let mut found: [asperity_estimate; 2] = unsafe { std::mem::zeroed() };
+        found[0].struct_size = size_of::<asperity_estimate>() as u64;
+        let (text_at, found_at): (*const c_char, *mut asperity_estimate) = (text.as_ptr().cast(), found.as_mut_ptr());
+        let loads_at: *const f64 = loads.as_ptr();
+        let what = || format!("{loads:?} {}", String::from_utf8_lossy(text));
+        reset_message();
+        let status = call!(self, what(), asperity_estimate_at_loads(text_at, text.len(), 2_usize, loads_at, found_at));
+        if status == OK {
+            for one in found {
+                let numbers = [one.friction_coefficient, one.low, one.high, one.friction_force, one.strength_share];
+                assert!(numbers.iter().all(|number| *number >= 0.0), "{}: {one:?}", what());
+                assert!(one.low <= one.high, "{}: {one:?}", what());
+            }
+        } else {
+            let allowed = [INVALID_PARAMETER, OUT_OF_RANGE, INVALID_LOAD, SEPARATED, NOT_CONVERGED];
+            self.documented(status, &allowed, &what);
+            assert!(found[1].struct_size == 0 && found[0].load == 0.0, "{}: refused, yet written", what());
+        }
+        let (no_buffer, none): (*mut c_char, usize) = (null_mut(), 0);
+        let length: usize =
+            call!(self, what(), asperity_estimate_text(text_at, text.len(), 2_usize, loads_at, no_buffer, none));
+        assert_eq!(length > 0, status == OK, "{}", what());
     }
 
     /// Materials, pairs and interfaces: one that has a name is found by it, and any bytes are a name that is refused or found.

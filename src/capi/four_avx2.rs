@@ -1,0 +1,63 @@
+//! Four numbers in a register of AVX2.
+
+use crate::four::{Four, INVERSE_ROOT};
+use std::arch::x86_64::*;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// Four numbers. The processor has the instructions wherever one is made, and the calling function is compiled for them.
+#[derive(Clone, Copy)]
+pub struct Avx2(__m256d);
+
+macro_rules! operation {
+    ($($trait:ident $name:ident $intrinsic:ident)*) => {$(
+        impl $trait for Avx2 {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+    )*};
+}
+operation! { Add add _mm256_add_pd Sub sub _mm256_sub_pd Mul mul _mm256_mul_pd Div div _mm256_div_pd }
+
+impl Four for Avx2 {
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        Self(unsafe { _mm256_set1_pd(x) })
+    }
+
+    #[inline(always)]
+    fn read(from: &[f64], index: usize) -> Self {
+        Self(unsafe { _mm256_loadu_pd(from[index..index + 4].as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn read_single(from: &[f32], index: usize) -> Self {
+        Self(unsafe { _mm256_cvtps_pd(_mm_loadu_ps(from[index..index + 4].as_ptr())) })
+    }
+
+    #[inline(always)]
+    fn write(self, to: &mut [f64], index: usize) {
+        unsafe { _mm256_storeu_pd(to[index..index + 4].as_mut_ptr(), self.0) }
+    }
+
+    #[inline(always)]
+    fn if_greater(self, other: Self, yes: Self, no: Self) -> Self {
+        Self(unsafe { _mm256_blendv_pd(no.0, yes.0, _mm256_cmp_pd::<_CMP_GT_OQ>(self.0, other.0)) })
+    }
+
+    #[inline(always)]
+    fn any_greater(self, other: Self) -> bool {
+        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(self.0, other.0)) != 0 }
+    }
+
+    #[inline(always)]
+    fn about_inverse_root(self) -> Self {
+        Self(unsafe {
+            let half = _mm256_srli_epi64::<1>(_mm256_castpd_si256(self.0));
+            _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(INVERSE_ROOT as i64), half))
+        })
+    }
+}
