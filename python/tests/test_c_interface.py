@@ -59,6 +59,7 @@ def test_every_function_of_the_header_works() -> None:
     assert summits.rms_slope == 1.0 and summits.radius_amplitude < 0
     assert lib.params_set_mccool_summits(params, 3.0, 0.5, 0.7, 11.0) == Status.OK
     assert math.isclose(params.summit_radius, 0.375 * math.sqrt(math.pi / 0.7), rel_tol=1e-14)
+    params.nominal_area = 0.0  # most of it would touch below
     assert lib.params_set_skew(params, 0.0) == Status.OK
     assert params.height_distribution == _header.ASPERITY_HEIGHTS_WEIBULL
     assert abs(params.weibull_shape - 3.602) < 5e-4  # Table 1 of the paper
