@@ -378,7 +378,8 @@ impl Levels {
             for j in 0..LEVELS {
                 let share = self.shares[j];
                 let limit = share * strength;
-                let [gained_x, gained_y] = [0, 1].map(|axis: usize| at_most(self.came[axis][j] * stiffness_slope, STEEPEST));
+                let [gained_x, gained_y] =
+                    [0, 1].map(|axis: usize| at_most(self.came[axis][j] * stiffness_slope, STEEPEST));
                 let slips = inverse[j] > 0.0;
                 let limit_slope = at_most(share * strength_slope + self.share_slopes[j] * strength, STEEPEST);
                 let across = (ny[j] * gained_x - nx[j] * gained_y) * limit * inverse[j];
