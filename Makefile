@@ -1,4 +1,5 @@
 # make demo      build the library, run the C example, draw its friction curve
+# make quick     after each change of the sources: form, unit tests, header, interface; a minute
 # make test      Rust, C, C++, Fortran, Python, JavaScript and one host, in minutes
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
@@ -67,7 +68,7 @@ hosts/run.sh
 endef
 export QUICK_TESTS OTHER_TESTS
 
-.PHONY: all demo test test-all hosts site figures header pages abi clean library
+.PHONY: all demo quick test test-all hosts site figures header pages abi clean library
 
 all: library
 
@@ -86,6 +87,12 @@ demo: library
 	    -L$(RELEASE) -Wl,-rpath,$(RELEASE) $(LDFLAGS) -lasperity -lm
 	$(EXAMPLE) $(FIGURE)
 	@echo "The friction curve is drawn in $(FIGURE)"
+
+# Built without link-time optimisation and bit by bit, so that only what changed is compiled.
+quick:
+	$(CARGO) fmt --check
+	$(CARGO) test --profile mutants --locked --no-fail-fast --lib --test layout --test abi
+	$(CARGO) test --profile mutants --locked --test install header::
 
 test:
 	@cmake/check_rust.sh "$(CARGO)"

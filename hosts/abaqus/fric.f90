@@ -1,6 +1,6 @@
 ! Abaqus/Standard, *FRICTION, USER: the whole shear behaviour, with its consistent tangent.
 !
-! PROPERTIES=1: microslip. The summits slip one after the other, and STATEV holds what each part of them carries; the
+! PROPERTIES=1: microslip. The summits slip one after the other, and STATEV holds how far each part of them is sheared; the
 ! library makes the step. PROPERTIES=2: elastic stick and slip by return mapping. The stress grows with the stiffness k
 ! until it reaches the shear strength F(p) of the law, and then follows it:
 !   trial = tau + k dgam    stick: tau = trial                 slip: tau = F n,  n = trial/|trial|

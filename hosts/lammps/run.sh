@@ -72,6 +72,7 @@ units micro 1e6 1e15 1e6
 units nano 1e9 1e21 1e9
 
 script=cycle.in go 1 "$here/cycle.in" cycle.log
+script=bounce.in go 1 "$here/bounce.in" bounce.log
 microslip() {
     local ranks=$1 log=$2 begin=$3 from=$4
     script=microslip.in go "$ranks" "$here/microslip.in" "$log.log" -var begin "$begin" -var from "$build/$from" \
@@ -83,7 +84,7 @@ microslip 2 microslip_continued restart microslip2.restart
 # With one spring for each contact a file of microslip cannot go on.
 message=$(lammps 1 "$here/continue.in" refused.log -var from "$build/microslip1.restart" -var steps 0 2>&1) &&
     fail "walls with one spring go on from a file of microslip"
-[[ "$message$(cat "$build/refused.log")" == *"fix sides wall/asperity/hertz: contacts of the restart file remember 42 numbers, these 4"* ]] ||
+[[ "$message$(cat "$build/refused.log")" == *"fix sides wall/asperity/hertz: contacts of the restart file remember 52 numbers, these 4"* ]] ||
     fail "a file of microslip is refused without saying so: $message"
 
 run "$environment/bin/python" hosts/lammps/check.py "$build"

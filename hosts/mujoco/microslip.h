@@ -1,7 +1,7 @@
 /* Pairs of geometries that stick: microslip in place of MuJoCo's slow slip, for plugin.c.
  *
  * In MuJoCo the friction of a contact that sticks is f = (-B v - a)/R: it needs a slip velocity v, so that a held body creeps. Here
- * a pair has the library's sliders (asperity_microslip_step), and their force T is the reference of its friction rows,
+ * a pair has a contact that remembers (asperity_microslip_step), and its force T is the reference of its friction rows,
  * f = (-T R - B v - a)/R, which MuJoCo's solver limits by the cone as before. A pair at rest has f = -T with v = 0.
  *
  * T follows the displacement explicitly, from step to step. The stiffness of summits is too great for that, so the displacement is
@@ -10,7 +10,7 @@
  * MuJoCo takes J a for the relative acceleration of two bodies. Of bodies that turn together this lacks J' v, for which a held
  * body would drift at J' v/B; the reference of a pair that sticks has it: aref = -T R - B v - J' v.
  *
- * The points of a pair share T as they share the load. What resists a twist about the normal is one slider more: a force at each
+ * The points of a pair share T as they share the load. What resists a twist about the normal is one spring with a limit more: a force at each
  * point in proportion to its distance from their centre, on average F at most. The cone limits each point as ever.
  */
 #ifndef ASPERITY_MUJOCO_MICROSLIP_H
@@ -27,10 +27,10 @@
 /* A pair that touched in the last step. All zero: a free place. */
 typedef struct held_pair {
     double taken, first, second; /* as in asperity_body_pair */
-    double tangent[3];           /* the first axis of the sliders, moved with the bodies */
+    double tangent[3];           /* the first axis of the state, moved with the bodies */
     double force[3];             /* T, against the motion of the second body */
     double twist;                /* what resists twist, force by distance from the centre of the points */
-    double sliders[];
+    double state[];
 } held_pair;
 
 /* Places for pairs, in the plugin's state. */
@@ -40,7 +40,7 @@ typedef struct held_pairs {
 } held_pairs;
 
 static inline size_t held_width(const asperity_model *model) {
-    return offsetof(held_pair, sliders) / sizeof(double) + asperity_microslip_length(model);
+    return offsetof(held_pair, state) / sizeof(double) + asperity_microslip_length(model);
 }
 
 /* The place of a pair; if it has none, a free one; NULL if there is neither. */
@@ -172,7 +172,7 @@ static inline void move_tangent(const mjModel *m, const mjData *d, const mjConta
     if (mju_normalize3(tangent) < mjMINVAL) mju_copy3(tangent, point->frame + 3);
 }
 
-/* Moves the sliders of a pair, all 0 if it has just closed, by the slip of this step. Returns 0 if nothing holds the pair. */
+/* Moves the contact of a pair, all 0 if it has just closed, by the slip of this step. Returns 0 if nothing holds the pair. */
 static inline int slide(const mjModel *m, const mjData *d, const asperity_model *model, const mjtNum *velocity,
                         const mjContact *points, int count, double load, held_pair *held) {
     const double stiffness = asperity_tangential_stiffness_at_load(model, load);
@@ -184,7 +184,7 @@ static inline int slide(const mjModel *m, const mjData *d, const asperity_model 
     move_tangent(m, d, points, held->tangent);
     mju_cross(across, points->frame, held->tangent);
     const double increment[2] = {part * mju_dot3(slip.along, held->tangent), part * mju_dot3(slip.along, across)};
-    if (asperity_microslip_step(model, load, increment, held->sliders, held->sliders, &out) != ASPERITY_OK) return 0;
+    if (asperity_microslip_step(model, load, increment, held->state, held->state, &out) != ASPERITY_OK) return 0;
     mju_scl3(held->force, held->tangent, out.force[0]);
     mju_addToScl3(held->force, across, out.force[1]);
     const double limit = slip.distance > mjMINVAL ? asperity_friction_force_at_load(model, load) / slip.distance : 0;

@@ -287,3 +287,43 @@ fn an_oblique_elastic_impact_returns_the_tangential_energy_that_it_should() {
         }
     });
 }
+
+/// A box on an incline whose load vibrates: where the lightest load holds it, it stays; where it does not, it walks down as far as
+/// the exact foundation does in each cycle.
+#[test]
+fn a_box_on_an_incline_under_vibrating_load_walks_as_the_exact_foundation() {
+    const STEPS: u32 = 60;
+    const CYCLES: usize = 12;
+    each_surface(|name, params, model, curve, load| {
+        for (pull, lightest) in [(0.3, 0.6), (0.5, 0.2), (0.5, 0.45), (0.8, 0.7)] {
+            let length = length_at(model, load);
+            let stiffness = model.tangential_stiffness_at_load(load);
+            // Quasi-static: the displacement at which the pull is carried, as far as it can be, with some viscous drag.
+            let drag = 0.2 * stiffness;
+            let mut both = [0, 1].map(|_| Both::at_rest(params, model, curve, load));
+            let mut walked = [[0.0; CYCLES]; 2];
+            for cycle in 0..CYCLES {
+                for i in 0..STEPS {
+                    let phase = std::f64::consts::TAU * f64::from(i + 1) / f64::from(STEPS);
+                    let now = load * (0.5 * (1.0 + lightest) + 0.5 * (1.0 - lightest) * phase.cos());
+                    let separation = curve.separation_of(now);
+                    for which in 0..2 {
+                        let missing = pull * FRICTION * load - both[which].force[which][0];
+                        let by = missing / (stiffness + drag * f64::from(STEPS) * 0.1);
+                        both[which].step(separation, [by, 0.0]);
+                        walked[which][cycle] += by / length;
+                    }
+                }
+            }
+            let last = walked.map(|walked| walked[CYCLES - 1]);
+            let all = walked.map(|walked| walked.iter().sum::<f64>());
+            println!(
+                "{name}: pull {pull} F, load down to {lightest}: {:.4} F/K in the last cycle, exact {:.4}",
+                last[0], last[1]
+            );
+            let what = format!("{name}: {pull}, {lightest}: {last:?}, {all:?}");
+            assert!((last[0] - last[1]).abs() < 0.03 * last[1].abs() + 2e-3, "{what}");
+            assert!((all[0] - all[1]).abs() < 0.05 * all[1].abs() + 0.02, "{what}");
+        }
+    });
+}
