@@ -1,5 +1,5 @@
 # make demo      build the library, run the C example, draw its friction curve
-# make quick     after each change of the sources: form, unit tests, header, interface; a minute
+# make quick     after each change of the sources: form, unit tests, header, interface
 # make test      Rust, C, C++, Fortran, Python, JavaScript and one host, in minutes
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
