@@ -239,6 +239,7 @@ const char *asperity_material_name(size_t);
 size_t asperity_microslip_length(const struct asperity_model *);
 asperity_status asperity_microslip_step(const struct asperity_model *, double, const double *, const double *, double *, struct asperity_microslip *);
 asperity_status asperity_microslip_steps(const struct asperity_model *, size_t, const double *, const double *, const double *, double *, double *, double *);
+asperity_status asperity_microslip_turn(double *, double, double);
 asperity_status asperity_pair(const char *, struct asperity_pair_data *);
 const char *asperity_pair_name(size_t);
 asperity_status asperity_params_calibrate(struct asperity_params *, double, double);
