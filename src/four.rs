@@ -12,27 +12,12 @@ pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn write(self, to: &mut [f64], index: usize);
     /// `yes` where it is greater than the other, else `no`.
     fn if_greater(self, other: Self, yes: Self, no: Self) -> Self;
-    /// Whether any is greater than the other.
-    fn any_greater(self, other: Self) -> bool;
-    /// About 1/x^(1/2) of a positive number, to 4 %, from its exponent.
-    fn about_inverse_root(self) -> Self;
+    fn root(self) -> Self;
 
     #[inline(always)]
     fn clamp(self, least: Self, most: Self) -> Self {
         let x = least.if_greater(self, least, self);
         x.if_greater(most, most, x)
-    }
-
-    /// 1/x^(1/2) of a number from 1e-300 to 1e300, without a division or a root, which take long.
-    #[inline(always)]
-    fn inverse_root(self) -> Self {
-        let (half, most) = (self * Self::splat(0.5), Self::splat(1.5));
-        let mut y = self.about_inverse_root();
-        // Each of Newton's steps doubles the digits.
-        for _ in 0..4 {
-            y = y * (most - half * (y * y));
-        }
-        y
     }
 
     /// The sum of all four.
@@ -43,9 +28,6 @@ pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
         (four[0] + four[2]) + (four[1] + four[3])
     }
 }
-
-/// The bits of about 1/x^(1/2) are these less half of those of x.
-pub const INVERSE_ROOT: u64 = 0x5fe6_eb50_c7b5_37a9;
 
 /// On any processor.
 #[derive(Debug, Clone, Copy)]
@@ -99,26 +81,7 @@ impl Four for Portable {
     }
 
     #[inline(always)]
-    fn any_greater(self, other: Self) -> bool {
-        (0..4).any(|i| self.0[i] > other.0[i])
-    }
-
-    #[inline(always)]
-    fn about_inverse_root(self) -> Self {
-        Self::each(|i| f64::from_bits(INVERSE_ROOT.wrapping_sub(self.0[i].to_bits() >> 1)))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn inverse_roots_have_nearly_all_digits() {
-        for i in -290..=290 {
-            let x = 1.37_f64.powi(i) * 10_f64.powi(i / 2);
-            let found = Portable::splat(x).inverse_root().0[i.unsigned_abs() as usize % 4];
-            assert!((found * x.sqrt() - 1.0).abs() < 1e-15, "{x:e}: {found:e}");
-        }
+    fn root(self) -> Self {
+        Self::each(|i| self.0[i].sqrt())
     }
 }

@@ -342,12 +342,9 @@ impl Levels {
             let (tx, ty) = (x * width, y * width);
             let (square, limit_square) = (tx * tx + ty * ty, limit * limit);
             // The direction of the force of one that slips, and what part of its displacement its limit leaves.
-            let (mut inverted, mut part) = (none, one);
-            if square.any_greater(limit_square) {
-                let root = square.if_greater(limit_square, square, one).inverse_root();
-                inverted = square.if_greater(limit_square, root, none);
-                part = square.if_greater(limit_square, limit * root, one);
-            }
+            let root = one / square.if_greater(limit_square, square, one).root();
+            let inverted = square.if_greater(limit_square, root, none);
+            let part = square.if_greater(limit_square, limit * root, one);
             let (ux, uy) = (tx * inverted, ty * inverted);
             (x * part).write(state, j);
             (y * part).write(state, LEVELS + j);

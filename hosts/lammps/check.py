@@ -17,7 +17,7 @@ import verdict
 LAW_LIMIT, ENERGY_LIMIT, RANK_LIMIT = 1e-6, 5e-3, 1e-6
 # Of microslip: of the friction force, of the work, of the force, of the friction force. The plugin lets forces of grain and summits
 # differ by 1e-6, which moves summits that are 30 times as stiff as the grain by 3e-5 of it.
-CURVE_LIMIT, WORK_LIMIT, TURN_LIMIT, STEP_LIMIT = 0.02, 0.15, 1e-3, 2e-4
+CURVE_LIMIT, WORK_LIMIT, TURN_LIMIT, STEP_LIMIT = 0.02, 0.15, 1e-3, 1e-3
 # Of the energy of grains that bounce, beyond the least before: elastic energy of the springs comes and goes.
 GAIN_LIMIT = 1e-3
 REAL_MODULUS, POISSON = 1.7531556e9, 0.38

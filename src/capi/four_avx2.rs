@@ -1,6 +1,6 @@
 //! Four numbers in a register of AVX2.
 
-use crate::four::{Four, INVERSE_ROOT};
+use crate::four::Four;
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -49,15 +49,7 @@ impl Four for Avx2 {
     }
 
     #[inline(always)]
-    fn any_greater(self, other: Self) -> bool {
-        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(self.0, other.0)) != 0 }
-    }
-
-    #[inline(always)]
-    fn about_inverse_root(self) -> Self {
-        Self(unsafe {
-            let half = _mm256_srli_epi64::<1>(_mm256_castpd_si256(self.0));
-            _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(INVERSE_ROOT as i64), half))
-        })
+    fn root(self) -> Self {
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
     }
 }
