@@ -379,7 +379,8 @@ impl Given<'_> {
     fn heights(&mut self, draft: &mut Draft) -> Outcome<()> {
         let entries = self.entries;
         let [height, density] = ["table_height", "table_density"].map(|name| entries.find(Table::Top, name));
-        let is_chosen = self.numbers.get("height_distribution").is_some();
+        let family = self.numbers.get("height_distribution");
+        let is_chosen = family.is_some();
         if !is_chosen {
             let given = |name: &str| entries.find(Table::Top, name);
             let tabulated = height.or(density);
@@ -402,6 +403,9 @@ impl Given<'_> {
                 return Err(one.refused(format_args!("table_height and table_density go together")))
             }
         };
+        if family.is_some_and(|family| family != f64::from(TABULATED)) {
+            return Err(height.refused(format_args!("the heights are of another family: leave the table out")));
+        }
         let [heights, densities] = [height, density].map(|entry| match &entry.value {
             Value::Numbers(numbers) => Ok(&numbers[..]),
             _ => Err(entry.must_be(format_args!("an array of numbers"))),

@@ -328,6 +328,10 @@ fn what_is_wrong_is_named_with_line_and_key() {
         ("table_height = [1, 2]\ntable_density = [1, 2]".into(), "line 1: table_height: table_length = 2: must be between 3 and 256"),
         ("table_height = [1, 2, 3]\ntable_density = [1, 2]".into(), "line 2: table_density: 2 numbers for 3 heights"),
         ("table_height = [1, 2, 3]".into(), "line 1: table_height: table_height and table_density go together"),
+        (
+            "heights = \"weibull\"\ntable_height = [0, 1, 2]\ntable_density = [0.5, 1, 0]".into(),
+            "line 2: table_height: the heights are of another family: leave the table out",
+        ),
         ("table_height = [[1], 2]".into(), "line 1: table_height: must be an array of numbers, or of arrays of numbers"),
         (format!("table_height = [{}]", "1,".repeat(257)), "line 1: table_height: more than 256 numbers"),
         ("height_std =\n".into(), "line 1: height_std: has no value"),
