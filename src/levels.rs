@@ -272,10 +272,9 @@ impl Levels {
     /// Of levels that come at the stiffness of the last step: half of the increment follows them in the mean.
     #[inline(always)]
     fn follow_half(&mut self, place: f64) {
-        for j in 0..=LEVELS {
-            if EDGES[j] >= place {
-                (self.following[j], self.gained[j]) = (0.0, 0.5);
-            }
+        let edges = self.following.iter_mut().zip(&mut self.gained).zip(EDGES);
+        for ((following, gained), _) in edges.filter(|(_, edge)| *edge >= place) {
+            (*following, *gained) = (0.0, 0.5);
         }
     }
 
@@ -403,8 +402,8 @@ impl Levels {
         let strength = at_most(self.strength.slope, LARGEST);
         let stiffness = at_most(self.stiffness.slope, LARGEST);
         let mut rate = 0.0;
-        for j in 0..LEVELS {
-            rate += (stiffness * WIDTHS[j] * size).min(strength * self.shares[j]);
+        for (width, share) in WIDTHS.iter().zip(self.shares) {
+            rate += (stiffness * width * size).min(strength * share);
         }
         let along = if size > 0.0 { rate / size } else { 0.0 };
         let dissipated = energy(state);
@@ -534,10 +533,7 @@ fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2] {
 /// Of the cell that is cut the lower part keeps its own mean, as far as no energy comes with it.
 #[inline(always)]
 fn fall([from, place]: [f64; 2], state: &mut [f64; STATE]) -> [f64; 2] {
-    let mut cut = 0;
-    for j in 0..LEVELS {
-        cut = if EDGES[j] < place { j } else { cut };
-    }
+    let cut = EDGES[..LEVELS].iter().filter(|&&edge| edge < place).count().max(1) - 1;
     // Where cells are laid anew, all are constant.
     let slope = if place < LEAST_OF_REACH { [0.0; 2] } else { slope(state, from, cut) };
     let width = within_cell(cut, from);

@@ -15,9 +15,7 @@ use crate::equilibrium::Branch;
 use crate::four::Four;
 use crate::levels::{PerEdge, PerLevel, EDGES, LEVELS};
 
-/// So many binades lie between loads at which there are rows, as a power of two...
-const LOG_STRIDE: u32 = 0;
-/// ...and so many such steps between those at which Phi is asked for in any case.
+/// There is a row at each load that is a power of two; at every so many Phi is asked for in any case.
 const LONGEST: usize = 8;
 /// In between it is asked for where it differs by more than this from the mean of its neighbours.
 const TOLERANCE: f32 = 1e-3;
@@ -54,9 +52,9 @@ impl Limits {
     pub fn new(branch: &Branch, curve: &Curve, table: &Table, load: f64) -> Self {
         let exponent = |x: f64| x.to_bits() >> MANTISSA_BITS;
         let (first, last) = (exponent(table.begin_of(0)), exponent(table.begin_of(table.row_count)));
-        let steps = ((last - first) >> LOG_STRIDE) as usize + 1;
+        let steps = (last - first) as usize + 1;
         let at = |row: usize| {
-            let exponent = (first + ((row as u64) << LOG_STRIDE)).min(last - 1);
+            let exponent = (first + row as u64).min(last - 1);
             row_at(branch, curve, log(of_exponent(exponent)) - log(load))
         };
         let mut rows =
@@ -74,7 +72,7 @@ impl Limits {
         let light = rows.iter().take_while(|row| alike(row, &rows[0])).count() - 1;
         rows.drain(..light);
         rows.shrink_to_fit();
-        Self { first: first + ((light as u64) << LOG_STRIDE), rows }
+        Self { first: first + light as u64, rows }
     }
 
     /// The shares of cells that are cut at a place in the strength, at load - pull-off, where they are to be; with `SLOPES` also
@@ -134,7 +132,7 @@ impl Limits {
     fn around(&self, x: f64) -> (&Row, &Row, f64, f64) {
         let end = self.rows.len() - 1;
         let binades = (x.max(0.0).to_bits() >> MANTISSA_BITS).saturating_sub(self.first);
-        let row = (binades >> LOG_STRIDE) as usize;
+        let row = binades as usize;
         if row >= end || x < of_exponent(self.first) {
             let row = &self.rows[row.min(end)];
             return (row, row, 0.0, 0.0);
@@ -142,10 +140,7 @@ impl Limits {
         let unit = of_exponent(self.first + binades);
         // Close to log2(x), with a slope that does not jump where binades meet.
         let t = x / unit - 1.0;
-        const STRIDE: u64 = 1 << LOG_STRIDE;
-        const PER_BINADE: f64 = 1.0 / STRIDE as f64;
-        let place = ((binades % STRIDE) as f64 + t * (4.0 - t) / 3.0) * PER_BINADE;
-        let place_slope = (4.0 - 2.0 * t) * (PER_BINADE / 3.0) / unit;
+        let (place, place_slope) = (t * (4.0 - t) / 3.0, (4.0 - 2.0 * t) / (3.0 * unit));
         (&self.rows[row], &self.rows[row + 1], place, place_slope)
     }
 }
@@ -330,9 +325,9 @@ mod tests {
                 let total: f64 = shares.iter().sum();
                 assert!((total - 1.0).abs() < 1e-15, "{name}, {place}: {total}");
                 let above = |j: usize| if EDGES[j] == 0.0 { 1.0 } else { levels((EDGES[j] / place).min(1.0)).0 };
-                for j in 0..LEVELS {
-                    let error = shares[j] - (above(j) - above(j + 1));
-                    assert!(error.abs() < 2e-4 && shares[j] >= 0.0, "{name}, {j} at {place}: {error:e}");
+                for (j, share) in shares.into_iter().enumerate() {
+                    let error = share - (above(j) - above(j + 1));
+                    assert!(error.abs() < 2e-4 && share >= 0.0, "{name}, {j} at {place}: {error:e}");
                 }
             }
         }

@@ -58,17 +58,19 @@ static void list_specials(void)
 static void microslip_at(const asperity_model *model, double x)
 {
     asperity_microslip out;
-    double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[64] = { 0.0 }, after[64], force[4], slope[8];
+    double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[84] = { 0.0 }, after[84], force[4], slope[8];
 
     out.struct_size = sizeof out;
     CHECK(asperity_microslip_length(model) == 42, "a state of another length");
-    for (int which = 0; which < 3; which++) {
-        double *where = which == 0 ? &loads[0] : which == 1 ? &by[1] : &states[5], before = *where;
+    for (int which = 0; which < 5; which++) {
+        double *where = which == 0 ? &loads[0] : which == 1 ? &by[1] : &states[which == 2 ? 5 : 37 + which], before = *where;
         memcpy(where, &x, sizeof x);
         doing = "asperity_microslip_step";
         asperity_microslip_step(model, loads[0], by, states, after, &out);
         doing = "asperity_microslip_steps";
         asperity_microslip_steps(model, 2, loads, by, states, after, force, slope);
+        doing = "asperity_microslip_turn";
+        asperity_microslip_turn(states, loads[0], 0.5);
         *where = before;
     }
 }

@@ -162,7 +162,7 @@ fn each_surface(check: impl Fn(&str, &Params, &Model, &Curve, f64)) {
         let sigma = params.height_std;
         let touches = |height: f64| model.state_at_gap(height * sigma).is_ok_and(|state| state.load > 0.0);
         let highest = (0..10).map(|i| 3.4 - 0.2 * f64::from(i)).find(|&height| touches(height)).expect("a contact");
-        let curve = Curve::new(&model, highest * sigma, -1.0 * sigma);
+        let curve = Curve::new(&model, highest * sigma, -sigma);
         let load = curve.load_at(0.8 * sigma);
         check(&format!("{:?}, epsilon {}", params.heights, params.radius_amplitude), &params, &model, &curve, load);
     }
@@ -301,8 +301,9 @@ fn a_box_on_an_incline_under_vibrating_load_walks_as_the_exact_foundation() {
             // Quasi-static: the displacement at which the pull is carried, as far as it can be, with some viscous drag.
             let drag = 0.2 * stiffness;
             let mut both = [0, 1].map(|_| Both::at_rest(params, model, curve, load));
-            let mut walked = [[0.0; CYCLES]; 2];
-            for cycle in 0..CYCLES {
+            let mut walked = [Vec::new(), Vec::new()];
+            for _ in 0..CYCLES {
+                let mut cycle = [0.0; 2];
                 for i in 0..STEPS {
                     let phase = std::f64::consts::TAU * f64::from(i + 1) / f64::from(STEPS);
                     let now = load * (0.5 * (1.0 + lightest) + 0.5 * (1.0 - lightest) * phase.cos());
@@ -311,12 +312,13 @@ fn a_box_on_an_incline_under_vibrating_load_walks_as_the_exact_foundation() {
                         let missing = pull * FRICTION * load - both[which].force[which][0];
                         let by = missing / (stiffness + drag * f64::from(STEPS) * 0.1);
                         both[which].step(separation, [by, 0.0]);
-                        walked[which][cycle] += by / length;
+                        cycle[which] += by / length;
                     }
                 }
+                walked.iter_mut().zip(cycle).for_each(|(walked, by)| walked.push(by));
             }
-            let last = walked.map(|walked| walked[CYCLES - 1]);
-            let all = walked.map(|walked| walked.iter().sum::<f64>());
+            let [last, all] = [|walked: &Vec<f64>| walked[CYCLES - 1], |walked: &Vec<f64>| walked.iter().sum()]
+                .map(|of| [of(&walked[0]), of(&walked[1])]);
             println!(
                 "{name}: pull {pull} F, load down to {lightest}: {:.4} F/K in the last cycle, exact {:.4}",
                 last[0], last[1]
