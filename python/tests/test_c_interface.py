@@ -133,12 +133,13 @@ def test_every_function_of_the_header_works() -> None:
 
     # A contact that remembers.
     slipped = _header.asperity_microslip(struct_size=ctypes.sizeof(_header.asperity_microslip))
-    assert lib.microslip_length(model) == 32
-    memory, by = (ctypes.c_double * 32)(), doubles(1e9, 0.0)
+    assert lib.microslip_length(model) == 42
+    memory, by = (ctypes.c_double * 42)(), doubles(1e9, 0.0)
     assert lib.microslip_step(model, 50.0, by, memory, memory, slipped) == Status.OK and slipped.slipping == 1.0
     assert math.isclose(slipped.force[0], force[0], rel_tol=1e-12)
     assert lib.microslip_steps(model, 1, doubles(50.0), by, memory, None, both := doubles(0.0, 0.0), None) == Status.OK
     assert both[0] == slipped.force[0] and both[1] == 0.0
+    assert lib.microslip_turn(memory, 0.0, 1.0) == Status.OK
 
     state = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     assert lib.state_at_load(model, 50.0, state) == Status.OK
