@@ -148,6 +148,7 @@ def test_every_function_of_the_header_works() -> None:
     assert math.isclose(slipped.force[0], force[0], rel_tol=1e-12)
     assert lib.microslip_steps(model, 1, doubles(50.0), by, memory, None, both := doubles(0.0, 0.0), None) == Status.OK
     assert math.isclose(both[0], slipped.force[0], rel_tol=1e-14) and both[1] == 0.0
+    assert lib.microslip_turn(memory, 0.0, 1.0) == Status.OK
 
     state = _header.asperity_state(struct_size=ctypes.sizeof(_header.asperity_state))
     assert lib.state_at_load(model, 50.0, state) == Status.OK

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -91,11 +92,12 @@ def test_contacts_that_remember_follow_the_exact_loop(law: Model) -> None:
     exact = np.concatenate([law.tangential(load, path[:101])[0], loop.force[1:]])
     steps = [contact.step(load, [by, 0.0], details=True) for by in np.diff(path, prepend=0.0)]
     found = np.array([step.force[0] for step in steps])
-    assert np.abs(found - exact).max() < 0.04 * strength  # a loop has twice the error of the first loading
+    assert np.abs(found - exact).max() < 0.02 * strength  # a loop has twice the error of the first loading
     assert all(step.dissipated is not None and step.dissipated >= 0.0 for step in steps)
     work = sum(float(step.dissipated or 0.0) for step in steps[101:])
-    assert work == pytest.approx(loop.work, rel=0.15)
-    assert steps[1].stiffness[0, 0] == pytest.approx(stiffness, rel=1e-12) and steps[0].force.tolist() == [0.0, 0.0]
+    assert work == pytest.approx(loop.work, rel=0.05)
+    # The first parts slip at once.
+    assert steps[1].stiffness[0, 0] == pytest.approx(stiffness, rel=0.01) and steps[0].force.tolist() == [0.0, 0.0]
     assert steps[0].slipping == 0.0 and steps[-1].dforce_dload is not None and steps[-1].dforce_dload.shape == (2,)
 
 
@@ -124,6 +126,39 @@ def test_many_contacts_step_at_once_and_only_for_good_if_they_are_told_to(law: M
         assert refusal.value.status is status and contacts.state.tolist() == before.tolist()
     with pytest.raises(ValueError, match="increment of shape"):
         contacts.step(1.0, [0.0, 0.0, 0.0])
+
+
+def test_states_turn_and_are_pickled(law: Model) -> None:
+    load = 100.0
+    length = law.friction_force_at_load(load) / law.tangential_stiffness_at_load(load)
+    contacts = law.microslip(2)
+    contacts.step(load, [0.8 * length, 0.1 * length])
+    saved = pickle.loads(pickle.dumps(contacts))
+    before = contacts.step(load, [0.0, 0.0], keep=False).force
+    contacts.turn([0.0, math.pi / 2])
+    turned = contacts.step(load, [0.0, 0.0], keep=False).force
+    assert turned[0].tolist() == before[0].tolist()
+    assert turned[1] == pytest.approx([-before[1, 1], before[1, 0]], rel=1e-12)
+    assert saved.step(load, [0.0, 0.0]).force.tolist() == before.tolist()
+    kept = contacts.state.copy()
+    with pytest.raises(Error, match="cosine = nan: must be finite|cosine = NaN: must be finite"):
+        contacts.turn(math.inf)
+    with pytest.raises(ValueError, match="angle of shape"):
+        contacts.turn([0.0, 0.0, 0.0])
+    assert contacts.state.tolist() == kept.tolist()
+
+
+def test_contacts_whose_load_changes_give_no_energy(law: Model) -> None:
+    load = 100.0
+    length = law.friction_force_at_load(load) / law.tangential_stiffness_at_load(load)
+    contact = law.microslip()
+    work = lost = force = 0.0
+    for now, by in [(load, 0.3), (0.3 * load, 0.0), (0.3 * load, -0.3), (load, 0.0)]:
+        for _ in range(100):
+            step = contact.step(now, [by * length / 100, 0.0], details=True)
+            work += 0.5 * (force + float(step.force[0])) * by * length / 100
+            force, lost = float(step.force[0]), lost + float(step.dissipated if step.dissipated is not None else 0.0)
+    assert 0.0 < lost <= work * (1.0 + 1e-3)
 
 
 def test_contacts_that_slip_as_a_whole_dissipate_less_at_small_amplitude(law: Model) -> None:

@@ -82,7 +82,7 @@ class Microslip:
         angles = _like("angle", angle, shape).ravel()
         turned = _like("state", self.state, (*shape, length)).copy()
         for state, by in zip(turned.reshape(-1, length), angles):
-            cosine, sine = (math.cos(by), math.sin(by)) if math.isfinite(by) else (by, by)
+            cosine, sine = (math.cos(by), math.sin(by)) if math.isfinite(by) else (math.nan, math.nan)
             check(LIBRARY.asperity_microslip_turn(_data(state), cosine, sine))
         self.state = turned
 
