@@ -6,6 +6,7 @@
 //! J. Lubr. Technol. 93 (1971) 398-407, derived them; Bush, Gibson and Keogh, Mech. Res. Commun. 3 (1976) 169-174, gave the
 //! variance of their heights; McCool, J. Tribol. 109 (1987) 264-270, writes them as they are used here.
 
+use crate::elementary::{exp, log};
 use std::f64::consts::PI;
 
 /// The bandwidth of a surface with one wavelength, below which no isotropic surface is.
@@ -89,7 +90,7 @@ impl SpectralMoments {
         let bandwidth = if self.m4 == 0.0 { FITTED.bandwidth } else { self.bandwidth() };
         Summits {
             height_std: FITTED.height_std * height,
-            radius: FITTED.radius * (bandwidth / 5.0).powf(FITTED.bandwidth_power) * (height / square_slope),
+            radius: FITTED.radius * exp(FITTED.bandwidth_power * log(bandwidth / 5.0)) * (height / square_slope),
             density: FITTED.density * (square_slope / self.m0),
             radius_amplitude: FITTED.radius_amplitude,
             radius_rate: FITTED.radius_rate,

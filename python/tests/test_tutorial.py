@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import sysconfig
@@ -24,7 +25,8 @@ def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
     (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
     # A reader has no MPI, and mpi4py looks for its library in this environment.
     (packages / "mpi4py.py").write_text('raise ImportError("no MPI")\n', encoding="utf-8")
-    return {**active, "ASPERITY": str(root)}
+    written = {name: value for name, value in os.environ.items() if name == "ASPERITY_WRITE_PAGES"}
+    return {**active, "ASPERITY": str(root), **written}
 
 
 def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
