@@ -1,8 +1,9 @@
 # make demo      build the library, run the C example, draw its friction curve
+# make quick     after each change of the sources: form, unit tests, header, interface
 # make test      Rust, C, C++, Fortran, Python, JavaScript and one host, in minutes
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
-# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, an hour or two
+# make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, two hours or so
 # make bench     measures speed and accuracy, and writes docs/performance.md and its tables anew
 # make core      what the numerical core costs: lines, constants, instructions, memory
 # make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
@@ -12,6 +13,7 @@
 # make site      the documentation as a searchable site in target/site/html, with the explorer
 # make figures   draw the figures of the documents anew, in minutes
 # make header    write include/asperity.h anew from the sources, and from it what other languages and the pages repeat
+# make pages     write into the pages what their programs print now, after a change that is to change answers
 # make abi       write tests/abi/abi-1.h anew from the header, on purpose
 # make clean     remove what was built
 # make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
@@ -58,6 +60,7 @@ tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh
 tests/harden/supply_chain.sh
+packaging/size.py
 tests/dist/same_bits.sh
 tests/dist/refusals.sh
 tests/setup.sh hosts
@@ -65,7 +68,7 @@ hosts/run.sh
 endef
 export QUICK_TESTS OTHER_TESTS
 
-.PHONY: all demo test test-all hosts site figures header abi clean library
+.PHONY: all demo quick test test-all hosts site figures header pages abi clean library
 
 all: library
 
@@ -84,6 +87,12 @@ demo: library
 	    -L$(RELEASE) -Wl,-rpath,$(RELEASE) $(LDFLAGS) -lasperity -lm
 	$(EXAMPLE) $(FIGURE)
 	@echo "The friction curve is drawn in $(FIGURE)"
+
+# Built without link-time optimisation and bit by bit, so that only what changed is compiled.
+quick:
+	$(CARGO) fmt --check
+	$(CARGO) test --profile mutants --locked --no-fail-fast --lib --test layout --test abi
+	$(CARGO) test --profile mutants --locked --test install header::
 
 test:
 	@cmake/check_rust.sh "$(CARGO)"
@@ -111,6 +120,14 @@ figures: library
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
 	python3 packaging/declarations
+
+pages: export ASPERITY_WRITE_PAGES := 1
+pages:
+	$(CARGO) build --release --locked
+	$(CARGO) test --release --locked --test install readme
+	python/test.sh tests/test_docs.py tests/test_start_pages.py tests/test_tutorial.py tests/test_surface_file.py tests/test_study_guide.py
+	js/test.sh --quick
+	tests/consumers/run.sh
 
 abi:
 	ASPERITY_WRITE_ABI=1 $(CARGO) test --locked --test abi the_file_has

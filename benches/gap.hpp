@@ -1,4 +1,4 @@
-// What the calls beside friction by load cost: load against separation, contacts of many models in one call, batches by
+// What the calls beside friction by load cost: load against gap, contacts of many models in one call, batches by
 // pressure and of slip forces; each against the scalar call that it stands for or beside, in the same run.
 #pragma once
 
@@ -16,12 +16,12 @@
 class Gap {
 public:
     static void report() {
-        std::printf("\n### Load against separation, many pairs, pressures and slip\n\n"
+        std::printf("\n### Load against gap, many pairs, pressures and slip\n\n"
                     "Time per contact over that of the call named, median (least to most), of %zu contacts in random order. "
                     "Separations are from where the load is 1e-8 of that at half touch to 6 height_std of compression, *all kinds* are "
                     "those and open gaps and up to 9e3 height_std of compression in equal parts.\n\n"
                     "| call | surface | time | over | ratio | limit | |\n|---|---|---|---|---|---|---|\n", kCount);
-        for (const Surface &surface : all_surfaces()) Gap(surface).separations();
+        for (const Surface &surface : all_surfaces()) Gap(surface).gaps();
         pairs();
         Gap({"default", default_surface()}).batches();
     }
@@ -41,10 +41,10 @@ private:
         const double sigma = surface.params.height_std;
         asperity_state far, half;
         far.struct_size = half.struct_size = sizeof far;
-        require(asperity_state_at_separation(model_.get(), 0.0, &half));
+        require(asperity_state_at_gap(model_.get(), 0.0, &half));
         require(asperity_state_at_load(model_.get(), 1e-8 * std::fabs(half.load), &far));
         for (size_t i = 0; i < kCount; ++i) {
-            close_[i] = uniform(-6.0 * sigma, far.separation);
+            close_[i] = uniform(-6.0 * sigma, far.gap);
             const double kinds[] = {close_[i], uniform(10.0, 100.0) * sigma, -sigma * std::exp(uniform(1.0, 9.1))};
             all_[i] = kinds[i % 3];
             load_[i] = std::exp(uniform(std::log(1e-3), std::log(1e3)));
@@ -74,27 +74,27 @@ private:
         }
     }
 
-    void separations() {
+    void gaps() {
         const asperity_model *model = model_.get();
         static double value[kCount], slope[kCount];
         const auto batch = [model](const std::vector<double> &at, double *slopes) {
-            asperity_loads_at_separations(model, kCount, at.data(), value, slopes);
+            asperity_loads_at_gaps(model, kCount, at.data(), value, slopes);
             asm volatile("" : : "r"(value), "r"(slope) : "memory");
         };
         const Interleaved times({
             each("scalar F", [this, model](size_t i) { return asperity_friction_force_at_load(model, load_[i]); }),
-            each("load at separation", [this, model](size_t i) { return asperity_load_at_separation(model, close_[i]); }),
-            each("load at separation, all kinds", [this, model](size_t i) { return asperity_load_at_separation(model, all_[i]); }),
-            call("loads at separations", [this, batch] { batch(close_, nullptr); }),
-            call("loads at separations and slopes", [this, batch] { batch(close_, slope); }),
-            call("loads at separations, all kinds", [this, batch] { batch(all_, nullptr); }),
+            each("load at gap", [this, model](size_t i) { return asperity_load_at_gap(model, close_[i]); }),
+            each("load at gap, all kinds", [this, model](size_t i) { return asperity_load_at_gap(model, all_[i]); }),
+            call("loads at gaps", [this, batch] { batch(close_, nullptr); }),
+            call("loads at gaps and slopes", [this, batch] { batch(close_, slope); }),
+            call("loads at gaps, all kinds", [this, batch] { batch(all_, nullptr); }),
         }, kSchedule);
         rows(surface_.name, times, {
-            {"load at separation", "scalar F", 3.0},
-            {"load at separation, all kinds", "scalar F", 3.0},
-            {"loads at separations", "scalar F", 2.0},
-            {"loads at separations and slopes", "scalar F", 2.0},
-            {"loads at separations, all kinds", "scalar F", 3.0},
+            {"load at gap", "scalar F", 3.0},
+            {"load at gap, all kinds", "scalar F", 3.0},
+            {"loads at gaps", "scalar F", 2.0},
+            {"loads at gaps and slopes", "scalar F", 2.0},
+            {"loads at gaps, all kinds", "scalar F", 3.0},
         });
     }
 

@@ -69,7 +69,7 @@ private:
     double load_at(double separation) const {
         asperity_state state;
         state.struct_size = sizeof state;
-        require(asperity_state_at_separation(model_.get(), separation * params_.height_std, &state));
+        require(asperity_state_at_gap(model_.get(), separation * params_.height_std, &state));
         return state.load;
     }
 

@@ -90,7 +90,7 @@ private:
             const Model model = make_model(surface.params);
             asperity_state half;
             half.struct_size = sizeof half;
-            require(asperity_state_at_separation(model.get(), 0.0, &half));
+            require(asperity_state_at_gap(model.get(), 0.0, &half));
             double force = 0.0, work = 0.0;
             for (int decade = -6; decade <= 2; ++decade) {
                 const Errors found = errors_at(model.get(), 0.5 * std::fabs(half.load) * std::pow(10.0, decade));

@@ -38,6 +38,14 @@ module asperity
   ! The system refused memory that the call needs; nothing was made or changed
   integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_MEMORY = 7
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255  ! A bug in the library: please report it
+  ! Of strength_source: the default strength, an order of magnitude
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_DEFAULT = 0
+  ! Of strength_source: a row of the table of interfaces, or the rows of these bodies, measured on other specimens
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_TABLE = 1
+  ! Of strength_source: the text gives slip stresses or a pressure coefficient, taken as known
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
+  ! Of strength_source: measured on these surfaces
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0  ! Gaussian heights, eq (17): the default
   ! Weibull heights, eqs (18)-(21): their skew follows from weibull_shape
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
@@ -63,14 +71,39 @@ module asperity
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ADHESIVE = 32
   ! the strength of the interface is the default, which was not measured on these surfaces
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_UNCALIBRATED = 64
-  ! the surface is rough on so many scales that summits stand on summits
+  ! summits that were counted stand on summits, as the surface is rough on many scales
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_BROAD = 128
   ! the interface is stronger than the softer body, which shears at H/(3 sqrt 3)
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STRONG = 256
+  ! one piece of the surface is not like another
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW_WAVES = 512
   ! Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1
 
   ! ---- The C interface: types ----
+
+  ! Friction at one load, with its band
+  type, bind(c), public :: asperity_estimate
+    integer(c_int64_t) :: struct_size = 96          ! bytes of this type; leave it
+    real(c_double) :: load                          ! Normal load [N]
+    real(c_double) :: friction_coefficient          ! F/P; infinite from the pull-off load to 0, where F/P has no limit;
+                                                    ! 0 below
+    real(c_double) :: low                           ! Lower end of the band
+    real(c_double) :: high                          ! Upper end
+    real(c_double) :: friction_force                ! F [N]
+    real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
+                                                    ! interface: measure friction
+    real(c_double) :: roughness_share               ! Share from the roughness: measure RSm, or Ra
+    real(c_double) :: measurement_share             ! Share from the errors of the measured points and what they leave
+                                                    ! open: measure more
+    real(c_double) :: misfit                        ! How far the measured points are off the law, root mean square in
+                                                    ! their errors; above 2 it cannot follow them
+    integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
+                                                    ! heaviest load > 0.
+    integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
+                                                    ! ASPERITY_STRENGTH_....
+    integer(c_int32_t) :: reserved                  ! Keeps the size the same on all systems; 0
+  end type asperity_estimate
 
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat
   type, bind(c), public :: asperity_params
@@ -119,23 +152,27 @@ module asperity
     real(c_double) :: tangential_modulus            ! G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the
                                                     ! stiffness of contacts that stick; 0, the default, stands for E* G*
                                                     ! / (2 (E* + G*))
-    real(c_double) :: nominal_area                  ! Nominal area of contact [length^2], >= 0, with which warnings
-                                                    ! compare the real area; 0, the default, means not known
+    real(c_double) :: nominal_area                  ! Nominal area A_0 of contact [length^2], >= 0; 0, the default,
+                                                    ! means not known
     integer(c_int32_t) :: contact_law               ! Law of one summit in contact, one of ASPERITY_CONTACT_; Maugis' by
                                                     ! default
     integer(c_int32_t) :: slip_onset                ! How a contact begins to slip, one of ASPERITY_SLIP_; partial slip
                                                     ! by default
     real(c_double) :: pressure_coefficient          ! kappa [-], 0 to 1000: the pressure coefficient of the interface;
                                                     ! 0, the default, is a strength that does not grow with pressure
-    real(c_double) :: bandwidth                     ! Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5,
-                                                    ! with which warnings judge whether summits act independently; 0,
-                                                    ! the default, means not known
+    real(c_double) :: bandwidth                     ! Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were
+                                                    ! counted [-], at least 1.5, with which warnings judge whether they
+                                                    ! act independently; 0, the default, means not known
     real(c_double) :: calibration_load              ! Load of the measurement that set the strength of the interface
                                                     ! [force]; 0 if there was none
     real(c_double) :: calibration_friction_force    ! Friction force measured at that load [force], >= 0; 0, the
                                                     ! default: not calibrated
     real(c_double) :: calibration_error             ! Relative standard error of that measurement [-], > 0 and at most
                                                     ! 1; 0.05 by default
+    real(c_double) :: summit_mean_height            ! Height of the mean of the summits above the mean plane of the
+                                                    ! surface [length], >= 0; 0, the default, means not known
+    real(c_double) :: rms_slope                     ! Root mean square slope of the surface [-], Sdq, 0 to 5, with which
+                                                    ! warnings judge; 0, the default, means not known
   end type asperity_params
 
   ! What is known of a material, in SI units
@@ -206,14 +243,14 @@ module asperity
   type, bind(c), public :: asperity_state
     integer(c_int64_t) :: struct_size = 224         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load P [force]; negative pulls
-    real(c_double) :: separation                    ! Separation d of the flat from the mean of the summit heights
-                                                    ! [length]
+    real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [length], as for
+                                                    ! asperity_load_at_gap
     real(c_double) :: friction_force                ! Friction force F [force], >= 0
     real(c_double) :: friction_coefficient          ! Friction coefficient F/P [-], at most max_friction_coefficient, as
                                                     ! asperity_friction_at_load returns it
     real(c_double) :: dforce_dload                  ! dF/dP [-]; infinity at the pull-off load itself
     real(c_double) :: dmu_dload                     ! d(F/P)/dP [1/force]; 0 where the coefficient is capped
-    real(c_double) :: dload_dseparation             ! dP/dd [force/length]: minus the normal contact stiffness
+    real(c_double) :: dload_dgap                    ! d(load)/d(gap) [force/length]: minus the normal contact stiffness
     real(c_double) :: real_area                     ! Real area of contact [length^2]
     real(c_double) :: contacting                    ! Number of summits in contact [-]; need not be an integer
     real(c_double) :: attracted                     ! Number of summits that attract without contact [-]
@@ -239,14 +276,14 @@ module asperity
     real(c_double) :: fraction_elastic              ! Fraction of the contacts below first yield [-]; 1 for
                                                     ! ASPERITY_CONTACT_MAUGIS without a hardness
     real(c_double) :: fraction_flowing              ! Fraction of the contacts that are fully plastic [-]
-    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts [length]
+    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts over psi (see nominal_area)
+                                                    ! [length]
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
     real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
-                                                    ! nominally equal contacts under this load, from the number of
-                                                    ! contacts; 0 if asperity_count is 1
+                                                    ! nominally equal contacts under this load; 0 if asperity_count is 1
     real(c_double) :: friction_bias                 ! Mean friction force of nominally equal contacts under this load
-                                                    ! over friction_force, minus 1 [-]; 0 if asperity_count is 1
+                                                    ! over friction_force, minus 1 [-]; 0 and NaN as friction_scatter
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters
@@ -326,6 +363,35 @@ module asperity
   ! A model is a type(c_ptr). Functions of type integer(c_int32_t) return a status.
 
   interface
+    ! Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its
+    ! doubt is part of the band
+    function asperity_estimate_at_loads_c(surface, length, n, load, estimates) &
+        bind(c, name='asperity_estimate_at_loads')
+      import
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: UTF-8, as of
+                                                    ! asperity_params_set_text
+      integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL
+      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
+      type(asperity_estimate), intent(inout) :: estimates ! receives n estimates; unchanged on failure
+      integer(c_int32_t) :: asperity_estimate_at_loads_c
+    end function asperity_estimate_at_loads_c
+
+    ! Writes what asperity_estimate_at_loads finds for people: coefficients with their bands, what they rest on,
+    ! warnings, and what would narrow the bands
+    function asperity_estimate_text_c(surface, length, n, load, buffer, buffer_length) &
+        bind(c, name='asperity_estimate_text')
+      import
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as of asperity_estimate_at_loads
+      integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads
+      integer(c_size_t), intent(in), value :: n     ! as of asperity_estimate_at_loads
+      type(c_ptr), intent(in), value :: load        ! real(c_double): as of asperity_estimate_at_loads
+      type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, NUL-terminated, cut to fit;
+                                                    ! c_null_ptr to ask for the length only
+      integer(c_size_t), intent(in), value :: buffer_length ! size of buffer [bytes]
+      integer(c_size_t) :: asperity_estimate_text_c
+    end function asperity_estimate_text_c
+
     ! Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset
     function asperity_params_init_c(params, struct_size) bind(c, name='asperity_params_init')
       import
@@ -369,28 +435,29 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_elastic_plastic
     end function asperity_params_set_elastic_plastic
 
-    ! Sets roughness, nominal_area and bandwidth from the spectral moments of profiles of an isotropic Gaussian surface
+    ! Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales
     function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) bind(c)
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0: the square of Rq
+      real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0
       real(c_double), intent(in), value :: m2       ! variance of the slopes [-] > 0
-      real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0; alpha must be at
-                                                    ! least 1.5
+      real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0, alpha at least 1.5;
+                                                    ! 0: not known, alpha = 10
       real(c_double), intent(in), value :: nominal_area ! [length^2] > 0
       integer(c_int32_t) :: asperity_params_set_spectral_moments
     end function asperity_params_set_spectral_moments
 
-    ! Sets the roughness as asperity_params_set_spectral_moments, and heights and radii as Nayak's summits have them
-    function asperity_params_set_nayak_summits(params, m0, m2, m4, nominal_area) bind(c)
+    ! Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison
+    ! with literature
+    function asperity_params_set_mccool_summits(params, m0, m2, m4, nominal_area) bind(c)
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: m0       ! as for asperity_params_set_spectral_moments
-      real(c_double), intent(in), value :: m2       ! as for asperity_params_set_spectral_moments
-      real(c_double), intent(in), value :: m4       ! as for asperity_params_set_spectral_moments
-      real(c_double), intent(in), value :: nominal_area ! as for asperity_params_set_spectral_moments
-      integer(c_int32_t) :: asperity_params_set_nayak_summits
-    end function asperity_params_set_nayak_summits
+      real(c_double), intent(in), value :: m0       ! as for asperity_params_set_spectral_moments; m4 must be known
+      real(c_double), intent(in), value :: m2       ! as for asperity_params_set_spectral_moments; m4 must be known
+      real(c_double), intent(in), value :: m4       ! as for asperity_params_set_spectral_moments; m4 must be known
+      real(c_double), intent(in), value :: nominal_area ! as for asperity_params_set_spectral_moments; m4 must be known
+      integer(c_int32_t) :: asperity_params_set_mccool_summits
+    end function asperity_params_set_mccool_summits
 
     ! Chooses Weibull heights of a given skew: sets height_distribution and weibull_shape
     function asperity_params_set_skew(params, skew) bind(c)
@@ -853,41 +920,36 @@ module asperity
       integer(c_int32_t) :: asperity_microslip_turn
     end function asperity_microslip_turn
 
-    ! Load at a separation of the mean planes, from the compiled law
-    pure function asperity_load_at_separation(model, separation) bind(c)
+    ! Load at a gap, from the compiled law
+    pure function asperity_load_at_gap(model, gap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation
-                                                    ! of the mean planes of asperity heights and flat [length]; negative
-                                                    ! in deep compression
-      real(c_double) :: asperity_load_at_separation
-    end function asperity_load_at_separation
+      real(c_double), intent(in), value :: gap      ! between the mean planes [length]; negative in deep compression
+      real(c_double) :: asperity_load_at_gap
+    end function asperity_load_at_gap
 
-    ! Load at a separation, with its slope
-    function asperity_load_and_slope_at_separation(model, separation, dload_dseparation) bind(c)
+    ! Load at a gap, with its slope
+    function asperity_load_and_slope_at_gap(model, gap, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation ! as for asperity_load_at_separation
-      type(c_ptr), intent(in), value :: dload_dseparation
-                                                    ! real(c_double): receives d(load)/d(separation) [force/length], <=
-                                                    ! 0: minus the normal stiffness; 0 at pull-off and beyond; NaN where
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap
+      type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives d(load)/d(gap) [force/length], <= 0:
+                                                    ! minus the normal stiffness; 0 at pull-off and beyond; NaN where
                                                     ! the load is
-      real(c_double) :: asperity_load_and_slope_at_separation
-    end function asperity_load_and_slope_at_separation
+      real(c_double) :: asperity_load_and_slope_at_gap
+    end function asperity_load_and_slope_at_gap
 
-    ! Loads at many separations, and their slopes
-    function asperity_loads_at_separations(model, n, separation, load, dload_dseparation) bind(c)
+    ! Loads at many gaps, and their slopes
+    function asperity_loads_at_gaps(model, n, gap, load, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of separations
-      type(c_ptr), intent(in), value :: separation  ! real(c_double): n separations [length]
+      integer(c_size_t), intent(in), value :: n     ! number of gaps
+      type(c_ptr), intent(in), value :: gap         ! real(c_double): n gaps [length]
       type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]
-      type(c_ptr), intent(in), value :: dload_dseparation
-                                                    ! real(c_double): receives n slopes d(load)/d(separation)
-                                                    ! [force/length], <= 0: minus the normal stiffness; 0 at pull-off
-                                                    ! and beyond
-      integer(c_int32_t) :: asperity_loads_at_separations
-    end function asperity_loads_at_separations
+      type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives n slopes d(load)/d(gap) [force/length],
+                                                    ! <= 0: minus the normal stiffness; 0 at pull-off and beyond
+      integer(c_int32_t) :: asperity_loads_at_gaps
+    end function asperity_loads_at_gaps
 
     ! Computes load, friction force and contact radius of single summits, by the law that the model sums over all
     ! summits
@@ -895,8 +957,8 @@ module asperity
       import
       type(c_ptr), intent(in), value :: model       ! a model
       integer(c_size_t), intent(in), value :: n     ! number of summits
-      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: the height of the summit less
-                                                    ! the separation, negative for a gap unless n = 0
+      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
+                                                    ! reach beyond the flat, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
                                                     ! [length], on which radii of summits depend where radius_amplitude
                                                     ! is not 0; c_null_ptr: all summits have the mean height
@@ -918,17 +980,14 @@ module asperity
       integer(c_int32_t) :: asperity_state_at_load
     end function asperity_state_at_load
 
-    ! Computes the exact state at a separation, also beyond the pull-off point, where no load holds the surfaces in
-    ! equilibrium
-    function asperity_state_at_separation(model, separation, state) bind(c)
+    ! Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium
+    function asperity_state_at_gap(model, gap, state) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: separation
-                                                    ! of the flat from the mean of the summit heights [length]; may be
-                                                    ! negative
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap [length]; may be negative
       type(asperity_state), intent(inout) :: state  ! receives the state
-      integer(c_int32_t) :: asperity_state_at_separation
-    end function asperity_state_at_separation
+      integer(c_int32_t) :: asperity_state_at_gap
+    end function asperity_state_at_gap
 
     ! Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table
     function asperity_summary_of(model, summary) bind(c)
@@ -1028,7 +1087,7 @@ module asperity
       integer(c_int32_t) :: asperity_table_of
     end function asperity_table_of
 
-    ! Gives a view of the compiled load against separation, for the evaluators of asperity_table_of
+    ! Gives a view of the compiled load against gap, for the evaluators of asperity_table_of
     function asperity_load_table_of(model, table) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
@@ -1039,7 +1098,7 @@ module asperity
   end interface
 
   public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_elastic_plastic
-  public :: asperity_params_set_spectral_moments, asperity_params_set_nayak_summits, asperity_params_set_skew
+  public :: asperity_params_set_spectral_moments, asperity_params_set_mccool_summits, asperity_params_set_skew
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
@@ -1051,12 +1110,11 @@ module asperity
   public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
   public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
   public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_separation
-  public :: asperity_load_and_slope_at_separation, asperity_loads_at_separations, asperity_summits_at_overlaps
-  public :: asperity_state_at_load, asperity_state_at_separation, asperity_summary_of, asperity_sensitivities_at_load
-  public :: asperity_check_loads, asperity_warning_string, asperity_warning_loads, asperity_warnings_text
-  public :: asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
-  public :: asperity_load_table_of
+  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_gap, asperity_load_and_slope_at_gap
+  public :: asperity_loads_at_gaps, asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap
+  public :: asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string
+  public :: asperity_warning_loads, asperity_warnings_text, asperity_last_error, asperity_status_string
+  public :: asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -1169,18 +1227,18 @@ module asperity
     procedure, public :: microslip_turn => model_microslip_turn
     procedure, public :: microslip_steps => model_microslip_steps
 
-    ! load = law%load_at_separation(separation [, slope] [, stat] [, errmsg])
-    !   separation  real(c_double), intent(in) [length] of the mean planes, as for state_at_separation
+    ! load = law%load_at_gap(gap [, slope] [, stat] [, errmsg])
+    !   gap  real(c_double), intent(in) [length] between the mean planes, as for state_at_gap
     !   load        real(c_double) [force]: negative where adhesion pulls, 0 at pull-off and beyond
-    !   slope       real(c_double), intent(out), optional: d(load)/d(separation) [force/length], minus the normal stiffness
-    ! A separation that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
-    procedure, public :: load_at_separation => model_load_at_separation
+    !   slope       real(c_double), intent(out), optional: d(load)/d(gap) [force/length], minus the normal stiffness
+    ! A gap that is not finite gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER.
+    procedure, public :: load_at_gap => model_load_at_gap
 
     ! call law%state_at_load(load, state [, stat] [, errmsg])                the exact state at a load [force]
-    ! call law%state_at_separation(separation, state [, stat] [, errmsg])    the same at a separation [length]
+    ! call law%state_at_gap(gap, state [, stat] [, errmsg])    the same at a gap [length]
     !   state  type(asperity_state), intent(inout); as it was on failure
     procedure, public :: state_at_load => model_state_at_load
-    procedure, public :: state_at_separation => model_state_at_separation
+    procedure, public :: state_at_gap => model_state_at_gap
 
     ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
     !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
@@ -1199,7 +1257,7 @@ module asperity
     procedure, public :: check_loads => model_check_loads
 
     ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
-    !   overlap  real(c_double), intent(in) [length], (n): the height of a summit less the separation
+    !   overlap  real(c_double), intent(in) [length], (n): how far a summit would reach beyond the flat
     !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
     !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
     !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
@@ -1237,6 +1295,7 @@ module asperity
   public :: asperity_interface_of, asperity_interface_name_text
   public :: asperity_params_use_pair, asperity_params_use_interface
   public :: asperity_params_read, asperity_params_set_text, asperity_params_text
+  public :: asperity_estimate_at_loads, asperity_estimate_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -1331,6 +1390,50 @@ contains
     text = joined(buffer(:length))
     call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, length > 0), stat, errmsg)
   end function asperity_params_text
+
+  ! Friction at loads with its band, from the text of a surface alone.
+  subroutine asperity_estimate_at_loads(surface, load, estimates, stat, errmsg)
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    real(c_double), intent(in) :: load(:)                 ! [N]
+    type(asperity_estimate), intent(inout) :: estimates(size(load)) ! untouched on failure
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    real(c_double), target :: loads(size(load))
+    type(asperity_estimate) :: none
+    integer(c_int32_t) :: status
+    characters = c_string(surface, size(characters))
+    loads = load
+    if (size(load) > 0) then
+      status = asperity_estimate_at_loads_c(c_loc(characters), len_trim(surface, kind=c_size_t), size(load, kind=c_size_t), &
+                                            c_loc(loads), estimates(1))
+    else
+      status = asperity_estimate_at_loads_c(c_loc(characters), len_trim(surface, kind=c_size_t), 0_c_size_t, c_null_ptr, none)
+    end if
+    call report(status, stat, errmsg)
+  end subroutine asperity_estimate_at_loads
+
+  ! The same for people.
+  function asperity_estimate_text(surface, load, stat, errmsg) result(text)
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    real(c_double), intent(in) :: load(:)                 ! [N]
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text                     ! empty on failure
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    real(c_double), target :: loads(size(load))
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer(c_size_t) :: length, number
+    characters = c_string(surface, size(characters))
+    loads = load
+    length = len_trim(surface, kind=c_size_t)
+    number = asperity_estimate_text_c(c_loc(characters), length, size(load, kind=c_size_t), c_loc(loads), c_null_ptr, 0_c_size_t)
+    allocate(buffer(number + 1))
+    number = asperity_estimate_text_c(c_loc(characters), length, size(load, kind=c_size_t), c_loc(loads), c_loc(buffer), &
+                                      size(buffer, kind=c_size_t))
+    text = joined(buffer(:number))
+    call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, number > 0), stat, errmsg)
+  end function asperity_estimate_text
 
   ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
   subroutine set_by_name(params, name, value, stat, errmsg)
@@ -1643,15 +1746,15 @@ contains
     call report(asperity_state_at_load(self%handle, load, state), stat, errmsg)
   end subroutine model_state_at_load
 
-  subroutine model_state_at_separation(self, separation, state, stat, errmsg)
+  subroutine model_state_at_gap(self, gap, state, stat, errmsg)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     type(asperity_state), intent(inout) :: state
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_state_at_separation(self%handle, separation, state), stat, errmsg)
-  end subroutine model_state_at_separation
+    call report(asperity_state_at_gap(self%handle, gap, state), stat, errmsg)
+  end subroutine model_state_at_gap
 
   subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
     class(friction_model), intent(in), target :: self
@@ -1766,20 +1869,20 @@ contains
     end if
   end function model_slip_force
 
-  function model_load_at_separation(self, separation, slope, stat, errmsg) result(load)
+  function model_load_at_gap(self, gap, slope, stat, errmsg) result(load)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: separation
+    real(c_double), intent(in) :: gap
     real(c_double), intent(out), optional, target :: slope
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     real(c_double) :: load
     real(c_double), target :: at(1)
-    load = asperity_load_and_slope_at_separation(c_model(self), separation, scalar_address(slope))
+    load = asperity_load_and_slope_at_gap(c_model(self), gap, scalar_address(slope))
     if (.not. is_created(self, stat, errmsg)) return
-    at(1) = separation
-    call report(open_is_an_answer(asperity_loads_at_separations(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
+    at(1) = gap
+    call report(open_is_an_answer(asperity_loads_at_gaps(self%handle, 1_c_size_t, c_loc(at), c_null_ptr, &
                                                                 c_null_ptr)), stat, errmsg)
-  end function model_load_at_separation
+  end function model_load_at_gap
 
   ! Surfaces apart carry no load: that is no failure.
   pure function open_is_an_answer(status) result(found)

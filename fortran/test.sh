@@ -90,6 +90,16 @@ compile fortran/examples/minimal.f90 "$build/asperity.o" "$target/release/libasp
 "$build/minimal_static" | diff "$build/page.txt" -
 echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print what it says"
 
+# The starting points: each program prints what stands below it.
+for page in docs/start-*.md; do
+    awk '$0 == "```fortran" {inside = 1; next} /^```/ {inside = 0} inside' "$page" >"$build/start.f90"
+    awk '/^## In Fortran/ {here = 1} here && $0 == "```text" {inside = 1; next} /^```/ {inside = 0} inside' "$page" >"$build/start.txt"
+    # shellcheck disable=SC2086
+    compile "$build/start.f90" "$build/asperity.o" $link -o "$build/start"
+    "$build/start" | diff "$build/start.txt" -
+done
+echo "docs/start-*.md: the programs in Fortran print what they say"
+
 # The twin of the C example.
 # shellcheck disable=SC2086
 compile fortran/examples/friction_curve.f90 "$build/asperity.o" $link -o "$build/friction_curve_fortran"

@@ -19,8 +19,8 @@ static inline asperity_status set_surface(asperity_params *params, double nomina
 }
 
 /* Says on stdout whether the model holds at all loads between two, and what to do where it does not. A surface of unknown
- * hardness is refused: it may yield. That nobody measured the strength of this interface, and that its bandwidth is broad, is
- * said and no reason to stop: the hosts show how the law is called. */
+ * hardness is refused: it may yield. That nobody measured the strength of this interface is said and no reason to stop: the
+ * hosts show how the law is called. */
 static inline int surface_holds(const asperity_model *model, double lightest, double heaviest) {
     char message[512];
     asperity_params params;
@@ -35,7 +35,7 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
     for (uint64_t bit = 1; bit <= warnings; bit *= 2)
         if (warnings & bit) printf("surface from %.4g to %.4g: %s\n", lightest, heaviest, asperity_warning_string(bit));
     if (!(params.hardness > 0)) printf("surface: the hardness is not given: whether summits yield is not known\n");
-    warnings &= ~(uint64_t)(ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
+    warnings &= ~(uint64_t)ASPERITY_WARNING_UNCALIBRATED;
     if (warnings != 0 || !(params.hardness > 0)) return 0;
     printf("surface: the model holds from %.4g to %.4g\n", lightest, heaviest);
     return 1;

@@ -24,10 +24,10 @@ def demand(model, lightest, heaviest, fewest_summits=None):
     if not model.params.hardness > 0:
         raise RuntimeError("the hardness of the surface is not given: whether summits yield is not known")
     warnings = model.check(lightest, heaviest)
-    # The strength of this interface was not measured, and its bandwidth is assumed: said, and no reason to stop.
-    told = warnings & (asperity.Warnings.UNCALIBRATED | asperity.Warnings.BROAD)
+    # The strength of this interface was not measured: said, and no reason to stop.
+    told = warnings & asperity.Warnings.UNCALIBRATED
     if told:
-        print("\n".join(f"  {line}" for line in str(told).split("\n")))
+        print(f"  {told}")
     warnings &= ~told
     if warnings:
         raise RuntimeError(f"the model does not hold for this surface from {lightest:.4g} to {heaviest:.4g}: {warnings}")

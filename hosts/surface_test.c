@@ -19,14 +19,15 @@ static void expect(const char *what, const asperity_params *params, double light
 int main(void) {
     asperity_params film, smooth, soft, unknown;
     if (set_surface(&film, 1e-4) != ASPERITY_OK) abort();
-    expect("the film", &film, 1e-3, 7e3, 1);
-    expect("the film, too heavily loaded,", &film, 1e-3, 9e3, 0);
-    expect("the film, too lightly loaded,", &film, 1e-5, 7e3, 0);
-    expect("the film, unloaded to nothing,", &film, -1, 7e3, 0);
+    expect("the film", &film, 1e-3, 7e4, 1);
+    expect("the film, too heavily loaded,", &film, 1e-3, 9e4, 0);
+    expect("the film, too lightly loaded,", &film, 1e-5, 7e4, 0);
+    expect("the film, unloaded to nothing,", &film, -1, 7e4, 0);
     smooth = film;
     smooth.height_std = 2.5e-9;
     smooth.summit_radius = 25e-6;
     smooth.asperity_count = 1e6;
+    smooth.radius_amplitude = smooth.rms_slope = 0;
     expect("a surface without roughness to speak of", &smooth, 500, 500, 0);
     soft = film;
     soft.hardness = 12e9;

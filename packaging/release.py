@@ -2,8 +2,8 @@
 """
 make release VERSION=x.y.z: whether the tree is ready to be released as this version.
 
-Checks that every file that has the version has this one, and that the interface has only grown since the last release. Then runs all
-tests, builds dist/ and proves it. It publishes nothing: the steps that are left to a person are printed at the end. With --check it
+Checks that every file that has the version has this one, that the interface has only grown since the last release, that the compiler is
+that of releases and that no crate has a known fault. Then runs all tests, builds dist/ and proves it. It publishes nothing: the steps that are left to a person are printed at the end. With --check it
 stops before the tests.
 """
 
@@ -82,6 +82,14 @@ def check_abi():
         raise Refusal(f"{ABI} has changed since {tags[0]}, and may only grow: {changed[0]}")
 
 
+def check_compiler():
+    """Files of a release are built by one compiler, so that others can build the same bytes."""
+    wanted = re.search(r'^rust = "(.+)"', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE)[1]
+    found = run("rustc", "--version").split()[1]
+    if found != wanted:
+        raise Refusal(f"releases are built by Rust {wanted}, and this is {found}: RUSTUP_TOOLCHAIN={wanted} make release")
+
+
 def main(arguments):
     """Checks, tests, builds, proves."""
     only_check = "--check" in arguments
@@ -97,7 +105,8 @@ def main(arguments):
     print(f"make release: every file has {version}", flush=True)
     if only_check:
         return
-    for goal in ("test-all", "dist", "dist-test"):
+    check_compiler()
+    for goal in ("supply-chain", "test-all", "dist", "dist-test"):
         if subprocess.run([os.environ.get("MAKE", "make"), goal], cwd=ROOT, check=False).returncode != 0:
             raise Refusal(f"make {goal} fails")
     run("cargo", "publish", "--dry-run", "--locked", show=True)

@@ -4,10 +4,8 @@ import re
 import shutil
 
 from notices import write_notices
+from size import LIBRARY_LIMIT
 from targets import ROOT, WORK, demand_size, run, small_std_environment
-
-# What a released shared library may weigh, stripped.
-LIBRARY_LIMIT = 700_000
 
 
 def build_stage(target, folder, env):

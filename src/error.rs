@@ -66,15 +66,15 @@ pub enum Error {
         /// The pull-off load.
         pull_off: f64,
     },
-    /// Nothing holds the surfaces together at this separation.
+    /// Nothing holds the surfaces together at this gap.
     #[error(
-        "separation = {}: the surfaces part at {}, beyond which they carry no load",
-        Real(*separation),
+        "gap = {}: the surfaces part at {}, beyond which they carry no load",
+        Real(*gap),
         Real(*end)
     )]
     Open {
-        /// The separation.
-        separation: f64,
+        /// The gap.
+        gap: f64,
         /// The smallest at which they are apart.
         end: f64,
     },

@@ -20,6 +20,8 @@ pub struct Groups {
     pub hardness: f64,
     /// Whether summits yield.
     pub yields: bool,
+    /// Nominal area of one summit in b^2; 0 where it is not known.
+    pub nominal_area: f64,
 }
 
 impl Groups {

@@ -42,9 +42,9 @@ pub mod capi;
 mod elementary;
 mod equilibrium;
 mod error;
+mod estimate;
 mod float_bits;
 mod four;
-mod joint_distribution;
 mod law;
 mod levels;
 pub mod materials;
@@ -71,8 +71,8 @@ pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
 pub use levels::STATE as MICROSLIP_LENGTH;
 pub use model::validity::{
-    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP,
-    WARNING_STRONG, WARNING_UNCALIBRATED,
+    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC,
+    WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 pub use model::{MicroslipStep, Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};

@@ -1,12 +1,59 @@
-//! The summits of an isotropic Gaussian surface, from the spectral moments of its profiles: Nayak's statistics.
+//! The summits of an isotropic Gaussian surface, from the spectral moments of its profiles.
 //!
-//! Nayak, J. Lubr. Technol. 93 (1971) 398-407, derived them; Bush, Gibson and Keogh, Mech. Res. Commun. 3 (1976) 169-174,
-//! gave the variance of the summit heights; McCool, J. Tribol. 109 (1987) 264-270, writes them as they are used here.
+//! Two ways. `asperities` are those that make the sums of this library follow boundary elements, whatever the bandwidth: area,
+//! patches, gap and stiffness of a rough surface depend on m0 and m2 alone (B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840),
+//! so that it behaves as one of narrow spectrum. `mccool_summits` are its local maxima, all with their mean curvature: Nayak,
+//! J. Lubr. Technol. 93 (1971) 398-407, derived them; Bush, Gibson and Keogh, Mech. Res. Commun. 3 (1976) 169-174, gave the
+//! variance of their heights; McCool, J. Tribol. 109 (1987) 264-270, writes them as they are used here.
 
 use std::f64::consts::PI;
 
 /// The bandwidth of a surface with one wavelength, below which no isotropic surface is.
 pub const LEAST_BANDWIDTH: f64 = 1.5;
+
+/// What was fitted to boundary elements (docs/validation.md): the asperities of a surface with m0 = 2 m2 = 1. All else follows
+/// from dimensions.
+struct Fitted {
+    height_std: f64,
+    /// At the bandwidth 5; it goes with a power of the bandwidth.
+    radius: f64,
+    bandwidth_power: f64,
+    density: f64,
+    radius_amplitude: f64,
+    radius_rate: f64,
+    /// Of the asperities above the mean plane.
+    mean_height: f64,
+    /// Taken where none is known.
+    bandwidth: f64,
+}
+
+const FITTED: Fitted = Fitted {
+    height_std: 0.92,
+    radius: 1.63,
+    bandwidth_power: -0.043,
+    density: 0.026,
+    radius_amplitude: -0.61,
+    radius_rate: 0.90,
+    mean_height: 1.23,
+    bandwidth: 8.0,
+};
+
+/// Summits as the sums take them. Their heights are Gaussian.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summits {
+    /// Standard deviation of the heights [length].
+    pub height_std: f64,
+    /// Radius at the mean height [length].
+    pub radius: f64,
+    /// Per area [1/length^2].
+    pub density: f64,
+    /// epsilon of eq (3).
+    pub radius_amplitude: f64,
+    /// rho of eq (3), where epsilon is not 0.
+    pub radius_rate: f64,
+    /// Of the heights, above the mean plane of the surface [length].
+    pub mean_height: f64,
+}
 
 /// Variances of height z, slope dz/dx and curvature d2z/dx2 along any profile of an isotropic surface. Those of the sum
 /// of two independent surfaces are the sums.
@@ -16,39 +63,56 @@ pub struct SpectralMoments {
     pub m0: f64,
     /// Of slope.
     pub m2: f64,
-    /// Of curvature [1/length^2].
+    /// Of curvature [1/length^2]; 0 if not known.
     pub m4: f64,
 }
 
 impl SpectralMoments {
-    /// Nayak's bandwidth parameter m0 m4/m2^2.
+    /// Nayak's bandwidth parameter m0 m4/m2^2; 0 if m4 is not known.
     pub fn bandwidth(&self) -> f64 {
         self.m0 / self.m2 * (self.m4 / self.m2)
     }
 
     /// Whether an isotropic surface can have these moments, the rounding of its bandwidth apart.
     pub fn exist(&self) -> bool {
-        self.bandwidth() >= LEAST_BANDWIDTH * (1.0 - 4.0 * f64::EPSILON)
+        self.m4 == 0.0 || self.bandwidth() >= LEAST_BANDWIDTH * (1.0 - 4.0 * f64::EPSILON)
     }
 
-    /// Summits per area, m4/(6 pi 3^(1/2) m2).
-    pub fn summit_density(&self) -> f64 {
-        self.m4 / (6.0 * PI * 3.0_f64.sqrt() * self.m2)
+    /// Root mean square slope in two dimensions, Sdq = (2 m2)^(1/2).
+    pub fn rms_slope(&self) -> f64 {
+        (2.0 * self.m2).sqrt()
     }
 
-    /// The inverse of the mean curvature of the summits, 3 pi^(1/2)/(8 m4^(1/2)).
-    pub fn summit_radius(&self) -> f64 {
-        3.0 * PI.sqrt() / (8.0 * self.m4.sqrt())
+    /// The asperities that stand for a surface rough on however many scales.
+    pub fn asperities(&self) -> Summits {
+        let (height, square_slope) = (self.m0.sqrt(), 2.0 * self.m2);
+        let bandwidth = if self.m4 == 0.0 { FITTED.bandwidth } else { self.bandwidth() };
+        Summits {
+            height_std: FITTED.height_std * height,
+            radius: FITTED.radius * (bandwidth / 5.0).powf(FITTED.bandwidth_power) * (height / square_slope),
+            density: FITTED.density * (square_slope / self.m0),
+            radius_amplitude: FITTED.radius_amplitude,
+            radius_rate: FITTED.radius_rate,
+            mean_height: FITTED.mean_height * height,
+        }
     }
 
-    /// Standard deviation of the summit heights, ((1 - 0.8968/bandwidth) m0)^(1/2).
+    /// McCool's summits: m4/(6 pi 3^(1/2) m2) per area, with the radius 3 pi^(1/2)/(8 m4^(1/2)), the inverse of their mean
+    /// curvature, heights of the variance (1 - 0.8968/bandwidth) m0 and the mean 4 (m0/(pi bandwidth))^(1/2). m4 must be known.
     ///
     /// A height is correlated with the curvature s of its summit, in units of its own standard deviation, and s has the
     /// density (s^2 - 1 + e^(-s^2)) e^(-s^2/2) among summits: its variance makes 0.8968 of 3 (1 - var s)/2, exactly
     /// 1 + 16/pi - 3^(3/2).
-    pub fn summit_height_std(&self) -> f64 {
+    pub fn mccool_summits(&self) -> Summits {
         let reduction = 1.0 + 16.0 / PI - 27.0_f64.sqrt();
-        ((1.0 - reduction / self.bandwidth()) * self.m0).sqrt()
+        Summits {
+            height_std: ((1.0 - reduction / self.bandwidth()) * self.m0).sqrt(),
+            radius: 3.0 * PI.sqrt() / (8.0 * self.m4.sqrt()),
+            density: self.m4 / (6.0 * PI * 3.0_f64.sqrt() * self.m2),
+            radius_amplitude: 0.0,
+            radius_rate: FITTED.radius_rate,
+            mean_height: 4.0 * (self.m0 / (PI * self.bandwidth())).sqrt(),
+        }
     }
 }
 
@@ -68,6 +132,7 @@ mod tests {
     #[test]
     fn formulas_follow_from_the_curvatures_of_summits() {
         let moments = SpectralMoments { m0: 3.0, m2: 0.5, m4: 0.7 };
+        let summits = moments.mccool_summits();
         let spread = (2.0 * moments.m4 / 3.0).sqrt();
         let (count, mean) = (summit_integral(|_| 1.0), summit_integral(|s| s));
         let mean = mean / count;
@@ -75,21 +140,48 @@ mod tests {
         // Kac-Rice: the mean determinant of the second derivatives where they are those of a summit, times the density
         // 1/(2 pi m2) of no slope.
         let density = spread * spread * count / (2.0 * PI).sqrt() / (2.0 * PI * moments.m2);
-        assert!((moments.summit_density() / density - 1.0).abs() < 1e-9, "{density}");
-        assert!((moments.summit_radius() * spread * mean - 1.0).abs() < 1e-9);
+        assert!((summits.density / density - 1.0).abs() < 1e-9, "{density}");
+        assert!((summits.radius * spread * mean - 1.0).abs() < 1e-9);
         let regression = moments.m2 / spread;
         let height_variance = moments.m0 - regression * regression * (1.0 - variance);
-        assert!((moments.summit_height_std().powi(2) / height_variance - 1.0).abs() < 1e-9);
+        assert!((summits.height_std.powi(2) / height_variance - 1.0).abs() < 1e-9);
     }
 
     /// 0.8968 is printed for the variance (Bush, Gibson and Keogh), 4/(pi bandwidth)^(1/2) for the mean (McCool).
     #[test]
     fn heights_of_summits_are_those_published() {
-        let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: 10.0 };
-        let reduction = 10.0 * (1.0 - moments.summit_height_std().powi(2));
+        let summits = SpectralMoments { m0: 1.0, m2: 1.0, m4: 10.0 }.mccool_summits();
+        let reduction = 10.0 * (1.0 - summits.height_std.powi(2));
         assert!((reduction - 0.8968).abs() < 5e-5, "{reduction}");
         let mean = summit_integral(|s| s) / summit_integral(|_| 1.0) * (3.0_f64 / 20.0).sqrt();
-        assert!((mean - 4.0 / (10.0 * PI).sqrt()).abs() < 1e-9, "{mean}");
+        assert!((mean - summits.mean_height).abs() < 1e-9, "{mean}");
+    }
+
+    /// Lengths along the surface and lengths of height each in units of their own.
+    #[test]
+    fn asperities_follow_from_dimensions() {
+        let one = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.0 };
+        let (height, along) = (3e-9_f64, 40e-9_f64);
+        let other = SpectralMoments { m0: height * height, m2: 0.5 * (height / along).powi(2), m4: 0.0 };
+        let (one, other) = (one.asperities(), other.asperities());
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-14, "{a} {b}");
+        near(other.height_std, one.height_std * height);
+        near(other.mean_height, one.mean_height * height);
+        near(other.radius, one.radius * along * along / height);
+        near(other.density, one.density / (along * along));
+        assert_eq!((other.radius_amplitude, other.radius_rate), (one.radius_amplitude, one.radius_rate));
+    }
+
+    /// The bandwidth matters little, and the usual one is taken where none is known.
+    #[test]
+    fn asperities_hardly_depend_on_the_bandwidth() {
+        let of = |bandwidth: f64| SpectralMoments { m0: 2.0, m2: 0.1, m4: bandwidth * 0.005 }.asperities();
+        assert!((of(0.0).radius / of(FITTED.bandwidth).radius - 1.0).abs() < 1e-14);
+        for bandwidth in [1.5, 5.0, 1e3] {
+            let asperities = of(bandwidth);
+            assert!((asperities.radius / of(0.0).radius - 1.0).abs() < 0.3, "{bandwidth}");
+            assert_eq!(Summits { radius: of(0.0).radius, ..asperities }, of(0.0));
+        }
     }
 
     /// Waves of one length in all directions: height is curvature, but for its sign and scale.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [node] [ode] [hosts] [harden] [validation] [bits] [dist] [web]     (core when no group is named)
+# usage: tests/setup.sh [core] [node] [ode] [hosts] [harden] [validation] [bits] [deny] [dist] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
@@ -15,7 +15,8 @@ command -v node >/dev/null || node+=" nodejs"
 command -v npm >/dev/null || node+=" npm"
 web="chromium fonts-dejavu-core python3 python3-venv $node"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
-harden_tools="cargo-deny@0.20.2 cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
+deny_tools="cargo-deny@0.20.2"
+harden_tools="$deny_tools cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
 # For the short form of tests/dist/same_bits.sh: 64-bit ARM, Windows. That adds Rust's targets itself.
 bits="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mingw-w64-x86-64-win32 wine64"
@@ -47,9 +48,10 @@ for group in $groups; do
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
     bits) packages+=" $bits" ;;
+    deny) tools+=" $deny_tools" ;;
     dist) packages+=" $dist $machines" ;;
     web) packages+=" $web" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, node, ode, hosts, harden, validation, bits, dist or web" >&2; exit 2 ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, node, ode, hosts, harden, validation, bits, deny, dist or web" >&2; exit 2 ;;
     esac
 done
 

@@ -21,6 +21,7 @@ program c_interface
   call pressure_coefficients
   call names
   call surface_texts
+  call estimates
   call materials
   call interfaces
   call johnson_heights
@@ -125,7 +126,7 @@ contains
     real(c_double), parameter :: M0 = 3, M2 = 0.5_c_double, M4 = 0.7_c_double, AREA = 11
     type(asperity_params) :: p
     p = paper_case()
-    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, M4, AREA))
+    call asperity_check(asperity_params_set_mccool_summits(p, M0, M2, M4, AREA))
     call check_close('variance of the summit heights', p%height_std**2, (1 - 0.8968_c_double * M2**2 / (M0 * M4)) * M0, &
                      1e-4_c_double)
     call check_close('radius of the summits', p%summit_radius, 0.375_c_double * sqrt(PI / M4), 1e-14_c_double)
@@ -136,12 +137,10 @@ contains
     call check_text('... with a message', asperity_error_message(), &
                     'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, the least of isotropic surfaces; ' // &
                     'are all lengths in one unit?')
-    ! One wavelength: the moments of Nayak's density of curvatures, integrated by hand.
-    call asperity_check(asperity_params_set_nayak_summits(p, 1.5_c_double, 1.0_c_double, 1.0_c_double, AREA))
-    call check_close('skew of the summits of one wavelength', p%skew, 0.46948489_c_double, 1e-7_c_double)
-    call check_close('kurtosis', p%kurtosis, 3.18672953_c_double, 1e-7_c_double)
-    call check('heights of Johnson', p%height_distribution == ASPERITY_HEIGHTS_JOHNSON)
-    call check('higher summits are sharper', p%radius_amplitude < 0)
+    call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, 0.0_c_double, AREA))
+    call check_close('slope of the surface', p%rms_slope, sqrt(2 * M2), 1e-14_c_double)
+    call check('higher asperities are sharper', p%radius_amplitude < 0)
+    call check('asperities stand above the mean plane', p%summit_mean_height > sqrt(M0))
   end subroutine spectral_moments
 
   ! Skew from the moments of the Weibull distribution, B_n = Gamma(1 + n/omega).
@@ -349,6 +348,29 @@ contains
     message = asperity_params_text(p, stat)
     call check('what has no meaning has no text', stat == ASPERITY_INVALID_PARAMETER .and. message == '')
   end subroutine surface_texts
+
+  ! Friction from a text alone.
+  subroutine estimates
+    character(*), parameter :: LF = new_line('a')
+    character(*), parameter :: SURFACE = 'pair = "steel/steel"' // LF // 'nominal_area = 1e-4' // LF // &
+      'measured = [1000, 0.16]' // LF // '[roughness]' // LF // 'process = "ground"' // LF // 'Ra = 0.8e-6' // LF
+    type(asperity_estimate) :: found(2), none(0)
+    character(300) :: message
+    integer :: stat
+    call asperity_estimate_at_loads(SURFACE, [10.0_c_double, 1000.0_c_double], found)
+    call check_close('the measured point is met', found(2)%friction_coefficient, 0.16_c_double, 1e-6_c_double)
+    call check('another load has its band', found(1)%low > 0.16 .and. found(1)%low < found(1)%friction_coefficient &
+               .and. found(1)%friction_coefficient < found(1)%high .and. found(1)%high < 0.23)
+    call check('... and what it rests on', found(1)%strength_source == ASPERITY_STRENGTH_MEASURED)
+    call check('so has its text', index(asperity_estimate_text(SURFACE, [10.0_c_double]), &
+                                        'mu(10 N) = 0.194, 95 % band 0.167 to 0.221' // LF) == 1)
+    call asperity_estimate_at_loads(SURFACE, [real(c_double) ::], none)
+    call asperity_estimate_at_loads('measured = 0.16', [1.0_c_double], found, stat, message)
+    call check('what is wrong is named', stat == ASPERITY_INVALID_PARAMETER .and. &
+               index(message, 'line 1: measured = 0.16: must be points') == 1)
+    message = asperity_estimate_text('', [1.0_c_double], stat)
+    call check('... and has no text', stat == ASPERITY_INVALID_PARAMETER .and. message == '')
+  end subroutine estimates
 
   subroutine check_equal_numbers(claim, p, expected)
     character(*), intent(in) :: claim
@@ -787,7 +809,7 @@ contains
     call asperity_free(model)
   end subroutine batches_beside_friction
 
-  ! The load at a separation, of one and of many, and by the table.
+  ! The load at a gap, of one and of many, and by the table.
   subroutine gaps
     real(c_double), target :: at(2), load(2), slope(2), one
     type(asperity_state) :: state
@@ -795,14 +817,14 @@ contains
     type(c_ptr) :: model
     model = default_model()
     call asperity_check(asperity_state_at_load(model, 3.0_c_double, state))
-    at = [state%separation, 1e6_c_double]
+    at = [state%gap, 1e6_c_double]
     call check('surfaces apart are reported', &
-               asperity_loads_at_separations(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
-    call check_close('the load at a separation', load(1), 3.0_c_double, 1e-9_c_double)
-    call check_close('its slope', slope(1), state%dload_dseparation, 1e-7_c_double)
+               asperity_loads_at_gaps(model, 2_c_size_t, c_loc(at), c_loc(load), c_loc(slope)) == ASPERITY_SEPARATED)
+    call check_close('the load at a gap', load(1), 3.0_c_double, 1e-9_c_double)
+    call check_close('its slope', slope(1), state%dload_dgap, 1e-7_c_double)
     call check('apart there is none', identical(load(2), 0.0_c_double))
-    call check('one as many', identical(asperity_load_at_separation(model, at(1)), load(1)))
-    call check('with its slope', identical(asperity_load_and_slope_at_separation(model, at(1), c_loc(one)), load(1)))
+    call check('one as many', identical(asperity_load_at_gap(model, at(1)), load(1)))
+    call check('with its slope', identical(asperity_load_and_slope_at_gap(model, at(1), c_loc(one)), load(1)))
     call check('... too', identical(one, slope(1)))
     call asperity_check(asperity_load_table_of(model, table))
     call check('the table has rows', table%row_count > 50 .and. -table%pull_off_load > at(1))
@@ -906,7 +928,7 @@ contains
     model = c_null_ptr
     call asperity_check(asperity_create(p, model))
     do i = 1, size(T)
-      call asperity_check(asperity_state_at_separation(model, T(i) * p%height_std, state))
+      call asperity_check(asperity_state_at_gap(model, T(i) * p%height_std, state))
       fraction = erfc(T(i) / sqrt(2.0_c_double)) / 2
       area = PI * p%asperity_count * p%summit_radius * p%height_std * (normal_density(T(i)) - T(i) * fraction)
       call check_close('n = N/2 erfc(t/sqrt 2)', state%contacting, p%asperity_count * fraction, 1e-10_c_double)
@@ -932,7 +954,7 @@ contains
       call check('... with the loads at which they hold', warned(1) <= state%load .and. warned(2) >= state%load)
       call check('... and have texts', c_associated(asperity_warning_string(ASPERITY_WARNING_PLASTIC)))
       call asperity_check(asperity_state_at_load(model, state%load, at_load))
-      call check_close('the state at that load is the state', at_load%separation, state%separation, 1e-9_c_double)
+      call check_close('the state at that load is the state', at_load%gap, state%gap, 1e-9_c_double)
       call check_close('... and so is its friction', at_load%friction_force, state%friction_force, 1e-9_c_double)
       load(1) = state%load
       call check_close('the stiffness is that of the state', asperity_tangential_stiffness_at_load(model, load(1)), &

@@ -1,4 +1,4 @@
-"""Two blocks with a rough interface in GetFEM: the pressure between them is the library's load at the separation (normal
+"""Two blocks with a rough interface in GetFEM: the pressure between them is the library's load at the gap (normal
 compliance), with its slope in Newton's method. Under uniform pressure the displacement has a closed form. Units: mm, N, MPa. The law
 is made for 1 mm2, so that its load is a pressure.
 """
@@ -31,7 +31,7 @@ class Blocks:
 
     def __init__(self, law):
         self.law = law
-        self.at_rest = law.state_at_load(PRESSURES[0]).separation
+        self.at_rest = law.state_at_load(PRESSURES[0]).gap
         heights = np.concatenate([np.linspace(0, LOWER, 5), LOWER + BETWEEN + np.linspace(0, UPPER, 7)])
         self.mesh = getfem.Mesh("cartesian", np.linspace(0, WIDTH, 5), heights)
         self.mesh.del_convex([cv for cv in self.mesh.cvid() if LOWER < self.height(cv) < LOWER + BETWEEN])
@@ -88,7 +88,7 @@ class Blocks:
         changes = []
         opened = self.openings()
         for _ in range(20):
-            pressure, slope = self.law.load_at_separation(self.at_rest + opened, slope=True)
+            pressure, slope = self.law.load_at_gap(self.at_rest + opened, slope=True)
             for name, values in (("pressure", pressure), ("slope", slope), ("opened", opened)):
                 self.model.set_variable(name, values)
             self.model.solve("lsolver", "mumps")
@@ -105,7 +105,7 @@ class Blocks:
     def exact_pressures(self):
         """From the integrals at the openings, not from the compiled law that the solution used; from the middle outwards."""
         order = np.argsort(self.model.interpolation("X(1)", self.points, 4))
-        return np.array([self.law.state_at_separation(self.at_rest + opened).load for opened in self.openings()[order]])
+        return np.array([self.law.state_at_gap(self.at_rest + opened).load for opened in self.openings()[order]])
 
 
 def bars(load):
@@ -125,7 +125,7 @@ def uniform(blocks):
     blocks.solve(PRESSURES[0])
     for load in PRESSURES[1:]:
         changes = blocks.solve(load)
-        interface = blocks.at_rest - blocks.law.state_at_load(load).separation
+        interface = blocks.at_rest - blocks.law.state_at_load(load).gap
         errors.append(np.max(np.abs(blocks.top() + bars(load) + interface)) / interface)
         orders.append(order(changes))
         iterations.append(len(changes))

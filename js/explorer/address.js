@@ -2,11 +2,9 @@
 import { $ } from "./dom.js";
 import { ROUGHNESS, start } from "./fields.js";
 import { LETTERS, page } from "./state.js";
-import { SPREAD_FIELDS } from "./uncertainty.js";
 
 const LOADS = ["lightest", "heaviest"];
 const CHECKED = ["logarithmic", "band"];
-const KEPT = [...LOADS, ...SPREAD_FIELDS];
 
 /** The fields of the page that are no surface's. */
 export const COMMON = [...LOADS, ...CHECKED];
@@ -16,7 +14,7 @@ export function keep() {
   const set = {
     surfaces: [...page.surfaces],
     active: page.active,
-    set: Object.fromEntries(KEPT.map((id) => [id, $(id).value])),
+    set: Object.fromEntries(LOADS.map((id) => [id, $(id).value])),
     checked: Object.fromEntries(CHECKED.map((id) => [id, $(id).checked])),
   };
   try {
@@ -38,7 +36,7 @@ export function restore() {
   if (!surfaces.length) return;
   page.surfaces = new Map(surfaces.map(([letter, one]) => [letter, surfaceOf(one)]));
   page.active = page.surfaces.has(kept.active) ? kept.active : surfaces[0][0];
-  for (const id of KEPT) if (Object.hasOwn(kept.set ?? {}, id)) $(id).value = kept.set[id];
+  for (const id of LOADS) if (Object.hasOwn(kept.set ?? {}, id)) $(id).value = kept.set[id];
   for (const id of CHECKED) if (typeof kept.checked?.[id] === "boolean") $(id).checked = kept.checked[id];
 }
 

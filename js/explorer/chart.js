@@ -14,7 +14,7 @@ export const STYLES = [
 
 /** Grounds of what does not hold; the first that applies is drawn, all are named. */
 const GROUNDS = { FEW: "#dedede", CROWDED: "#fdf3c9", PLASTIC: "#f2f0f9", STEEP: "#eaf4f0", ATOMIC: "#f7eef3", ADHESIVE: "#f8eedf",
-  BROAD: "#eef1e6", STRONG: "#f6ebe6" };
+  BROAD: "#eef1e6", STRONG: "#f6ebe6", FEW_WAVES: "#e9eef6" };
 const OTHER_GROUND = "#eeeeee";
 /** How opaque a band is, in hexadecimal: of the active surface, of the others. */
 const OPAQUE = ["33", "14"];

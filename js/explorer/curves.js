@@ -2,8 +2,6 @@
 
 /** Points of a curve. */
 const POINTS = 121;
-/** Of a normal distribution, 95 % lie within so many standard deviations. */
-const COVERAGE = 1.959963984540054;
 
 /** Loads evenly spaced in the logarithm, the ends exact. */
 export function loadsOf(lightest, heaviest) {
@@ -11,58 +9,22 @@ export function loadsOf(lightest, heaviest) {
   return Float64Array.from({ length: POINTS }, (_, i) => (i === POINTS - 1 ? heaviest : lightest * Math.exp(i * step)));
 }
 
-/** The band's factor either way, of a quantity whose logarithm has this standard deviation. */
-export const reach = (deviation) => Math.exp(COVERAGE * deviation);
-
-/** By how much ln F changes with the logarithm of each parameter; of the strength, one factor on both slip stresses. */
-function slopesAt(model, load) {
-  const slopes = model.sensitivitiesAtLoad(load);
-  return { ...slopes, slip_stress: slopes.slip_stress_1 + slopes.slip_stress_2 };
-}
-
-/** The covariance of ln F at two loads, with these slopes, where the parameters are independent of each other. */
-const covariance = (one, other, spread) =>
-  Object.entries(spread).reduce((sum, [name, part]) => sum + one[name] * other[name] * part ** 2, 0);
-
-/**
- * The standard deviation of ln F that follows from those of the parameters. A measured point narrows it by Bayes' rule: the
- * covariance S of the logarithms becomes S - S h h' S/(h' S h + r^2), with the slopes h at the point and its relative error r.
- * @param {Record<string, number>} slopes of ln F
- * @param {Record<string, number>} spread standard deviations of logarithms, by parameter
- * @param {{ slopes: Record<string, number>, error: number } | undefined} point
- */
-export function deviation(slopes, spread, point) {
-  const prior = covariance(slopes, slopes, spread);
-  if (!point) return Math.sqrt(prior);
-  const ofPoint = covariance(point.slopes, point.slopes, spread) + point.error ** 2;
-  const learned = ofPoint && covariance(slopes, point.slopes, spread) ** 2 / ofPoint;
-  return Math.sqrt(Math.max(prior - learned, 0));
-}
-
-/** A coefficient with its band, which ends at the cap on coefficients as the coefficient does. */
-export function banded(model, load, spread, point) {
-  const mu = model.frictionAtLoad(load);
-  const ratio = model.frictionForceAtLoad(load) / load;
-  const cap = mu < ratio * (1 - 1e-12) ? mu : Infinity;
-  const factor = reach(deviation(slopesAt(model, load), spread, point));
-  return { mu, low: Math.min(ratio / factor, cap), high: Math.min(ratio * factor, cap) };
-}
+/** A coefficient with its band, as the library estimates it. */
+const banded = ({ friction_coefficient: mu, low, high }) => ({ mu, low, high });
 
 /**
  * The curve of a surface.
- * @param {Record<string, number>} spread standard deviations of logarithms, by parameter
+ * @param {string} text the same surface as its file has it, which the band is of
  * @returns {{ model, band, loads, mu, low, high, states, warnings }} `band` gives the coefficient with its band at any load;
  *   the warnings are those somewhere between the loads
  */
-export function curveOf(library, params, [lightest, heaviest], spread) {
+export function curveOf(library, params, [lightest, heaviest], text) {
   const model = new library.Model(params);
   try {
-    const { calibrated, calibration_error: error } = model.params;
-    const point = calibrated && { slopes: slopesAt(model, calibrated.calibration_load), error };
-    const band = (load) => banded(model, load, spread, point);
+    const band = (load) => banded(library.estimate(text, load));
     const loads = loadsOf(lightest, heaviest);
     const states = Array.from(loads, (load) => model.stateAtLoad(load));
-    return { model, band, loads, states, warnings: model.checkLoads(lightest, heaviest), ...columns(Array.from(loads, band)) };
+    return { model, band, loads, states, warnings: model.checkLoads(lightest, heaviest), ...columns(library.estimate(text, loads).map(banded)) };
   } catch (error) {
     model.free();
     throw error;

@@ -30,7 +30,7 @@ async function useMap(file) {
     const found = momentsOfMap(heights.map((height) => shifted(height, unit)), columns, step);
     const surface = active();
     surface.roughness = "moments";
-    for (const key of ["m0", "m2", "m4"]) surface[key] = String(shifted(found[key], -FIELDS[key].power));
+    for (const key of ["m0", "m2"]) surface[key] = String(shifted(found[key], -FIELDS[key].power));
     surface.nominal_area = String(shifted(found.area, -FIELDS.nominal_area.power));
     $("map-result").textContent = `${file.name}: ${heights.length / columns} × ${columns} points, levelled. ${described(found)}`;
     fill();
@@ -45,6 +45,6 @@ function described({ m0, m2, m4, isotropy }) {
     `Sq ${withUnit(Math.sqrt(m0), "m")}, Sdq ${Math.sqrt(2 * m2).toPrecision(3)}, ` +
     `bandwidth ${bandwidth.toPrecision(3)}, isotropy ${isotropy.toFixed(2)}` +
     (isotropy < 0.5 ? ": it has a direction, for which the model does not hold." : ".") +
-    " Slopes and curvatures are those of this distance of points: filter the map to the size of the contacts."
+    " The slope is that of this distance of points, and grows where it is smaller: calibrate, or area and friction depend on it."
   );
 }

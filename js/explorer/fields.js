@@ -19,11 +19,9 @@ export const FIELDS = {
   calibration_load: { label: "… at a load of", unit: "N", power: 0, names: ["load"] },
   slip_stress_1: { label: "Strength of small contacts τ₁/G* (empty: 1/43)", unit: "", power: 0 },
   Sq: { label: "Sq, rms height", unit: "nm", power: -9, slider: [0.1, 1000], names: ["Sq", "m0"] },
-  Sdq: { label: "Sdq, rms slope", unit: "", power: 0, slider: [0.001, 1], names: ["Sdq", "m2"] },
-  Sds: { label: "Sds, summits per area", unit: "1/µm²", power: 12, slider: [0.01, 1000], names: ["Sds", "m4"] },
+  Sdq: { label: "Sdq, rms slope", unit: "", power: 0, slider: [0.001, 1], names: ["Sdq", "m2", "rms_slope"] },
   m0: { label: "m₀, variance of height", unit: "nm²", power: -18, slider: [0.01, 1e6] },
   m2: { label: "m₂, variance of slope", unit: "", power: 0, slider: [1e-6, 1] },
-  m4: { label: "m₄, variance of curvature", unit: "1/µm²", power: 12, slider: [1e-3, 1e4] },
   height_std: { label: "σ, spread of summit heights", unit: "nm", power: -9, slider: [0.1, 1000] },
   summit_radius: { label: "R, summit radius", unit: "µm", power: -6, slider: [0.01, 100] },
   summit_density: { label: "Summits per area", unit: "1/µm²", power: 12, slider: [0.01, 1000], names: ["asperity_count"] },
@@ -34,8 +32,8 @@ export const FIELDS = {
 
 /** The ways to tell the roughness, and the fields of each. */
 export const ROUGHNESS = {
-  areal: { label: "Sq, Sdq, Sds (areal parameters)", fields: ["Sq", "Sdq", "Sds"] },
-  moments: { label: "m₀, m₂, m₄ (spectral moments)", fields: ["m0", "m2", "m4"] },
+  areal: { label: "Sq, Sdq (areal parameters)", fields: ["Sq", "Sdq"] },
+  moments: { label: "m₀, m₂ (spectral moments)", fields: ["m0", "m2"] },
   summits: { label: "σ, R, density (summits)", fields: ["height_std", "summit_radius", "summit_density"] },
 };
 
@@ -95,8 +93,8 @@ export const start = (library) => ({
   ...UNMEASURED,
   contact_law: "maugis",
   roughness: "areal",
-  Sq: "5", Sdq: "0.08", Sds: "20",
-  m0: "25", m2: "0.0032", m4: "2.1",
+  Sq: "5", Sdq: "0.08",
+  m0: "25", m2: "0.0032",
   height_std: "5", summit_radius: "1", summit_density: "10",
   skew: "", kurtosis: "",
   nominal_area: "0.01",
@@ -112,8 +110,8 @@ export function paramsOf(surface) {
   params.work_of_adhesion = surface.contact_law === "elastic-plastic" ? 0 : all.work_of_adhesion;
   if (surface.contact_law === "elastic-plastic") params.contact_law = surface.contact_law;
   if (surface.roughness === "areal")
-    Object.assign(params, momentsOfAreal({ Sq: NaN, Sdq: NaN, Sds: NaN, ...only(all, ["Sq", "Sdq", "Sds"]) }));
-  else if (surface.roughness === "moments") Object.assign(params, only(all, ["m0", "m2", "m4"]));
+    Object.assign(params, momentsOfAreal({ Sq: NaN, Sdq: NaN, ...only(all, ["Sq", "Sdq"]) }));
+  else if (surface.roughness === "moments") Object.assign(params, only(all, ["m0", "m2"]));
   else {
     Object.assign(params, only(all, ["height_std", "summit_radius"]));
     // Of no area or density there is no number of summits, which the library then asks for.

@@ -1,5 +1,6 @@
 // The page: its parts are made, and begin with the surface that the address keeps.
 import { instantiate } from "../dist/instantiate.js";
+import { decoded } from "./base85.js";
 import { COMMON, restore } from "./address.js";
 import { Chart } from "./chart.js";
 import { buildCode, code } from "./code.js";
@@ -10,13 +11,11 @@ import { buildInputs, fill } from "./inputs.js";
 import { readValues } from "./readings.js";
 import { page } from "./state.js";
 import { listenTable } from "./table.js";
-import { buildSpread } from "./uncertainty.js";
 import { schedule } from "./update.js";
 
 /** The library, which lies in the page as text. */
 async function unpacked() {
-  const bytes = Uint8Array.from(atob($("library").textContent), (letter) => letter.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  return new Response(new Blob([decoded($("library").textContent)]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
 /** Reads the values at another load: of the slider, or under the pointer. */
@@ -38,7 +37,6 @@ async function begin() {
   page.surfaces.set("A", start(page.library));
   page.chart = new Chart($("chart"), pointed);
   buildInputs();
-  buildSpread(schedule);
   buildCode();
   listenTable();
   listenMaps();

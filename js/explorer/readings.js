@@ -76,7 +76,7 @@ export function derived() {
 
 /** What each band rests on. */
 export function bandNote() {
-  const notes = page.shown.map(({ letter, surface, known }) => `${title(letter, surface)}: ${rests(surface, known)}`);
+  const notes = page.shown.map(({ letter, surface }) => `${title(letter, surface)}: ${rests(surface)}`);
   $("band-note").textContent = notes.length ? `${notes.join("; ")}.` : "";
 }
 

@@ -23,7 +23,7 @@ const UNITS = {
 };
 const BODIES = ["E1", "nu1", "E2", "nu2"];
 const MEASURED = ["calibration_load", "calibration_friction_coefficient"];
-const MOMENTS = ["m0", "m2", "m4", "nominal_area"];
+const MOMENTS = ["m0", "m2", "nominal_area"];
 const YIELDING = ["contact_law", "hardness", "work_of_adhesion"];
 
 /** The parameters that are set one by one: not by the setters of two bodies, of summits that yield, of moments and of a measured point. */
@@ -48,8 +48,8 @@ function c(params, surface, load) {
     lines.push(`params.${name} = ${real(value)};${UNITS[name] ? ` /* [${UNITS[name]}] */` : ""}`);
   if ("m0" in params)
     lines.push(
-      "/* variances of height [m^2], slope and curvature [1/m^2] along profiles, nominal area [m^2] */",
-      `asperity_params_set_spectral_moments(&params, ${list(params, MOMENTS, real)});`,
+      "/* variances of height [m^2] and slope along profiles, of curvature (0: not known), nominal area [m^2] */",
+      `asperity_params_set_spectral_moments(&params, ${list({ ...params, m4: 0 }, ["m0", "m2", "m4", "nominal_area"], real)});`,
     );
   if (params.contact_law) lines.push(`asperity_params_set_elastic_plastic(&params, ${real(params.hardness)}); /* hardness [Pa] */`);
   if ("kurtosis" in params) lines.push("params.height_distribution = ASPERITY_HEIGHTS_JOHNSON;");
@@ -108,7 +108,7 @@ function fortran(params, surface, load) {
   if ("m0" in params)
     lines.push(
       "call asperity_check(asperity_params_set_spectral_moments(params, &",
-      `                    ${list(params, MOMENTS, kind)}))  ! m0 [m^2], m2, m4 [1/m^2], area [m^2]`,
+      `                    ${list({ ...params, m4: 0 }, ["m0", "m2", "m4", "nominal_area"], kind)}))  ! m0 [m^2], m2, m4: not known, area [m^2]`,
     );
   if (params.contact_law)
     lines.push(`call asperity_check(asperity_params_set_elastic_plastic(params, ${kind(params.hardness)}))  ! hardness [Pa]`);
@@ -134,13 +134,13 @@ end program friction
 
 /** The roughness as the user gave it: areal parameters stay areal parameters. */
 function roughness(params, surface) {
-  if (surface.roughness !== "areal") return "m0" in params ? { m0: params.m0, m2: params.m2, m4: params.m4 } : {};
-  const { Sq, Sdq, Sds } = numbers(surface);
-  return { Sq, Sdq, Sds };
+  if (surface.roughness !== "areal") return "m0" in params ? { m0: params.m0, m2: params.m2 } : {};
+  const { Sq, Sdq } = numbers(surface);
+  return { Sq, Sdq };
 }
 
 function others(params, more = []) {
-  return Object.entries(params).filter(([name]) => !["m0", "m2", "m4", ...more].includes(name));
+  return Object.entries(params).filter(([name]) => !["m0", "m2", ...more].includes(name));
 }
 
 function python(params, surface, load) {
@@ -167,6 +167,7 @@ print(f"{model.friction_at_load(${real(load)}):.10g}")  # load in N
 
 function toml(params, surface) {
   const lines = [`# ${surface.first} on ${surface.second}, in SI units: a surface file of asperity`];
+  if (!params.contact_law) lines.push('contact_law = "maugis"');
   for (const [name, value] of others(params, BODIES)) lines.push(`${name} = ${typeof value === "string" ? `"${value}"` : real(value)}`);
   lines.push("", "[materials]", ...BODIES.map((name) => `${name} = ${real(params[name])}`));
   const rough = Object.entries(roughness(params, surface));

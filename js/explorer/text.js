@@ -1,5 +1,4 @@
 // Numbers and sentences as the page shows them.
-import { reach } from "./curves.js";
 import { measuredOf, uncalibrated } from "./fields.js";
 
 const PREFIXES = { "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T" };
@@ -42,6 +41,7 @@ export const SHORT = {
   UNCALIBRATED: "not calibrated",
   BROAD: "broad spectrum",
   STRONG: "stronger than the bodies",
+  FEW_WAVES: "few waves on the area",
 };
 
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();
@@ -56,12 +56,11 @@ export function strength(surface) {
   return uncalibrated(surface) ? "not measured" : "as given";
 }
 
-/** What the band of a surface rests on. @param {{ spread, error }} deviations its standard deviations */
-export function rests(surface, { spread, error }) {
+/** What the band of a surface rests on. */
+export function rests(surface) {
   const measured = measuredOf(surface);
-  if (measured) return `strength measured at ${withUnit(measured.load, "N")} to ${percent(error)}`;
-  const factor = `a factor ${Number(reach(spread.slip_stress).toPrecision(2))} either way`;
-  return `strength ${uncalibrated(surface) ? "not measured" : "as given"}: ${factor}`;
+  if (measured) return `strength measured at ${withUnit(measured.load, "N")} to 5 %`;
+  return uncalibrated(surface) ? "strength not measured: an order of magnitude" : "strength as given, taken as known";
 }
 
 /** What to know of a surface without a measured strength; empty of the others. */

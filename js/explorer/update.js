@@ -6,10 +6,10 @@ import { curveOf, findSpans } from "./curves.js";
 import { $ } from "./dom.js";
 import { fieldOf, paramsOf, parsed } from "./fields.js";
 import { bandNote, derived, readValues, warnings } from "./readings.js";
+import { snippet } from "./snippets.js";
 import { active, page, styleOf } from "./state.js";
 import { table } from "./table.js";
 import { summary } from "./text.js";
-import { deviations, spreadOf } from "./uncertainty.js";
 
 /** So long nothing must change before a screen reader is told the summary. */
 const QUIET_MS = 500;
@@ -35,14 +35,14 @@ export function schedule() {
 
 /** Computes and shows all. */
 function update() {
-  let loads, all;
+  let loads;
   try {
-    [loads, all] = [loadRange(), deviations()];
+    loads = loadRange();
   } catch (error) {
     tell([{ letter: "", message: error.message }]);
     return;
   }
-  tell(compute(loads, all));
+  tell(compute(loads));
   draw();
   $("chart").setAttribute("aria-label", `Friction coefficient against load: ${description(page.shown)}. The values are in the table below.`);
   readValues();
@@ -67,13 +67,12 @@ function ground(loads) {
 }
 
 /** The curves of all surfaces; what the library refuses comes back. */
-function compute(loads, all) {
+function compute(loads) {
   const errors = [];
   page.shown = [];
   for (const [letter, surface] of page.surfaces) {
     try {
-      const known = spreadOf(surface, all);
-      page.shown.push({ letter, surface, style: styleOf(letter), known, curve: curve(letter, surface, loads, known) });
+      page.shown.push({ letter, surface, style: styleOf(letter), curve: curve(letter, surface, loads) });
     } catch (error) {
       errors.push({ letter, message: error.message });
     }
@@ -92,12 +91,12 @@ function loadRange() {
 }
 
 /** The curve of a surface, computed anew only if something of it has changed. */
-function curve(letter, surface, loads, { spread, error }) {
-  const from = JSON.stringify([surface, loads, spread, error]);
+function curve(letter, surface, loads) {
+  const from = JSON.stringify([surface, loads]);
   const old = computed.get(letter);
   if (old?.from === from) return old.curve;
   forget(letter);
-  const found = curveOf(page.library, { ...paramsOf(surface), calibration_error: error }, loads, spread);
+  const found = curveOf(page.library, paramsOf(surface), loads, snippet("TOML", surface));
   computed.set(letter, { from, curve: found });
   return found;
 }

@@ -16,6 +16,10 @@ export const CONSTANTS = /** @type {const} */ ({
   "NOT_CONVERGED": 6,
   "OUT_OF_MEMORY": 7,
   "INTERNAL": 255,
+  "STRENGTH_DEFAULT": 0,
+  "STRENGTH_TABLE": 1,
+  "STRENGTH_GIVEN": 2,
+  "STRENGTH_MEASURED": 3,
   "HEIGHTS_GAUSSIAN": 0,
   "HEIGHTS_WEIBULL": 1,
   "HEIGHTS_JOHNSON": 2,
@@ -33,6 +37,7 @@ export const CONSTANTS = /** @type {const} */ ({
   "WARNING_UNCALIBRATED": 64,
   "WARNING_BROAD": 128,
   "WARNING_STRONG": 256,
+  "WARNING_FEW_WAVES": 512,
   "TABLE_LAYOUT": 1
 });
 
@@ -43,8 +48,26 @@ export const CONSTANTS = /** @type {const} */ ({
 
 /** Where the fields of the structs lie in WebAssembly's memory. @type {Record<string, Layout>} */
 export const LAYOUTS = {
+  asperity_estimate: {
+    size: 96,
+    fields: [
+      { name: "struct_size", type: "uint64_t", offset: 0 },
+      { name: "load", type: "double", offset: 8 },
+      { name: "friction_coefficient", type: "double", offset: 16 },
+      { name: "low", type: "double", offset: 24 },
+      { name: "high", type: "double", offset: 32 },
+      { name: "friction_force", type: "double", offset: 40 },
+      { name: "strength_share", type: "double", offset: 48 },
+      { name: "roughness_share", type: "double", offset: 56 },
+      { name: "measurement_share", type: "double", offset: 64 },
+      { name: "misfit", type: "double", offset: 72 },
+      { name: "warnings", type: "uint64_t", offset: 80 },
+      { name: "strength_source", type: "int32_t", offset: 88 },
+      { name: "reserved", type: "int32_t", offset: 92 },
+    ],
+  },
   asperity_params: {
-    size: 248,
+    size: 264,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "composite_modulus", type: "double", offset: 8 },
@@ -80,6 +103,8 @@ export const LAYOUTS = {
       { name: "calibration_load", type: "double", offset: 224 },
       { name: "calibration_friction_force", type: "double", offset: 232 },
       { name: "calibration_error", type: "double", offset: 240 },
+      { name: "summit_mean_height", type: "double", offset: 248 },
+      { name: "rms_slope", type: "double", offset: 256 },
     ],
   },
   asperity_material_data: {
@@ -141,12 +166,12 @@ export const LAYOUTS = {
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "load", type: "double", offset: 8 },
-      { name: "separation", type: "double", offset: 16 },
+      { name: "gap", type: "double", offset: 16 },
       { name: "friction_force", type: "double", offset: 24 },
       { name: "friction_coefficient", type: "double", offset: 32 },
       { name: "dforce_dload", type: "double", offset: 40 },
       { name: "dmu_dload", type: "double", offset: 48 },
-      { name: "dload_dseparation", type: "double", offset: 56 },
+      { name: "dload_dgap", type: "double", offset: 56 },
       { name: "real_area", type: "double", offset: 64 },
       { name: "contacting", type: "double", offset: 72 },
       { name: "attracted", type: "double", offset: 80 },
@@ -245,12 +270,12 @@ export const WORDS = {
 /**
  * @typedef {object} State
  * @property {number} load Normal load P [force]; negative pulls.
- * @property {number} separation Separation d of the flat from the mean of the summit heights [length].
+ * @property {number} gap Gap between the mean planes of the surfaces [length].
  * @property {number} friction_force Friction force F [force], >= 0.
  * @property {number} friction_coefficient Friction coefficient F/P [-], at most `max_friction_coefficient`.
  * @property {number} dforce_dload dF/dP [-]; infinity at the pull-off load itself.
  * @property {number} dmu_dload d(F/P)/dP [1/force]; 0 where the coefficient is capped.
- * @property {number} dload_dseparation dP/dd [force/length]: minus the normal contact stiffness.
+ * @property {number} dload_dgap d(load)/d(gap) [force/length]: minus the normal contact stiffness.
  * @property {number} real_area Real area of contact [length^2].
  * @property {number} contacting Number of summits in contact [-]; need not be an integer.
  * @property {number} attracted Number of summits that attract without contact [-].
@@ -267,10 +292,10 @@ export const WORDS = {
  * @property {number} tangential_stiffness K_t [force/length]: tangential force by displacement while all contacts stick.
  * @property {number} fraction_elastic Fraction of the contacts below first yield [-]; 1 for "maugis" without a hardness.
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
- * @property {number} contact_radius_sum Sum of the radii of all contacts [length]. The constriction conductance, thermal or electrical, of independent contacts is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
+ * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
- * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load, from the number of contacts; 0 if `asperity_count` is 1.
- * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 if `asperity_count` is 1.
+ * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+ * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as `friction_scatter`.
  */
 
 /**
@@ -285,7 +310,7 @@ export const WORDS = {
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
- * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load.
+ * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times (docs/contract.md).
  * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 2e-10 where that is more.
  */
 
@@ -338,12 +363,14 @@ export const WORDS = {
  * @property {ArrayLike<number>} [table_height] `table_length` summit heights in ascending order, in any unit and from any origin: the library standardises them. Each exceeds the one before by at least 1e-12 of their range. Read only for "tabulated", and copied when a model is made. Empty by default.
  * @property {ArrayLike<number>} [table_density] The density at each of these heights, >= 0; it need not be normalised. Empty by default.
  * @property {number} [tangential_modulus] G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
- * @property {number} [nominal_area] Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
+ * @property {number} [nominal_area] Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the summits approach by. A/A_0 counts as 0.5 at most.
  * @property {"maugis" | "elastic-plastic"} [contact_law] Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
  * @property {"partial" | "whole"} [slip_onset] How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not depend on it, the tangential force before gross slip does.
  * @property {number} [pressure_coefficient] kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
- * @property {number} [bandwidth] Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
+ * @property {number} [bandwidth] Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
  * @property {number} [calibration_load] Load of the measurement that set the strength of the interface [force]; 0 if there was none.
  * @property {number} [calibration_friction_force] Friction force measured at that load [force], >= 0; 0, the default: not calibrated.
  * @property {number} [calibration_error] Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
+ * @property {number} [summit_mean_height] Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+ * @property {number} [rms_slope] Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
  */

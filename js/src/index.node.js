@@ -7,5 +7,6 @@ const instance = await instantiate(
   await readFile(new URL("./asperity.wasm", import.meta.url)),
 );
 export const { Model, version, warningsOf, warningsText, memorySize } = instance;
+export const { estimate, estimateText } = instance;
 export const { readText, toText, paper, calibrate, calibrateForce, withElasticPlastic, withInterface } = instance;
-export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact, nayakSummits } = instance;
+export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact, mccoolSummits } = instance;

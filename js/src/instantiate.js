@@ -1,12 +1,14 @@
 // The package on WebAssembly that the caller brings: for single files, workers and hosts with their own way to load.
 import { CONSTANTS } from "./header.js";
 import { AsperityError, Library } from "./library.js";
+import { estimate, estimateText } from "./estimate.js";
 import { materialsOf } from "./materials.js";
 import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
 import { calibrate, calibrateForce, paper, readText, toText, withElasticPlastic, withInterface } from "./params.js";
-import { nayakSummits } from "./roughness.js";
+import { mccoolSummits } from "./roughness.js";
 
 /** @typedef {import("./params.js").Params} Params */
+/** @typedef {import("./estimate.js").Estimate} Estimate */
 /** @typedef {import("./model.js").State} State */
 /** @typedef {import("./model.js").Summary} Summary */
 /** @typedef {import("./model.js").Sensitivities} Sensitivities */
@@ -22,8 +24,11 @@ import { nayakSummits } from "./roughness.js";
  * @property {string} version of the library
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
  * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
- * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} nayakSummits roughness from
- *   spectral moments, with the heights and radii that summits of a Gaussian surface have
+ * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} mccoolSummits roughness from
+ *   spectral moments as McCool has it, all summits with one radius
+ * @property {<T extends number | ArrayLike<number>>(text: string, load: T) => T extends number ? Estimate : Estimate[]} estimate
+ *   friction at loads with its band, from the text of a surface alone
+ * @property {(text: string, load: number | ArrayLike<number>) => string} estimateText the same for people
  * @property {(text: string, params?: Params) => Params} readText the surfaces that a text in TOML describes, in SI units
  * @property {(params: Params) => string} toText a text of which `readText` makes the same surfaces
  * @property {() => Params} paper the paper's case, in its units
@@ -73,7 +78,9 @@ export async function instantiate(source) {
     warningsOf: (bits) => warningsOf(library, bitsOf("bits", bits)),
     warningsText: (bits) => warningsText(library, bitsOf("bits", bits)),
     ...materialsOf(library),
-    nayakSummits: (moments, nominal_area) => nayakSummits(library, moments, nominal_area),
+    mccoolSummits: (moments, nominal_area) => mccoolSummits(library, moments, nominal_area),
+    estimate: (text, load) => estimate(library, text, load),
+    estimateText: (text, load) => estimateText(library, text, load),
     readText: (text, params) => readText(library, text, params),
     toText: (params) => toText(library, params),
     paper: () => paper(library),

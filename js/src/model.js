@@ -141,23 +141,23 @@ export class Model {
   }
 
   /**
-   * Normal load at a separation of the mean planes, or at many: 0 at pull-off and beyond.
+   * Normal load at a gap between the mean planes, or at many: 0 at pull-off and beyond.
    * @template {number | Loads} T
-   * @param {T} separation of the flat from the mean of the summit heights [length]
+   * @param {T} gap between the mean planes of the surfaces [length]
    * @returns {T extends number ? number : Float64Array}
    */
-  loadAtSeparation(separation) {
-    return this.#values("loads_at_separations", separation);
+  loadAtGap(gap) {
+    return this.#values("loads_at_gaps", gap);
   }
 
   /**
-   * Normal load at a separation, or at many, and its slope d(load)/d(separation): minus the normal stiffness.
+   * Normal load at a gap, or at many, and its slope d(load)/d(gap): minus the normal stiffness.
    * @template {number | Loads} T
-   * @param {T} separation of the flat from the mean of the summit heights [length]
+   * @param {T} gap between the mean planes of the surfaces [length]
    * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
    */
-  loadAndSlopeAtSeparation(separation) {
-    return this.#valuesAndSlopes("loads_at_separations", separation);
+  loadAndSlopeAtGap(gap) {
+    return this.#valuesAndSlopes("loads_at_gaps", gap);
   }
 
   /**
@@ -182,12 +182,12 @@ export class Model {
   }
 
   /**
-   * The exact state at a separation.
-   * @param {number} separation of the flat from the mean of the summit heights [length]
+   * The exact state at a gap.
+   * @param {number} gap between the mean planes of the surfaces [length]
    * @returns {State}
    */
-  stateAtSeparation(separation) {
-    return this.library.fill("asperity_state", "state_at_separation", this.#open, separation);
+  stateAtGap(gap) {
+    return this.library.fill("asperity_state", "state_at_gap", this.#open, gap);
   }
 
   /**
@@ -275,14 +275,14 @@ export class Model {
   }
 
   /**
-   * Throws the library's message about a load, or a separation, that it answered with NaN.
+   * Throws the library's message about a load, or a gap, that it answered with NaN.
    * @param {string} name of the call
    * @param {number} argument
    * @param {string} place
    */
   #refuse(name, argument, place) {
     try {
-      if (name === "loads_at_separations") this.stateAtSeparation(argument);
+      if (name === "loads_at_gaps") this.stateAtGap(argument);
       else this.stateAtLoad(argument);
     } catch (error) {
       if (error instanceof AsperityError) throw new AsperityError(place + error.message, error.status);

@@ -2,42 +2,41 @@
 // asperity.surface of the Python package compute them; and summits from moments.
 import { initParams, number, only, readStruct } from "./params.js";
 
-/** Variances of height, slope and curvature along profiles. @typedef {{ m0: number, m2: number, m4: number }} Moments */
+/** Variances of height, slope and, where it is known, curvature along profiles. @typedef {{ m0: number, m2: number, m4?: number }} Moments */
 
 /**
- * Of an isotropic surface with Gaussian summits, from what an instrument tells. Lengths in one unit, in m for SI.
- * @param {{ Sq: number, Sdq: number, Sds?: number, Ssc?: number }} areal Sq [length], Sdq, and the density of summits Sds
- *   [1/length^2] or their mean curvature Ssc [1/length]
+ * Of an isotropic surface, from what an instrument tells. Lengths in one unit, in m for SI.
+ * @param {{ Sq: number, Sdq: number, Sds?: number, Ssc?: number }} areal Sq [length] and Sdq; where it is known, which hardly
+ *   matters, the mean curvature of the summits Ssc [1/length], or their density Sds [1/length^2]
  * @returns {Moments}
  */
 export function momentsOfAreal({ Sq, Sdq, Sds, Ssc }) {
-  if ((Sds === undefined) === (Ssc === undefined))
-    throw new TypeError("give either Ssc or Sds: Sq and Sdq do not tell how sharp the summits are");
   for (const [name, value] of Object.entries({ Sq, Sdq, Sds, Ssc }))
     if (value !== undefined && !(value > 0 && Number.isFinite(value)))
       throw new RangeError(`${name} = ${value}: must be finite and > 0`);
   const m2 = (Sdq * Sdq) / 2;
-  const m4 = Ssc === undefined ? 6 * Math.PI * Math.sqrt(3) * m2 * Number(Sds) : ((9 * Math.PI) / 64) * Ssc * Ssc;
-  return { m0: Sq * Sq, m2, m4 };
+  const moments = { m0: Sq * Sq, m2 };
+  if (Ssc !== undefined) return { ...moments, m4: ((9 * Math.PI) / 64) * Ssc * Ssc };
+  return Sds === undefined ? moments : { ...moments, m4: 6 * Math.PI * Math.sqrt(3) * m2 * Sds };
 }
 
-/** What `asperity_params_set_nayak_summits` sets. */
-const NAYAK = ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "height_distribution", "skew", "kurtosis",
-  "radius_amplitude", "radius_rate"];
+/** What `asperity_params_set_mccool_summits` sets. */
+const SUMMITS = ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "radius_amplitude", "radius_rate",
+  "summit_mean_height", "rms_slope"];
 
 /**
- * The roughness with the heights and radii that the summits of a Gaussian surface have (Nayak, 1971), for narrow spectra:
- * bandwidths m0 m4/m2^2 from 1.5 to 2. Moments alone, as parameters, give all summits one radius.
+ * The summits of a Gaussian surface, all with one radius (McCool, 1987), to compare with literature: right for narrow spectra
+ * alone. Moments as parameters, `new Model({ m0, m2, nominal_area, ... })`, are right for all. m4 must be known.
  * @param {import("./library.js").Library} library
  * @param {Moments} moments
  * @param {number} nominal_area [length^2]
  * @returns {import("./params.js").Params}
  */
-export function nayakSummits(library, { m0, m2, m4 }, nominal_area) {
+export function mccoolSummits(library, { m0, m2, m4 }, nominal_area) {
   const values = Object.entries({ m0, m2, m4, nominal_area }).map(([name, value]) => number(name, value));
   initParams(library);
-  library.run("params_set_nayak_summits", library.struct, ...values);
-  return only(readStruct(library), NAYAK);
+  library.run("params_set_mccool_summits", library.struct, ...values);
+  return only(readStruct(library), SUMMITS);
 }
 
 /**
@@ -46,7 +45,7 @@ export function nayakSummits(library, { m0, m2, m4 }, nominal_area) {
  * @param {number} columns in a row
  * @param {number} dx distance of columns, in the unit of the heights
  * @param {number} [dy] distance of rows; by default dx
- * @returns {Moments & { area: number, isotropy: number }} also the area of the map, and the lesser over the greater
+ * @returns {Required<Moments> & { area: number, isotropy: number }} also the area of the map, and the lesser over the greater
  *   principal mean square slope: 1 for isotropic surfaces, 0 for grooves, for which the model does not hold
  */
 export function momentsOfMap(heights, columns, dx, dy = dx) {

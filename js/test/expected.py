@@ -2,7 +2,6 @@
 
 maps: .npy files with a distance of points [m] and a power of ten of the unit of the heights; answered with their moments.
 areal: areal parameters; answered with the moments, from the parameters that `Params.from_iso25178` makes.
-bands: parameters by name, spreads and loads; answered with friction and the ends of its band.
 """
 
 import json
@@ -14,7 +13,7 @@ from typing import Any
 import numpy as np
 
 import asperity
-from asperity import Params, surface, uncertainty
+from asperity import Params, surface
 
 
 def moments(file: str, step: float, power: int) -> dict[str, float]:
@@ -23,12 +22,6 @@ def moments(file: str, step: float, power: int) -> dict[str, float]:
         found = surface.summits(np.load(file).astype(float) * 10.0**power, dx=step)
     of = found.moments
     return {"m0": of.m0, "m2": of.m2, "m4": of.m4, "isotropy": found.isotropy, "area": found.nominal_area}
-
-
-def band(params: dict[str, Any], spread: dict[str, float], loads: list[float]) -> dict[str, list[float]]:
-    make = Params.from_spectral_moments if "m0" in params else Params.si
-    found = uncertainty(make(**params), spread, loads)
-    return {"mu": list(found.value), "low": list(found.low), "high": list(found.high)}
 
 
 def areal(given: dict[str, float], nominal_area: float) -> dict[str, float]:
@@ -47,6 +40,6 @@ def finite(value: Any) -> Any:
     return float(value)
 
 
-ANSWERS = {"maps": moments, "bands": band, "areal": areal}
+ANSWERS = {"maps": moments, "areal": areal}
 questions = json.load(sys.stdin)
 json.dump({kind: [finite(ANSWERS[kind](*one)) for one in asked] for kind, asked in questions.items()}, sys.stdout)

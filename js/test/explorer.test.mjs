@@ -4,14 +4,15 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { test } from "node:test";
+import { gunzipSync } from "node:zlib";
 import * as asperity from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { banded, curveOf, deviation, findSpans, isPartial } from "../explorer/curves.js";
+import { decoded, encoded } from "../explorer/base85.js";
+import { curveOf, findSpans, isPartial } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
 import { decade, missing, rests, SHORT, spanText, strength, unmeasured, withUnit } from "../explorer/text.js";
-import { spreadOf } from "../explorer/uncertainty.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
 
@@ -27,17 +28,12 @@ const file = (name, bytes) => {
   return path;
 };
 
-test("moments of a map, of areal parameters, and bands are those of the Python package", () => {
-  const spread = { composite_modulus: 0.05, work_of_adhesion: 0.3, height_std: 0.1, summit_radius: 0.2, asperity_count: 0.2,
-    burgers_vector: 0.02, slip_stress: 0.3 };
-  const params = { ...contact("mica", "Au"), height_std: 3e-9, summit_radius: 2e-6, asperity_count: 1e5, nominal_area: 1e-8 };
-  const loads = [1e-4, 1e-3, 1e-2];
-  const areal = { Sq: 5e-9, Sdq: 0.08, Sds: 2e13 };
+test("moments of a map and of areal parameters are those of the Python package", () => {
+  const areal = { Sq: 5e-9, Sdq: 0.08 };
   const pointed = { Sq: 5e-9, Sdq: 0.08, Ssc: 4e6 };
   const wanted = expected({
     maps: [[file("map.npy", npy(heights, [ROWS, COLUMNS])), 1e-8, -9]],
     areal: [[areal, 1e-8], [pointed, 1e-8]],
-    bands: [[params, spread, loads]],
   });
 
   const found = momentsOfMap(heights.map((z) => shifted(z, -9)), COLUMNS, 1e-8);
@@ -46,12 +42,6 @@ test("moments of a map, of areal parameters, and bands are those of the Python p
   [areal, pointed].forEach((given, i) => {
     const made = new Model({ ...contact("Si", "Si"), ...momentsOfAreal(given), nominal_area: 1e-8 }).params;
     for (const [name, value] of Object.entries(wanted.areal[i])) near(made[name], value, 1e-13, name);
-  });
-
-  const model = new Model(params);
-  loads.forEach((load, i) => {
-    const band = banded(model, load, spread);
-    for (const name of ["mu", "low", "high"]) near(band[name], wanted.bands[0][name][i], 1e-9, `${name} at ${load} N`);
   });
 });
 
@@ -68,8 +58,8 @@ test("maps that tell nothing are refused with what is wrong", () => {
   assert.throws(() => momentsOfMap(new Float64Array(100), 10, 1), /flat/);
   assert.throws(() => momentsOfMap(heights, COLUMNS, -1), /dx = -1: must be finite and > 0/);
   assert.throws(() => momentsOfMap(heights.map((z, i) => (i === 85 ? NaN : z)), COLUMNS, 1), /NaN in row 2, column 6/);
-  assert.throws(() => momentsOfAreal({ Sq: 1, Sdq: 1 }), /give either Ssc or Sds/);
-  assert.throws(() => momentsOfAreal({ Sq: -1, Sdq: 1, Sds: 1 }), /Sq = -1: must be finite and > 0/);
+  assert.deepEqual(momentsOfAreal({ Sq: 2, Sdq: 0.1 }), { m0: 4, m2: (0.1 * 0.1) / 2 });
+  assert.throws(() => momentsOfAreal({ Sq: -1, Sdq: 1 }), /Sq = -1: must be finite and > 0/);
 });
 
 test("files of all kinds give the same heights", () => {
@@ -174,75 +164,40 @@ test("a surface says whether its strength was measured", () => {
     assert.equal(measuredOf(one), undefined);
 });
 
-/** A half-width of a band, in standard deviations of ln F. */
-const deviationOf = ({ low, high }) => Math.log(high / low) / (2 * 1.959963984540054);
+/** The curve of a surface of the page. */
+const shown = (surface, loads = [1e-5, 0.1]) => curveOf(asperity, paramsOf(surface), loads, snippet("TOML", surface));
 
-test("a measured point narrows the band by Bayes' rule", () => {
-  const surface = { ...start(asperity), calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
-  const { spread, error } = spreadOf(surface, { height_std: 0.1, asperity_count: 0.2, work_of_adhesion: 0.3, unmeasured: 1.175, given: 0.3, measured: 0.05 });
-  assert.deepEqual(spread, { height_std: 0.1, asperity_count: 0.2, work_of_adhesion: 0.3, slip_stress: 1.175 });
-  const params = { ...paramsOf(surface), calibration_error: error };
-  const { model, band, loads } = curveOf(asperity, params, [1e-5, 0.1], spread);
-  // The rule with whole matrices.
-  const names = Object.keys(spread);
-  const slopes = (load) => {
-    const found = model.sensitivitiesAtLoad(load);
-    return names.map((name) => (name === "slip_stress" ? found.slip_stress_1 + found.slip_stress_2 : found[name]));
-  };
-  const dot = (one, other) => one.reduce((sum, value, i) => sum + value * other[i], 0);
-  const h = slopes(1e-3);
-  const prior = names.map((row) => names.map((column) => (row === column ? spread[row] ** 2 : 0)));
-  const Sh = prior.map((row) => dot(row, h));
-  const after = prior.map((row, i) => row.map((value, j) => value - (Sh[i] * Sh[j]) / (dot(h, Sh) + error ** 2)));
-  for (const load of [1e-5, 3e-4, 1e-3, 0.1]) {
-    const g = slopes(load);
-    near(deviationOf(band(load)), Math.sqrt(dot(g, after.map((row) => dot(row, g)))), 1e-9, `the band at ${load} N`);
-  }
-  // At the point what was known before hardly counts; away from it roughness does.
-  near(deviationOf(band(1e-3)), 0.05, 2e-3, "the band at the point");
-  for (const load of [loads[0], loads.at(-1)]) assert.ok(deviationOf(band(load)) > 1.005 * deviationOf(band(1e-3)), `at ${load} N`);
-  // A point almost without an error, and one of no use.
-  const exact = curveOf(asperity, { ...params, calibration_error: 1e-9 }, [1e-5, 0.1], spread).band(1e-3);
-  near(deviationOf(exact) + 1, 1, 1e-7, "an exact point");
-  near(deviation([0.1, 0.1], [2, 1], { slopes: [1, 1], error: 1e3 }), deviation([0.1, 0.1], [2, 1]), 1e-5, "a useless point");
-});
-
-test("of a law that meets a point exactly the band is that of laws that are made anew and calibrated again", () => {
-  const surface = { ...start(asperity), calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
-  const load = 0.05;
-  const params = { ...paramsOf(surface), calibration_error: 1e-9 };
-  const { model, band } = curveOf(asperity, params, [1e-5, 0.1], { summit_radius: 0.1, slip_stress: 100 });
-  const force = (summit_radius) => new Model(calibrate({ ...model.params, summit_radius }, 1e-3, 0.3)).frictionForceAtLoad(load);
-  const { summit_radius } = model.params;
-  const slope = (Math.log(force(1.001 * summit_radius)) - Math.log(force(0.999 * summit_radius))) / 0.002;
-  near(deviationOf(band(load)), 0.1 * Math.abs(slope), 2e-3, "the radius alone");
-});
-
-test("a strength that nobody measured is a factor 10 either way, and the page says so", () => {
-  const all = { height_std: 0, unmeasured: 1.175, given: 0.3, measured: 0.05 };
+test("the band is the library's estimate of the surface file, and its middle the curve of the model", () => {
   const silicon = start(asperity);
-  const of = (surface) => {
-    const { spread, error } = spreadOf(surface, all);
-    const params = { ...paramsOf(surface), calibration_error: error };
-    return { ...curveOf(asperity, params, [1e-5, 0.1], spread).band(1e-3), text: rests(surface, { spread, error }) };
-  };
+  const measured = { ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
+  for (const surface of [silicon, measured, { ...silicon, contact_law: "elastic-plastic" }, { ...silicon, slip_stress_1: "0.02" }]) {
+    const { model, band, loads, mu, low, high } = shown(surface);
+    loads.forEach((load, i) => near(mu[i], model.frictionAtLoad(load), 1e-6, `mu at ${load} N`));
+    const [one] = asperity.estimate(snippet("TOML", surface), [loads[60]]);
+    near(low[60], one.low, 1e-6, "the lower end");
+    near(high[60], one.high, 1e-6, "the upper end");
+    near(band(loads[60]).mu, mu[60], 1e-6, "at the load that is read");
+  }
+});
+
+test("a strength that nobody measured is an order of magnitude, and the page says so", () => {
+  const silicon = start(asperity);
+  const of = (surface) => ({ ...shown(surface).band(1e-3), text: rests(surface) });
   const bare = of(silicon);
-  near(bare.high / bare.mu, 10, 2e-3, "ten times higher");
-  near(bare.mu / bare.low, 10, 2e-3, "ten times lower");
-  assert.equal(bare.text, "strength not measured: a factor 10 either way");
+  near(bare.high / bare.mu, 10, 1e-6, "ten times higher");
+  near(bare.mu / bare.low, 10, 1e-6, "ten times lower");
+  assert.equal(bare.text, "strength not measured: an order of magnitude");
   const given = of({ ...silicon, slip_stress_1: "0.02" });
-  near(given.high / given.mu, Math.exp(1.959963984540054 * 0.3), 1e-6, "as the user sets it");
-  assert.equal(given.text, "strength as given: a factor 1.8 either way");
-  const pair = { ...silicon, first: "mica", second: "Au", ...fieldsOfPair(asperity, "mica", "Au") };
-  assert.equal(of(pair).text, given.text);
+  assert.ok(given.low === given.mu && given.high === given.mu);
+  assert.equal(given.text, "strength as given, taken as known");
   const measured = of({ ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3" });
-  near(measured.high / measured.mu, Math.exp(1.959963984540054 * 0.05), 1e-3, "at the point");
+  near(measured.high / measured.mu, Math.exp(1.959963984540054 * 0.05), 1e-2, "at the point");
   assert.equal(measured.text, "strength measured at 1.00 mN to 5 %");
 });
 
 test("warnings hold in the part of the loads that the library says", () => {
   const range = [1e-5, 0.1];
-  const curve = curveOf(asperity, paramsOf(start(asperity)), range, {});
+  const curve = shown(start(asperity), range);
   const { model, loads, warnings } = curve;
   findSpans(curve);
   const texts = Object.fromEntries(warnings.map((warning) => [warning.name, spanText(warning, range)]));
@@ -290,7 +245,7 @@ test("every warning has a short name", () => {
 test("a message of the library points to its field", () => {
   const areal = start(asperity);
   assert.equal(fieldOf("adhesion_range = -1e-9: must be finite and > 0", areal), "adhesion_range");
-  assert.equal(fieldOf("m4 = 1: too small", areal), "Sds");
+  assert.equal(fieldOf("rms_slope = 6: must be at most 5", areal), "Sdq");
   assert.equal(fieldOf("asperity_count: must be set", { ...areal, roughness: "summits" }), "summit_density");
   assert.equal(fieldOf("friction_force = 1 at load = 1: must be above 2", areal), "calibration_friction_coefficient");
   assert.equal(fieldOf("load = -1: is below", areal), "calibration_load");
@@ -301,6 +256,17 @@ test("the explorer is one file below 500 kB that asks for nothing", () => {
   const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
   assert.ok(Buffer.byteLength(page) < 500e3, `${Buffer.byteLength(page)} bytes`);
   assert.doesNotMatch(page, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
+});
+
+test("the library in the page is the library", () => {
+  const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
+  const [, text] = /id="library">([^<]*)</.exec(page);
+  const wasm = readFileSync(new URL("../dist/asperity.wasm", import.meta.url));
+  assert.ok(wasm.equals(gunzipSync(decoded(text))));
+  for (const length of [0, 1, 2, 3, 4, 5, 1000]) {
+    const bytes = Uint8Array.from({ length }, (_, i) => 255 - i * 37);
+    assert.deepEqual(decoded(encoded(bytes)), bytes, `${length} bytes`);
+  }
 });
 
 test("what is not known of a material is left empty, asked for, and said", () => {

@@ -9,7 +9,7 @@
  *                             such a line
  *   contact PAIR VALUE ...    the parameters of asperity_params_set_pair, of the values height_std, summit_radius,
  *                             asperity_count: one line of 64-bit numbers
- *   nayak M0 M2 M4 AREA       the parameters of asperity_params_set_nayak_summits, as the line before
+ *   mccool M0 M2 M4 AREA      the parameters of asperity_params_set_mccool_summits, as the line before
  *
  * What the library refuses is answered with "refused: " and its message. */
 #include <asperity.h>
@@ -119,7 +119,8 @@ static void print_params(const asperity_params *params) {
     const double values[] = {params->composite_modulus, params->effective_shear_modulus, params->tangential_modulus,
         params->work_of_adhesion, params->adhesion_range, params->burgers_vector, params->hardness,
         params->slip_stress_1, params->height_std, params->summit_radius, params->asperity_count,
-        params->nominal_area, params->bandwidth, params->skew, params->kurtosis, params->radius_amplitude, params->radius_rate};
+        params->nominal_area, params->bandwidth, params->skew, params->kurtosis, params->radius_amplitude, params->radius_rate,
+        params->summit_mean_height, params->rms_slope};
     print_bits(values, sizeof values / sizeof *values);
     putchar('\n');
 }
@@ -143,13 +144,13 @@ static void answer_contact(char *line) {
     asperity_free(model);
 }
 
-static void answer_nayak(char *line) {
+static void answer_mccool(char *line) {
     double values[4];
     for (int i = 0; i < 4; ++i)
         values[i] = strtod(line, &line);
     asperity_params params;
     asperity_params_init(&params, sizeof params);
-    if (asperity_params_set_nayak_summits(&params, values[0], values[1], values[2], values[3]) != ASPERITY_OK)
+    if (asperity_params_set_mccool_summits(&params, values[0], values[1], values[2], values[3]) != ASPERITY_OK)
         print_refused();
     else
         print_params(&params);
@@ -172,8 +173,8 @@ static int answer_table(char *line) {
         answer_interface(line + 10);
     else if (!strncmp(line, "contact ", 8))
         answer_contact(line + 8);
-    else if (!strncmp(line, "nayak ", 6))
-        answer_nayak(line + 6);
+    else if (!strncmp(line, "mccool ", 7))
+        answer_mccool(line + 7);
     else
         return 0;
     return 1;

@@ -69,11 +69,11 @@ export const entryOf = (what, name) => refusedOr(native([`${what} ${name}`])[0],
 /** The parameters that native.c prints, in its order. */
 export const PRINTED = ["composite_modulus", "effective_shear_modulus", "tangential_modulus", "work_of_adhesion",
   "adhesion_range", "burgers_vector", "hardness", "slip_stress_1", "height_std", "summit_radius", "asperity_count",
-  "nominal_area", "bandwidth", "skew", "kurtosis", "radius_amplitude", "radius_rate"];
+  "nominal_area", "bandwidth", "skew", "kurtosis", "radius_amplitude", "radius_rate", "summit_mean_height", "rms_slope"];
 const printed = (line) => refusedOr(line, (found) => Object.fromEntries(words(found).map((value, i) => [PRINTED[i], value])));
-/** Parameters of a pair, and of Nayak's summits, as bits by name. */
+/** Parameters of a pair, and of McCool's summits, as bits by name. */
 export const contactOf = (pair, ...values) => printed(native([`contact ${pair} ${values.map(digits).join(" ")}`])[0]);
-export const nayakOf = (...values) => printed(native([`nayak ${values.map(digits).join(" ")}`])[0]);
+export const mccoolOf = (...values) => printed(native([`mccool ${values.map(digits).join(" ")}`])[0]);
 
 /** The bits of a number. */
 export function bits(value) {

@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, interfaceOf, material, memorySize, nayakSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { answers, bits, contactOf, entries, entryOf, nayakOf, warningLoads, warningsText as nativeText } from "./native.mjs";
+import { answers, bits, contactOf, entries, entryOf, mccoolOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
 const silicon = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5, nominal_area: 1e-8 };
 const surfaces = {
@@ -26,14 +26,14 @@ const KNOWN = Object.entries(CONSTANTS).flatMap(([name, bit]) => (name.startsWit
 const loads = Array.from({ length: 25 }, (_, i) => 1e-7 * 10 ** (i / 3));
 
 for (const [name, params] of Object.entries(surfaces)) {
-  test(`the load at a separation is that of the exact state: ${name}`, () => {
+  test(`the load at a gap is that of the exact state: ${name}`, () => {
     const model = new Model(params);
-    const { separation, dload_dseparation: slope } = model.stateAtLoad(1e-3);
-    const found = model.loadAndSlopeAtSeparation(separation);
+    const { gap, dload_dgap: slope } = model.stateAtLoad(1e-3);
+    const found = model.loadAndSlopeAtGap(gap);
     assert.ok(Math.abs(found.value / 1e-3 - 1) < 1e-8 && Math.abs(found.slope / slope - 1) < 1e-6);
-    assert.equal(model.loadAtSeparation(separation), found.value);
-    assert.deepEqual([...model.loadAtSeparation([1, separation])], [0, found.value]);
-    assert.throws(() => model.loadAtSeparation([separation, NaN]), /element 1: separation = NaN/);
+    assert.equal(model.loadAtGap(gap), found.value);
+    assert.deepEqual([...model.loadAtGap([1, gap])], [0, found.value]);
+    assert.throws(() => model.loadAtGap([gap, NaN]), /element 1: gap = NaN/);
   });
 
   test(`answers have the bits of the native library: ${name}`, () => {
@@ -250,6 +250,23 @@ test("a text in TOML is a surface", () => {
   assert.equal(readText("height_std = 1e-9", silicon).summit_radius, silicon.summit_radius);
 });
 
+test("a text alone has friction with its band", () => {
+  const text = `pair = "steel/steel"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n[roughness]\nprocess = "ground"\nRa = 0.8e-6\n`;
+  const one = estimate(text, 10);
+  assert.ok(Math.abs(one.friction_coefficient - 0.194) < 5e-4 && one.low > 0.16 && one.high < 0.23);
+  assert.equal(one.strength_source, "measured");
+  assert.equal(one.friction_force, 10 * one.friction_coefficient);
+  const many = estimate(text, Float64Array.from({ length: 3000 }, (_, i) => 1 + i));
+  assert.equal(many.length, 3000);
+  assert.ok(Math.abs(many[9].low / one.low - 1) < 1e-6 && many[2999].load === 3000);
+  assert.match(estimateText(text, [10]), /^mu\(10 N\) = 0\.194, 95 % band 0\.167 to 0\.221\nrests on: /);
+  assert.deepEqual(estimate(text, []), []);
+  assert.throws(() => estimate(text, NaN), { status: Status.INVALID_LOAD, message: /element 0: load = NaN/ });
+  assert.throws(() => estimate("measured = 0.16", 1), { status: Status.INVALID_PARAMETER, message: /^line 1: measured = 0\.16/ });
+  assert.throws(() => estimateText("", 1), AsperityError);
+  assert.throws(() => estimate(/** @type {any} */ (undefined), 1), TypeError);
+});
+
 test("surfaces come back from their text, bit for bit", () => {
   const height = Float64Array.from({ length: 256 }, (_, i) => i + Math.sin(i) / 3);
   const table = { table_height: height, table_density: height.map((z) => Math.exp(-(((z - 128) / 30) ** 2))) };
@@ -435,16 +452,21 @@ test("a contact has the parameters of the native library's pair, in either order
   }
 });
 
-test("summits of Nayak's distribution are those of the native library", () => {
+test("summits of McCool are those of the native library, and moments need no m4", () => {
   const moments = { m0: 25e-18, m2: 0.0032, m4: 0.72e12 };
-  const made = nayakSummits(moments, 1e-8);
-  const native = nayakOf(...Object.values(moments), 1e-8);
-  for (const key of ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "skew", "kurtosis", "radius_amplitude", "radius_rate"])
-    assert.equal(bits(made[key]), native[key], key);
-  assert.equal(made.height_distribution, "johnson");
-  assert.ok(made.skew > 0 && made.radius_amplitude !== 0);
-  assert.ok(new Model({ ...contact("Si", "Si"), ...made }).frictionAtLoad(1e-3) > 0);
+  const made = mccoolSummits(moments, 1e-8);
+  const native = mccoolOf(...Object.values(moments), 1e-8);
+  for (const [key, value] of Object.entries(made)) assert.equal(bits(value), native[key], key);
+  assert.equal(Object.keys(made).length, 9);
+  const law = new Model({ ...contact("Si", "Si"), ...made });
+  assert.ok(law.frictionAtLoad(1e-3) > 0);
+  const { m4, ...two } = moments;
+  const { params } = new Model({ ...contact("Si", "Si"), ...two, nominal_area: 1e-8 });
+  assert.ok(params.radius_amplitude < 0 && params.bandwidth === 0 && params.rms_slope === 0.08);
+  const known = new Model({ ...contact("Si", "Si"), ...two, bandwidth: (m4 * moments.m0) / moments.m2 ** 2, nominal_area: 1e-8 }).params;
+  const same = new Model({ ...contact("Si", "Si"), ...moments, nominal_area: 1e-8 }).params;
+  assert.ok(Math.abs(known.summit_radius / same.summit_radius - 1) < 1e-14 && known.bandwidth === 0);
   const narrow = { ...moments, m4: 0.5e12 };
-  assert.throws(() => nayakSummits(narrow, 1e-8), { message: nayakOf(...Object.values(narrow), 1e-8).refused });
-  assert.throws(() => nayakSummits(moments, NaN), { message: nayakOf(...Object.values(moments), NaN).refused });
+  assert.throws(() => mccoolSummits(narrow, 1e-8), { message: mccoolOf(...Object.values(narrow), 1e-8).refused });
+  assert.throws(() => mccoolSummits(moments, NaN), { message: mccoolOf(...Object.values(moments), NaN).refused });
 });

@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, material, momentsOfMap, nayakSummits, paper, readText, toText, warningsText, withElasticPlastic, withInterface, type Material, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, material, momentsOfMap, mccoolSummits, paper, readText, toText, warningsText, withElasticPlastic, withInterface, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -18,13 +18,15 @@ const reference: string = PAIRS["Si/Si"].reference;
 const steel: Material = material("steel");
 // @ts-expect-error: a hardness may not be known
 const hardness: number = steel.hardness;
-const summits: Params = nayakSummits({ m0: 1, m2: 1, m4: 2 }, 1);
+const summits: Params = mccoolSummits({ m0: 1, m2: 1, m4: 2 }, 1);
 const measured: Params = calibrate({ ...params, pressure_coefficient: 0.1, bandwidth: 4, calibration_error: 0.1 }, 1e-3, 0.3);
 const kept: number | undefined = calibrateForce(withElasticPlastic(paper(), 1), 0, 3e-4).calibrated?.calibration_friction_force;
 const named: Params = { ...params, calibration_load: 1e-3, calibration_friction_coefficient: 0.3, Ra: 1e-8 };
 const pressed: number = model.stateAtLoad(1e-3).hertz_load + model.sensitivitiesAtLoad(1e-3).pressure_coefficient;
 const written: string = toText(readText("skew = 0.1", params));
 const filmed: Params = withInterface(params, "MoS2 film in dry air");
+const estimated: number = estimate("pair = 'Si/Si'", 1).low + estimate("pair = 'Si/Si'", [1])[0].misfit;
+const said: string = estimateText("pair = 'Si/Si'", [1]);
 const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);
 
 // @ts-expect-error: a load is a number or numbers
@@ -42,4 +44,4 @@ model.stateAtLoad(1).friction;
 
 const other = new (await instantiate(new Uint8Array())).Model({ ...params, height_distribution: "johnson" });
 other.setParams(model.params);
-export { AsperityError, between, both, filmed, hardness, kept, law, measured, moments, named, one, part, pressed, radius, reference, status, summits, told, unknown, warnings, written, wrong };
+export { AsperityError, between, both, estimated, filmed, hardness, kept, law, measured, moments, named, one, part, pressed, radius, reference, said, status, summits, told, unknown, warnings, written, wrong };

@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
+import { encoded } from "../explorer/base85.js";
 
 /** The page, from the sources in a folder and the library. */
 export async function page(folder, wasm) {
@@ -19,7 +20,7 @@ export async function page(folder, wasm) {
   const style = readFileSync(resolve(folder, "style.css"), "utf8") + chartStyle();
   const parts = {
     STYLE: `<style>\n${style}</style>`,
-    LIBRARY: `<script type="application/wasm" id="library">${gzipSync(wasm, { level: 9 }).toString("base64")}</script>`,
+    LIBRARY: `<script type="application/wasm" id="library">${encoded(gzipSync(wasm, { level: 9 }))}</script>`,
     SCRIPT: `<!-- Charts are drawn by uPlot:\n${licence()}-->\n<script>\n${bundle.outputFiles[0].text.replaceAll("</script", "<\\/script")}</script>`,
   };
   const text = readFileSync(resolve(folder, "page.html"), "utf8");

@@ -110,7 +110,7 @@ def test_the_figure_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, en
 def test_loads_at_which_the_model_does_not_hold_are_warned_of() -> None:
     done = asperity("curve --figure - --highest 1e9 --count 3")
     assert done.returncode == 0 and len(table(done.stdout)) == 3
-    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 1e+09: STEEP: contacts are too large")
+    assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 1e+09: STEEP: the surface is too steep")
 
 
 def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:
@@ -193,3 +193,20 @@ def test_a_bandwidth_is_judged() -> None:
     curve = f"curve --figure - --lowest 1e-3 --highest 1e-2 --count 2 {POLYSILICON}"
     assert "BROAD" in asperity(f"{curve} --bandwidth 30").stderr
     assert "BROAD" not in asperity(f"{curve} --bandwidth 3").stderr
+
+
+def test_friction_is_told_with_its_band(tmp_path: Path, root: Path) -> None:
+    ground = "--pair steel/steel --nominal-area 1e-4 --Ra 0.8e-6 --process ground --measured '[1000, 0.16]'"
+    done = asperity(f"friction {ground} --load 10 1000")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("mu(10 N) = 0.194, 95 % band 0.167 to 0.221\nmu(1000 N) = 0.16, ")
+    file = root / "tests" / "examples" / "ground.toml"
+    assert "rests on: pressure coefficient" in asperity(f"friction --surface {file} --load 10").stdout
+    # What is refused is named, with the line of a file.
+    assert "asperity: [roughness] process = \"grund\": must be one of" in asperity(f"friction {ground.replace('ground', 'grund')} --load 1").stderr
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text("measured = 0.16\n", encoding="utf-8")
+    assert asperity(f"friction --surface {wrong} --load 1").stderr.startswith(f"asperity: {wrong}: line 1: measured = 0.16: must be points")
+    assert asperity(f"friction --surface {file} --pair Si/Si --load 1").returncode == 2
+    assert asperity(f"friction {ground}").returncode == 2  # no load
+    assert asperity(f"friction --surface {tmp_path / 'none.toml'} --load 1").returncode == 1

@@ -156,8 +156,8 @@ def test_states_of_an_array_are_those_of_its_loads(model: Model) -> None:
         assert states.warning_bits.ravel()[i] == one.warnings
     assert states.warnings == states[0].warnings | states[5].warnings
     assert [state.load for state in states] == loads.ravel().tolist()
-    separations = model.state_at_separation([one.separation for one in states])
-    assert separations.load == pytest.approx(loads.ravel(), rel=1e-9)
+    gaps = model.state_at_gap([one.gap for one in states])
+    assert gaps.load == pytest.approx(loads.ravel(), rel=1e-9)
     assert "real_area" in dir(states) and "6 of them" in repr(states)
     frame = states.to_pandas()
     assert frame.shape[0] == 6 and frame["load"].tolist() == loads.ravel().tolist()
@@ -168,7 +168,7 @@ def test_states_are_refused_with_their_index(model: Model) -> None:
         model.state_at_load([[1.0, 2.0], [math.inf, 3.0]])
     with pytest.raises(TypeError, match="load: must be real numbers"):
         model.state_at_load("10")  # type: ignore[call-overload]
-    with pytest.raises(AttributeError, match="'area': states have load, separation"):
+    with pytest.raises(AttributeError, match="'area': states have load, gap"):
         model.state_at_load([1.0]).area
     assert len(model.state_at_load([])) == 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 from pathlib import Path
@@ -145,8 +146,14 @@ def test_the_number_of_rows_goes_with_the_tolerance(surface: Path, tolerance: st
 
 def test_the_page_tells_the_numbers_of_rows(surface: Path, root: Path) -> None:
     counts = [len(exported(surface, "csv", "--range", "1e3:70e6", "--tolerance", x)) for x in ("1e-2", "1e-3")]
-    page = " ".join((root / "docs" / "export.md").read_text(encoding="utf-8").split())
-    assert f"{counts[0]} rows at 1e-2, {counts[1]} at 1e-3" in page
+    page = root / "docs" / "export.md"
+    text = page.read_text(encoding="utf-8")
+    told, now = re.search(r"\d+ rows at 1e-2,\s\d+ at 1e-3", text), f"{counts[0]} rows at 1e-2, {counts[1]} at 1e-3"
+    assert told is not None
+    if "ASPERITY_WRITE_PAGES" in os.environ:
+        page.write_text(text.replace(told[0], now), encoding="utf-8")
+    else:
+        assert " ".join(told[0].split()) == now
 
 
 def test_pressures_are_in_the_unit_that_is_asked_for(surface: Path) -> None:

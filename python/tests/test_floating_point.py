@@ -29,8 +29,8 @@ def use_everything(gamma):
                     except Error:
                         pass
         model.state_at_load(10.0)
-        for separation in (-50.0, 0.0, 1e3):
-            model.state_at_separation(separation)
+        for gap in (-50.0, 0.0, 1e3):
+            model.state_at_gap(gap)
 """
 
 # FE_INVALID and the like as numbers: 1, 4 and 8 on x86, 1, 2 and 4 on ARM.

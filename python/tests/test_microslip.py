@@ -74,7 +74,7 @@ def test_a_loop_is_closed_and_its_work_is_the_area(law: Model) -> None:
 def test_equal_summits_dissipate_four_times_the_force_times_the_slip() -> None:
     """Far below the heights all summits are of one size."""
     model = Model(replace(ELASTIC, work_of_adhesion=0.0, slip_onset="whole"))
-    load = model.state_at_separation(-5e3 * ELASTIC.height_std).load
+    load = model.state_at_gap(-5e3 * ELASTIC.height_std).load
     force, stiffness = model.friction_force_at_load(load), model.tangential_stiffness_at_load(load)
     for part in (0.5, 1.0, 1.5, 3.0):
         loop = model.hysteresis(load, part * force / stiffness, points=2001)

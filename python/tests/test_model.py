@@ -180,8 +180,8 @@ def test_loads_without_an_answer_raise_and_name_their_index(
 def test_a_state_takes_numbers(model: Model, at: Any) -> None:
     with pytest.raises(TypeError, match="^load: must be real numbers, not an array of "):
         model.state_at_load(at)
-    with pytest.raises(TypeError, match="^separation: must be real numbers"):
-        model.state_at_separation(at)
+    with pytest.raises(TypeError, match="^gap: must be real numbers"):
+        model.state_at_gap(at)
     single: Any = np.float32(1.0)
     assert model.state_at_load(single) == model.state_at_load(1)
 
@@ -298,11 +298,11 @@ def test_warnings_need_a_hardness(params: Params) -> None:
         assert state.plasticity_index == pytest.approx(index, rel=1e-3) and state.warnings & Warnings.PLASTIC == warnings
 
 
-def test_load_and_separation_lead_to_the_same_state(model: Model) -> None:
+def test_load_and_gap_lead_to_the_same_state(model: Model) -> None:
     at_load = model.state_at_load(10.0)
-    at_separation = model.state_at_separation(at_load.separation)
+    at_gap = model.state_at_gap(at_load.gap)
     for name, value in vars(at_load).items():
-        assert getattr(at_separation, name) == pytest.approx(float(value), rel=1e-8), name
+        assert getattr(at_gap, name) == pytest.approx(float(value), rel=1e-8), name
 
 
 def test_the_compiled_law_is_as_good_as_the_summary_says(model: Model) -> None:
@@ -314,10 +314,10 @@ def test_the_compiled_law_is_as_good_as_the_summary_says(model: Model) -> None:
         assert model.friction_at_load(load) == pytest.approx(exact.friction_coefficient, rel=error + 1e-11)
 
 
-@pytest.mark.parametrize("separation", [math.nan, math.inf])
-def test_separations_must_be_finite(model: Model, separation: float) -> None:
-    with pytest.raises(Error, match="^separation = ") as caught:
-        model.state_at_separation(separation)
+@pytest.mark.parametrize("gap", [math.nan, math.inf])
+def test_gaps_must_be_finite(model: Model, gap: float) -> None:
+    with pytest.raises(Error, match="^gap = ") as caught:
+        model.state_at_gap(gap)
     assert caught.value.status is Status.INVALID_PARAMETER
 
 

@@ -96,7 +96,7 @@ def test_the_tallest_heights_are_those_of_whole_pads(silicon: Params, heights: d
     samples = [tail.sample(random, tail.exceeded_by(5.0)) for _ in range(600)]
     assert min(sample.size for sample in samples) >= 3 and all((np.diff(sample) <= 0).all() for sample in samples)
     with Model(params.replace(work_of_adhesion=0.0)) as model:
-        above = [[model.state_at_separation(z).fraction_in_contact for z in sample[:3]] for sample in samples]
+        above = [[model.state_at_gap(z).fraction_in_contact for z in sample[:3]] for sample in samples]
     first, second, third = -np.log1p(-np.array(above).T)
     for uniform in (np.exp(-500 * first), np.exp(-498 * (third - second))):
         off = np.sort(uniform) - (np.arange(600) + 0.5) / 600

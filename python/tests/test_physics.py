@@ -37,14 +37,14 @@ def test_an_independent_integration_gives_the_same_numbers(case: dict[str, Any])
     with Model(params) as model:
         pull_off = model.summary().pull_off_load
         for row in case["rows"]:
-            state = model.state_at_separation(row["separation"] * sigma)
+            state = model.state_at_gap(row["separation"] * sigma)
             assert state.load == pytest.approx(row["load"], rel=2e-10)
             assert state.friction_force == pytest.approx(row["friction"], rel=1e-11)
             assert state.contacting == pytest.approx(row["contacting"], rel=1e-11)
             assert state.real_area == pytest.approx(row["area"], rel=1e-11)
             assert state.attraction_load == pytest.approx(row["load_attracted"], abs=2e-10 * abs(row["load"]))
             # The slopes of the file are differences, good to about seven digits.
-            assert state.dload_dseparation * sigma == pytest.approx(row["dload_dseparation"], rel=1e-6)
+            assert state.dload_dgap * sigma == pytest.approx(row["dload_dseparation"], rel=1e-6)
             assert state.dforce_dload == pytest.approx(row["dfriction_dload"], rel=1e-6)
             if row["load"] > pull_off and row["dload_dseparation"] < 0:
                 force, slope = model.friction_force_at_load(row["load"], slope=True)
@@ -68,7 +68,7 @@ def test_without_adhesion_it_is_greenwood_and_williamson(height: int, integral: 
     )  # fmt: skip
     density, above = math.exp(-(height**2) / 2) / math.sqrt(2 * math.pi), math.erfc(height / math.sqrt(2)) / 2
     with Model(params) as model:
-        state = model.state_at_separation(height * sigma)
+        state = model.state_at_gap(height * sigma)
     assert state.load == pytest.approx(count * 4 / 3 * modulus * radius**0.5 * sigma**1.5 * integral, rel=3e-8)
     assert state.real_area == pytest.approx(count * math.pi * radius * sigma * (density - height * above), rel=1e-10)
     assert state.contacting == pytest.approx(count * above, rel=1e-11)

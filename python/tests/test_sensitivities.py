@@ -184,20 +184,56 @@ def test_a_measurement_tells_of_every_parameter_that_it_depends_on(rough: Params
     assert after.deviation[0] == pytest.approx(expected, rel=1e-9) == pytest.approx(after.parts["sigma"][0], rel=1e-9)
 
 
-@pytest.mark.parametrize("wide", [0.05, 0.15, 0.3])
-def test_the_band_at_the_load_of_the_measurement_is_that_of_the_measurement(wide: float) -> None:
-    """Within 5 %, one standard deviation, however little is known of the roughness: 1.103 is exp(1.96 0.05)."""
+@pytest.fixture(scope="module")
+def carbon() -> Params:
     carbon = Params.si(
         E1=493e9, nu1=0.25, E2=493e9, nu2=0.25, hardness=51e9, work_of_adhesion=0.06, adhesion_range=0.25e-9, burgers_vector=0.25e-9,
         height_std=0.8e-9, summit_radius=200e-9, summit_density=5e12, nominal_area=1e-6,
     )  # fmt: skip
-    known, loads = carbon.calibrated(1e-3, 0.3), [1e-5, 1e-3, 1e-1]
+    return carbon.calibrated(1e-3, 0.3)
+
+
+@pytest.mark.parametrize("wide", [0.05, 0.15, 0.3])
+def test_the_band_at_the_load_of_the_measurement_is_that_of_the_measurement(carbon: Params, wide: float) -> None:
+    """Within 5 %, one standard deviation, however little is known of the roughness: 1.103 is exp(1.96 0.05)."""
+    loads = np.array([1e-5, 1e-3, 1e-1])
     spread = {"height_std": wide, "work_of_adhesion": 2 * wide, "summit_radius": 2 * wide}
-    linear = uncertainty(known, spread, loads)
+    linear = uncertainty(carbon, spread, loads)
     assert linear.high[1] / linear.value[1] == pytest.approx(1.103, abs=1e-3) == linear.value[1] / linear.low[1]
-    drawn = uncertainty(known, spread, loads, samples=200, seed=1)
+    drawn = uncertainty(carbon, spread, loads, samples=300, seed=1)
+    assert drawn.samples is not None
     assert drawn.deviation[1] == pytest.approx(0.05, rel=0.15)
     assert (drawn.high / drawn.low)[1] < min((drawn.high / drawn.low)[[0, 2]])
+
+    # Elsewhere it is that of surfaces drawn as they were known before, with the probability that each gives to the measurement.
+    random = np.random.default_rng(2)
+    logs = []
+    for sigma, work, radius in np.exp(wide * np.array([1, 2, 2]) * random.standard_normal((300, 3))):
+        changed = carbon.replace(
+            height_std=sigma * carbon.height_std, work_of_adhesion=work * carbon.work_of_adhesion,
+            summit_radius=radius * carbon.summit_radius,
+        )  # fmt: skip
+        with Model(changed) as model:
+            logs.append(np.log(model.friction_force_at_load(loads)))
+    strength = math.log(10) / 1.959964 * random.standard_normal((300, 2000, 1))
+    before = (np.array(logs)[:, None, :] + strength).reshape(-1, 3)
+    weight = np.exp(-0.5 * ((before[:, 1] - math.log(0.3e-3)) / 0.05) ** 2)
+    for i in (0, 2):
+        order = np.argsort(before[:, i])
+        part = np.cumsum(weight[order]) / weight.sum()
+        for at in (0.1, 0.5, 0.9):
+            share = (np.log(drawn.samples[:, i] * loads[i]) <= before[order, i][np.searchsorted(part, at)]).mean()
+            assert share == pytest.approx(at, abs=0.09)
+
+
+def test_a_measurement_where_the_strength_is_known_leaves_surfaces_that_have_its_friction(carbon: Params) -> None:
+    """As many as that is likely; too few if it is next to impossible."""
+    spread = {"height_std": 0.2, "slip_stress": 0.0}
+    drawn = uncertainty(carbon, spread, [1e-3], samples=200)
+    linear = uncertainty(carbon, spread, [1e-3])
+    assert drawn.deviation == pytest.approx(linear.deviation, rel=0.15)
+    with pytest.raises(ValueError, match="have the friction that was measured"):
+        uncertainty(carbon.replace(calibration_error=1e-5), {"summit_radius": 1.0, "slip_stress": 0.0}, [1e-3], samples=2)
 
 
 def test_a_pressure_coefficient_has_its_part_of_the_measurement_in_each_surface_drawn(rough: Params) -> None:

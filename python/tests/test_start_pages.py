@@ -16,7 +16,11 @@ PAGES = ("ra", "rq-rsm", "height-map", "friction-data", "materials")
 @pytest.mark.parametrize("name", PAGES)
 def test_a_starting_point_runs_and_prints_what_it_says(root: Path, tmp_path: Path, name: str) -> None:
     page = root / "docs" / f"start-{name}.md"
-    assert [kind for kind, _ in blocks(page)] == ["c", "text", "python", "text"]
+    assert [kind for kind, _ in blocks(page)] == ["c", "text", "python", "text", "fortran", "text"]
+    found = blocks(page)
+    assert all(code.count("\n") <= 20 for kind, code in found if kind in ("c", "fortran"))
+    # The same in every language; Python's may say more before.
+    assert found[1] == found[5] and found[3][1].endswith(found[1][1].split("mu(")[0] if name == "height-map" else found[1][1])
     here = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     check_page(page, tmp_path, outside(PATH=here))
 

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from test_docs import MARK, blocks, outputs
+from test_docs import MARK, blocks, outputs, shows
 
 
 @pytest.fixture(scope="module")
@@ -16,7 +16,7 @@ def page(root: Path) -> list[tuple[str, str]]:
     return blocks(root / "docs" / "studies.md")
 
 
-def test_the_guide_to_studies_prints_what_it_says(page: list[tuple[str, str]], tmp_path: Path) -> None:
+def test_the_guide_to_studies_prints_what_it_says(root: Path, page: list[tuple[str, str]], tmp_path: Path) -> None:
     assert [text for kind, text in page if kind == "sh" and "pip" in text] == ["pip install './python[study,plot]'\n"]
     (study,) = [text for kind, text in page if kind == "toml"]
     (tmp_path / "study.toml").write_text(study, encoding="utf-8")
@@ -31,5 +31,5 @@ def test_the_guide_to_studies_prints_what_it_says(page: list[tuple[str, str]], t
         assert done.returncode == 0, done.stdout + done.stderr
         for i, output in zip(chosen, outputs(done.stdout, len(chosen))):
             if i + 1 < len(page) and page[i + 1][0] == "text":
-                assert output == page[i + 1][1]
+                shows(root / "docs" / "studies.md", i + 1, page[i + 1][1], output)
     assert (tmp_path / "indices.svg").read_text(encoding="utf-8").startswith("<?xml")

@@ -380,7 +380,7 @@ def measured() -> surface.Summits:
 
 
 def test_params_take_the_numbers_of_the_map(measured: surface.Summits) -> None:
-    params = Params.from_topography(measured, **MATERIAL)
+    params = Params.from_topography(measured, counted=True, **MATERIAL)
     trend = measured.radius_trend
     assert params.height_std == measured.height_std.value
     assert (params.summit_radius, params.radius_amplitude, params.radius_rate) == (
@@ -392,13 +392,12 @@ def test_params_take_the_numbers_of_the_map(measured: surface.Summits) -> None:
         assert 0 < model.friction_at_load(1e-4) < 2
 
 
-@pytest.mark.filterwarnings("ignore:bandwidth:asperity.ValidityWarning")
 def test_params_of_the_summits_are_those_of_the_moments_of_their_map(measured: surface.Summits) -> None:
     moments = measured.moments
     theory = Params.from_spectral_moments(
-        m0=moments.m0, m2=moments.m2, m4=moments.m4, nominal_area=measured.nominal_area, **MATERIAL
+        m0=moments.m0, m2=moments.m2, m4=moments.m4, nominal_area=measured.nominal_area, summits="mccool", **MATERIAL
     )
-    params = Params.from_topography(measured, trend=False, **MATERIAL)
+    params = Params.from_topography(measured, counted=True, trend=False, **MATERIAL)
     for name, estimate in (
         ("height_std", measured.height_std),
         ("summit_radius", measured.radius),
@@ -411,7 +410,7 @@ def test_params_of_the_summits_are_those_of_the_moments_of_their_map(measured: s
 
 
 def test_params_without_a_trend_have_the_mean_radius(measured: surface.Summits) -> None:
-    params = Params.from_topography(measured, trend=False, nominal_area=1e-8, **MATERIAL)
+    params = Params.from_topography(measured, counted=True, trend=False, nominal_area=1e-8, **MATERIAL)
     assert (params.summit_radius, params.radius_amplitude) == (measured.radius.value, 0.0)
     assert params.asperity_count == measured.density.value * 1e-8
     random = np.random.default_rng(2)
@@ -419,25 +418,25 @@ def test_params_without_a_trend_have_the_mean_radius(measured: surface.Summits) 
         1e-9 * paraboloids(0.1 * random.normal(size=(9, 9)), random.uniform(4, 8, size=(9, 9))), 1e-9, 1e-9, detrend=0
     )
     assert not flat.radius_trend.significant
-    assert Params.from_topography(flat, **MATERIAL).radius_amplitude == 0.0
+    assert Params.from_topography(flat, counted=True, **MATERIAL).radius_amplitude == 0.0
 
 
 def test_weibull_heights_have_the_skew_of_the_map(measured: surface.Summits) -> None:
-    params = Params.from_topography(measured, heights="weibull", attraction=False, **MATERIAL)
+    params = Params.from_topography(measured, counted=True, heights="weibull", attraction=False, **MATERIAL)
     with Model(params) as model:
         assert model.summary().skew == pytest.approx(measured.skew.value, abs=1e-9)
     assert not params.attraction
 
 
 def test_johnson_and_tabulated_heights_are_those_of_the_map(measured: surface.Summits) -> None:
-    johnson = Params.from_topography(measured, heights="johnson", **MATERIAL)
+    johnson = Params.from_topography(measured, counted=True, heights="johnson", **MATERIAL)
     assert johnson.height_distribution == "johnson"
     assert (johnson.skew, johnson.kurtosis) == (measured.skew.value, measured.kurtosis.value)
     with Model(johnson) as model:
         summary = model.summary()
         expected = measured.skew.value, measured.kurtosis.value
         assert (summary.skew, summary.kurtosis) == pytest.approx(expected, abs=1e-9)
-    tabulated = Params.from_topography(measured, heights="tabulated", **MATERIAL)
+    tabulated = Params.from_topography(measured, counted=True, heights="tabulated", **MATERIAL)
     height, density = np.array(tabulated.table_height), np.array(tabulated.table_density)
     assert tabulated.height_distribution == "tabulated" and np.all(np.diff(height) > 0)
     assert height[0] == measured.heights.min() and height[-1] == measured.heights.max()
@@ -452,7 +451,7 @@ def test_a_histogram_is_no_longer_than_a_table_may_be(measured: surface.Summits)
     height, density = far.histogram()
     assert height.size == density.size == 256
     smooth = np.exp(-(((height - height.mean()) / (0.2 * np.ptp(height))) ** 2))
-    with Model(Params.from_topography(far, **MATERIAL).replace(table_height=height, table_density=smooth)) as model:
+    with Model(Params.from_topography(far, counted=True, **MATERIAL).replace(table_height=height, table_density=smooth)) as model:
         assert model.friction_at_load(1e-3) > 0
 
 
@@ -460,8 +459,8 @@ def test_what_the_map_tells_cannot_be_given_too(measured: surface.Summits) -> No
     for name in ("height_std", "asperity_count", "radius_amplitude", "skew"):
         given: dict[str, Any] = MATERIAL | {name: 1.0}
         with pytest.raises(TypeError):
-            Params.from_topography(measured, **given)
+            Params.from_topography(measured, counted=True, **given)
     with pytest.raises(TypeError, match="summits = 5: must be what asperity.surface.summits returns"):
         Params.from_topography(5, **MATERIAL)  # type: ignore[arg-type]
     with pytest.raises(Error, match="height_distribution = 'beta': must be"):
-        Params.from_topography(measured, heights="beta", **MATERIAL)  # type: ignore[arg-type]
+        Params.from_topography(measured, counted=True, heights="beta", **MATERIAL)  # type: ignore[arg-type]

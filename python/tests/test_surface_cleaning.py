@@ -44,7 +44,7 @@ def spiked(height: Array, count: int = 30) -> tuple[Array, npt.NDArray[np.bool_]
 
 
 def friction(summits: surface.Summits) -> float:
-    with Model(Params.from_topography(summits, nominal_area=1e-8, **MATERIAL)) as model:
+    with Model(Params.from_topography(summits, counted=True, nominal_area=1e-8, **MATERIAL)) as model:
         return model.friction_at_load(1e-3)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Callable
 
 import pytest
+from test_docs import blocks, shows
 
 from asperity import Error, Model, Params, Warnings, _library
 from asperity.materials import MATERIALS, PAIRS
@@ -24,6 +25,7 @@ CONTACT: dict[str, Any] = {
 }
 BODIES: dict[str, Any] = {"E1": 493e9, "nu1": 0.25, "E2": 493e9, "nu2": 0.25}
 MOMENTS: dict[str, Any] = {"m0": 9.604e-17, "m2": 1.8e-3, "m4": 3.3736e11}
+ROUGH: dict[str, Any] = {"Sq": 9.8e-9, "Sdq": 0.06}
 
 
 def toml(table: dict[str, Any]) -> str:
@@ -32,6 +34,8 @@ def toml(table: dict[str, Any]) -> str:
 
 WHOLE = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\n{toml(MOMENTS)}"
 FIELDS = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6)
+# As on docs/surface-file.md.
+PAGE = Params.from_iso25178(**ROUGH, **BODIES, **CONTACT, nominal_area=1e-6)
 
 
 @pytest.fixture
@@ -115,7 +119,7 @@ def test_heights_are_chosen_as_in_si(surface_file: SurfaceFile) -> None:
         (WHOLE.replace("[roughness]", "[roughnes]"), r"line 11: \[roughnes\]: no such table; there are \[materials\] and \[roughness\]"),
         (WHOLE.replace("nominal_area = 1e-6\n", ""), "nominal_area: must be set"),
         (WHOLE.replace("m4", "Sq"), r"\[roughness\] Sq: is not for spectral moments, as m0 is"),
-        (WHOLE.replace("m4 = ", "# "), r"\[roughness\] m4: must be set"),
+        (WHOLE.replace("m2 = ", "# "), r"\[roughness\] m2: must be set"),
         (WHOLE.replace("nu2 = 0.25\n", ""), "so nu2 must be set there"),
         (WHOLE.replace("nu2 = 0.25", "nu2 = 0.6"), "nu2 = 0.6: must be > -1 and <= 0.5"),
         (WHOLE.replace("51000000000.0", "true"), "hardness = true: must be a number"),
@@ -146,15 +150,14 @@ def test_a_file_in_another_encoding_is_refused(tmp_path: Path) -> None:
 
 def test_the_page_has_this_surface(surface_file: SurfaceFile, root: Path) -> None:
     blocks = re.findall(r"```toml\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
-    assert [Params.from_toml(surface_file(block)) for block in blocks] == [FIELDS]
+    assert [Params.from_toml(surface_file(block)) for block in blocks] == [PAGE]
 
 
 def test_the_example_is_in_the_domain_of_the_model(surface_file: SurfaceFile) -> None:
     with Model(Params.from_toml(surface_file(WHOLE))) as model:
-        for pressure in (1e3, 70e6):
+        for pressure in (2e3, 70e6):
             state = model.state_at_load(pressure * 1e-6)
-            assert state.contacting >= 20 and state.fraction_in_contact < 0.1
-            assert not state.warnings & ~(Warnings.UNCALIBRATED | Warnings.BROAD)
+            assert state.contacting >= 20 and not state.warnings & ~Warnings.UNCALIBRATED
 
 
 @pytest.fixture
@@ -172,16 +175,17 @@ def reader(root: Path, compile_c: Callable[..., None], tmp_path: Path) -> Callab
 def test_a_program_in_c_has_the_surface_of_the_file(
     reader: Callable[[], subprocess.CompletedProcess[str]], root: Path, tmp_path: Path
 ) -> None:
-    (printed,) = re.findall(r"```text\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
-    nayak = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6, summits="nayak")
+    page = root / "docs" / "surface-file.md"
+    ((before, printed),) = ((i, text) for i, (kind, text) in enumerate(blocks(page)) if kind == "text")
+    mccool = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6, summits="mccool")
     table = FIELDS.replace(table_height=(0.0, 1.0, 2.0), table_density=(0.0, 1.0, 0.0))
-    for params in (FIELDS, FIELDS.elastic_plastic(30e9), nayak, FIELDS.replace(skew=0.4), FIELDS.replace(attraction=False), table):
+    for params in (PAGE, FIELDS.elastic_plastic(30e9), mccool, FIELDS.replace(skew=0.4), FIELDS.replace(attraction=False), table):
         params.to_toml(tmp_path / "surface.toml")
         with Model(params) as model:
             expected = [f"{load:.0e} N: mu = {model.friction_at_load(load):.4f}" for load in (1e-3, 1e-2, 1e-1, 1.0)]
         assert reader().stdout.splitlines() == expected
-        if params is FIELDS:
-            assert expected == printed.splitlines()
+        if params is PAGE:
+            shows(page, before, printed, "\n".join([*expected, ""]))
     (tmp_path / "surface.toml").write_text("hight_std = 3\n", encoding="utf-8")
     done = reader()
     assert done.returncode == 1 and done.stderr == "surface.toml: line 1: hight_std: no such key; the nearest is height_std\n"
@@ -226,7 +230,7 @@ def test_the_mean_deviation_stands_for_the_standard_one(surface_file: SurfaceFil
     expected = Params.from_spectral_moments(m0=m0, **rest, **BODIES, **CONTACT, nominal_area=1e-6)
     found = Params.from_toml(surface_file(head + toml(rest)))
     assert found.height_std == pytest.approx(expected.height_std, rel=1e-14)
-    assert found.bandwidth == pytest.approx(expected.bandwidth, rel=1e-14)
+    assert found.summit_radius == pytest.approx(expected.summit_radius, rel=1e-14)
     iso: dict[str, Any] = {"Sdq": 0.01, "Sds": 5e12}
     expected = Params.from_iso25178(Sq=math.sqrt(m0), **iso, **BODIES, **CONTACT, nominal_area=1e-6)
     assert Params.from_toml(surface_file(head + toml(iso))).height_std == pytest.approx(expected.height_std, rel=1e-14)

@@ -123,7 +123,7 @@ pub(crate) mod tests {
 
     /// Of elastic summits.
     pub fn elastic([alpha, beta, gamma, b_over_h]: [f64; 4]) -> Groups {
-        Groups { alpha, beta, gamma, b_over_h, hardness: f64::INFINITY, yields: false }
+        Groups { alpha, beta, gamma, b_over_h, hardness: f64::INFINITY, yields: false, nominal_area: 0.0 }
     }
 
     /// By s, by g and by the groups, at these parameters and at three radii.

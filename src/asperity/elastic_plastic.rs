@@ -159,7 +159,8 @@ mod tests {
     use super::*;
     use crate::asperity::contact::tests::assert_rates_are_secants;
 
-    const GROUPS: Groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: 0.01, yields: true };
+    const GROUPS: Groups =
+        Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: 0.01, yields: true, nominal_area: 0.0 };
 
     #[test]
     fn rates_are_slopes_of_secants() {

@@ -3,8 +3,6 @@
 use crate::distribution::{tabulated, weibull::Weibull};
 use crate::error::Error;
 use crate::params::{HeightFamily, Params};
-use crate::spectrum::SpectralMoments;
-use std::mem::replace;
 
 /// The families of heights as numbers.
 pub const GAUSSIAN: i32 = 0;
@@ -105,16 +103,6 @@ impl Draft {
     /// As [`Params::set_skew`].
     pub fn set_skew(&mut self, skew: f64) -> Result<(), Error> {
         self.choose_weibull(Weibull::shape_of_skew(skew)?);
-        Ok(())
-    }
-
-    /// As [`Params::set_nayak_summits`].
-    pub fn set_nayak_summits(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
-        let table = replace(&mut self.params.heights, HeightFamily::Gaussian);
-        self.params.set_nayak_summits(moments, nominal_area)?;
-        if let HeightFamily::Johnson { skew, kurtosis } = replace(&mut self.params.heights, table) {
-            self.choose_johnson(skew, kurtosis);
-        }
         Ok(())
     }
 }

@@ -35,7 +35,7 @@ macro_rules! fields {
 
 /// All of them. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last, setting one after
 /// another what another surface has copies that surface.
-pub static FIELDS: &[Field; 28] = fields! {
+pub static FIELDS: &[Field; 30] = fields! {
     composite_modulus: params.composite_modulus;
     effective_shear_modulus: params.effective_shear_modulus;
     work_of_adhesion: params.work_of_adhesion;
@@ -58,6 +58,8 @@ pub static FIELDS: &[Field; 28] = fields! {
     pressure_coefficient: params.pressure_coefficient;
     bandwidth: params.bandwidth;
     calibration_error: params.calibration_error;
+    summit_mean_height: params.summit_mean_height;
+    rms_slope: params.rms_slope;
     contact_law: params.contact_law as &["maugis", "elastic-plastic"];
     slip_onset: params.slip_onset as &["partial", "whole"];
     weibull_shape: weibull_shape;

@@ -36,12 +36,15 @@ impl Table {
                 "calibration_load",
                 "calibration_friction_coefficient",
                 "calibration_friction_force",
+                "measured",
+                "coverage",
                 HEIGHTS,
             ],
             Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
-            Self::Roughness => {
-                &["m0", "m2", "m4", "Ra", "Rq", "RSm", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits"]
-            }
+            Self::Roughness => &[
+                "m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits",
+                "process",
+            ],
         }
     }
 
@@ -69,13 +72,17 @@ impl Display for Table {
 const HEIGHTS: &str = "heights";
 
 /// What is said of words that people expect to be keys.
-const EXPECTED: [(&[&str], &str); 8] = [
+const EXPECTED: [(&[&str], &str); 9] = [
     (
         &["Rz", "Rt", "Rp", "Rv", "Rmax", "Sz", "Sp", "Sv"],
         "a height from peak to valley, which grows with the length measured: give Ra or Rq",
     ),
     (&["Sa"], "give it as Ra"),
-    (&["mu", "friction", "friction_coefficient"], "give calibration_friction_coefficient with calibration_load"),
+    (
+        &["mu", "friction", "friction_coefficient"],
+        "give calibration_friction_coefficient with calibration_load, in a text also measured = [[load, coefficient]]",
+    ),
+    (&["machining", "finish"], "give process in [roughness] of a text"),
     (&["sigma"], "the standard deviation of the summit heights is height_std"),
     (&["R", "radius"], "the radius of the summits is summit_radius"),
     (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2, in a text in [materials]"),

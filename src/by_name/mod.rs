@@ -17,7 +17,8 @@ pub use draft::Draft;
 pub use fields::FIELDS;
 pub use keys::meant;
 pub use numbers::{Numbers, ARGUMENTS};
-pub use surface::read;
+pub use roughness::{Case, Machined};
+pub use surface::{describe, of_points, read, Described};
 pub use toml::LONGEST;
 pub use write::{is_of_these_surfaces, write};
 

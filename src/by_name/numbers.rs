@@ -38,32 +38,14 @@ pub struct Numbers {
     /// Two materials by their names.
     pub bodies: Option<Bodies>,
     pub interface: Option<&'static Interface>,
-    /// Whether moments stand for summits with Nayak's heights and radii, not for equal ones.
-    pub has_nayak_summits: bool,
+    /// Whether moments stand for McCool's summits.
+    pub has_mccool_summits: bool,
 }
 
 impl Default for Numbers {
     fn default() -> Self {
         let values = [None; FIELDS.len() + ARGUMENTS.len()];
-        Self { values, bodies: None, interface: None, has_nayak_summits: false }
-    }
-}
-
-/// A measurement of friction, to which the strength of the interface is set.
-#[derive(Debug, Clone, Copy)]
-pub enum Measured {
-    Coefficient { load: f64, coefficient: f64 },
-    Force { load: f64, force: f64 },
-}
-
-impl Measured {
-    /// # Errors
-    /// Those of [`Params::calibrate`] and [`Params::calibrate_force`].
-    pub fn set(&self, params: &mut Params) -> Result<(), Error> {
-        match *self {
-            Self::Coefficient { load, coefficient } => params.calibrate(load, coefficient),
-            Self::Force { load, force } => params.calibrate_force(load, force),
-        }
+        Self { values, bodies: None, interface: None, has_mccool_summits: false }
     }
 }
 
@@ -119,10 +101,10 @@ impl Numbers {
             draft.params.work_of_adhesion = 0.0;
         }
         // After `nominal_area`, which they need.
-        if let Some([m0, m2, m4]) = self.moments()? {
-            let (moments, area) = (SpectralMoments { m0, m2, m4 }, draft.params.nominal_area);
-            match self.has_nayak_summits {
-                true => draft.set_nayak_summits(moments, area)?,
+        if let Some(moments) = self.moments()? {
+            let area = draft.params.nominal_area;
+            match self.has_mccool_summits {
+                true => draft.params.set_mccool_summits(moments, area)?,
                 false => draft.params.set_spectral_moments(moments, area)?,
             }
         }
@@ -153,20 +135,32 @@ impl Numbers {
         Ok(())
     }
 
-    /// m0, m2 and m4, the first from Ra where that is given: of Gaussian heights the mean deviation is (2/pi)^(1/2) times the
-    /// standard one.
-    fn moments(&self) -> Result<Option<[f64; 3]>, Error> {
-        let together = "must be given too: m0, m2 and m4 go together";
-        let Some(roughness) = self.get("Ra") else { return self.together(["m0", "m2", "m4"], together) };
-        if self.get("m0").is_some() {
-            return Err(meaningless("Ra: must not be given together with m0, which it replaces"));
-        }
-        positive("Ra", roughness)?;
-        let says = "must be given too: m0 or Ra, m2 and m4 go together";
-        match self.together(["m2", "m4"], says)? {
-            Some([m2, m4]) => Ok(Some([FRAC_PI_2 * (roughness * roughness), m2, m4])),
-            None => Err(Error::Missing { name: "m2", says }),
-        }
+    /// m0, or Ra in its place, and m2, with m4 or the bandwidth where they are given: of Gaussian heights the mean deviation
+    /// is (2/pi)^(1/2) times the standard one.
+    fn moments(&self) -> Result<Option<SpectralMoments>, Error> {
+        let [m0, m2, m4, ra, bandwidth] = ["m0", "m2", "m4", "Ra", "bandwidth"].map(|name| self.get(name));
+        let missing =
+            |name| Error::Missing { name, says: "must be given too: m2 goes with m0 or Ra, and m4 with both" };
+        let m0 = match (m0, ra) {
+            (Some(_), Some(_)) => return Err(meaningless("Ra: must not be given together with m0, which it replaces")),
+            (None, Some(ra)) => {
+                positive("Ra", ra)?;
+                Some(FRAC_PI_2 * (ra * ra))
+            }
+            (m0, None) => m0,
+        };
+        let (m0, m2) = match (m0, m2) {
+            (Some(m0), Some(m2)) => (m0, m2),
+            (None, None) if m4.is_none() => return Ok(None),
+            (None, _) => return Err(missing("m0")),
+            (_, None) => return Err(missing("m2")),
+        };
+        let of_bandwidth = |bandwidth: f64| bandwidth * m2 * (m2 / m0);
+        Ok(Some(SpectralMoments {
+            m0,
+            m2,
+            m4: m4.filter(|m4| *m4 != 0.0).or(bandwidth.map(of_bandwidth)).unwrap_or(0.0),
+        }))
     }
 
     fn set_density(&self, draft: &mut Draft, density: f64) -> Result<(), Error> {
@@ -184,18 +178,18 @@ impl Numbers {
         Ok(())
     }
 
-    /// The measurement, where one is given.
+    /// The measurement, where one is given: its load and the friction force.
     ///
     /// # Errors
-    /// [`Error::Meaningless`] of a part of one, or of two.
-    pub fn measured(&self) -> Result<Option<Measured>, Error> {
+    /// [`Error::Meaningless`] of a part of one, or of two; those of the coefficient in [`Params::calibrate`].
+    pub fn measured(&self) -> Result<Option<(f64, f64)>, Error> {
         let [load, coefficient, force] =
             ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"]
                 .map(|name| self.get(name));
         match (load, coefficient, force) {
             (None, None, None) => Ok(None),
-            (Some(load), Some(coefficient), None) => Ok(Some(Measured::Coefficient { load, coefficient })),
-            (Some(load), None, Some(force)) => Ok(Some(Measured::Force { load, force })),
+            (Some(load), Some(coefficient), None) => Ok(Some((load, Params::measured_force(load, coefficient)?))),
+            (Some(load), None, Some(force)) => Ok(Some((load, force))),
             _ => Err(meaningless(
                 "calibration_load: must be given together with calibration_friction_coefficient or \
                  calibration_friction_force, and with one of the two alone",

@@ -1,26 +1,55 @@
 //! The roughness of a text: the spectral moments of the two surfaces, from whichever parameters of roughness are given.
 //!
-//! Of isotropic Gaussian surfaces m0 = Rq^2 = Sq^2 = pi/2 Ra^2. By areal parameters m2 = Sdq^2/2, and m4 is 9 pi/64 Ssc^2 or
-//! 6 pi 3^(1/2) m2 Sds; of a profile m2 = m0 (2 pi/RSm)^2, and m4 follows from the bandwidth. Of two rough surfaces moments add.
+//! Of isotropic Gaussian surfaces m0 = Rq^2 = Sq^2 = pi/2 Ra^2. By areal parameters m2 = Sdq^2/2, of a profile m2 = Rdq^2 or
+//! m0 (2 pi/RSm)^2. m4, where it is known, is 9 pi/64 Ssc^2 or 6 pi 3^(1/2) m2 Sds, or follows from the bandwidth. Of two rough
+//! surfaces moments add.
 
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
+use crate::estimate::known::{machined_slope, Process, PROCESSES};
 use crate::params::positive;
 use crate::spectrum::SpectralMoments;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Arguments;
 
-/// The bandwidth of a surface of which only Rq and RSm are known: the middle of 3 to 30, the range of most.
-const USUAL_BANDWIDTH: f64 = 9.486_832_980_505_138;
+/// No machined surface has more [m].
+const HIGHEST: f64 = 1e-3;
 
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roughness {
+    /// m4 is 0 where nothing is said of it.
     pub moments: SpectralMoments,
     /// Summits per area, where they were counted beside their curvature.
     pub density: Option<f64>,
     /// Skew and kurtosis of the heights.
     pub shape: Option<[f64; 2]>,
+    pub machined: Option<Machined>,
+}
+
+/// One of the surfaces that a process may have left: of what is not measured, factors on what is usual.
+#[derive(Debug, Clone, Copy)]
+pub struct Case {
+    pub height: f64,
+    pub slope: f64,
+}
+
+impl Default for Case {
+    fn default() -> Self {
+        Self { height: 1.0, slope: 1.0 }
+    }
+}
+
+/// What of a roughness is that of a process, not measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Machined {
+    pub process: &'static Process,
+    pub has_height: bool,
+    pub has_slope: bool,
+    /// Root mean square slope of the profiles of both surfaces.
+    pub slope: f64,
+    /// Ra that the process does not leave.
+    pub unusual: Option<f64>,
 }
 
 /// Ways to describe a roughness, by the names that belong to each.
@@ -28,57 +57,76 @@ struct Kind {
     /// The name that Ra replaces.
     height: &'static str,
     names: &'static [&'static str],
-    needs: &'static [&'static str],
+    /// One of these gives m2.
+    slopes: &'static [&'static str],
+    /// One of these, or all in turn, gives m4.
+    curvatures: &'static [&'static str],
     called: &'static str,
 }
 
 const MOMENTS: Kind =
-    Kind { height: "m0", names: &["m0", "m2", "m4"], needs: &["m2", "m4"], called: "spectral moments" };
+    Kind { height: "m0", names: &["m0", "m2", "m4"], slopes: &["m2"], curvatures: &["m4"], called: "spectral moments" };
 const AREAL: Kind = Kind {
     height: "Sq",
     names: &["Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku"],
-    needs: &["Sdq"],
+    slopes: &["Sdq"],
+    curvatures: &["Ssc", "Sds"],
     called: "areal parameters",
 };
-const PROFILE: Kind = Kind { height: "Rq", names: &["Rq", "RSm"], needs: &["RSm"], called: "parameters of a profile" };
+const PROFILE: Kind = Kind {
+    height: "Rq",
+    names: &["Rq", "RSm", "Rdq", "process"],
+    slopes: &["RSm", "Rdq"],
+    curvatures: &[],
+    called: "parameters of a profile",
+};
+const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
 
 impl Roughness {
     /// What [roughness] gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.
-    pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>) -> Outcome<Self> {
-        let given = Given { entries, begin };
+    pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>, case: Case) -> Outcome<Self> {
+        let mut given = Given { entries, begin, case, process: None };
+        given.process = given.process()?;
         let is_of = |kind: &&Kind| kind.names.iter().any(|name| given.at(name).is_some());
-        let Some(kind) = [MOMENTS, AREAL, PROFILE].iter().find(is_of) else {
-            return Err(
-                given.refused("Ra", format_args!("give with it RSm, or Sdq and one of Ssc and Sds, or m2 and m4"))
-            );
+        let Some(kind) = KINDS.into_iter().find(is_of) else {
+            return Err(given.refused("Ra", format_args!("give with it RSm or Rdq, or process, or Sdq, or m2")));
         };
         given.check(kind)?;
         let count = given.surfaces()?;
+        given.check_metres(count)?;
         let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         for surface in 0..count {
-            let [m0, m2, m4] = match kind.height {
-                "m0" => [given.height(kind, surface)?, given.need("m2", surface)?, given.need("m4", surface)?],
-                "Sq" => given.areal(kind, surface)?,
-                _ => {
-                    let m0 = given.height(kind, surface)?;
-                    let slope = 2.0 * PI / given.need("RSm", surface)?;
-                    [m0, m0 * (slope * slope), 0.0]
-                }
-            };
+            let (m0, m2) = (given.height(kind, surface)?, given.slope(kind, surface)?);
+            let m4 = given.curvature(m2, surface)?;
             moments = SpectralMoments { m0: moments.m0 + m0, m2: moments.m2 + m2, m4: moments.m4 + m4 };
         }
-        if kind.height == "Rq" {
-            let SpectralMoments { m0, m2, .. } = moments;
-            moments.m4 = bandwidth.unwrap_or(USUAL_BANDWIDTH) * m2 * (m2 / m0);
+        if let Some(bandwidth) = bandwidth {
+            moments.m4 = bandwidth * moments.m2 * (moments.m2 / moments.m0);
         }
         let is_counted = given.at("Ssc").is_some() && given.at("Sds").is_some();
         let density = is_counted.then(|| given.need("Sds", 0)).transpose()?;
-        Ok(Self { moments, density, shape: given.shape(count)? })
+        let machined = given.process.map(|process| {
+            let has = |names: &[&str]| names.iter().any(|name| given.at(name).is_some());
+            let heights = (0..count).filter_map(|surface| given.height(kind, surface).ok());
+            let [least, most] = process.mean_deviation;
+            let mean_deviations = heights.map(|m0| (m0 / FRAC_PI_2).sqrt());
+            let unusual = |ra: &f64| *ra < least * (1.0 - 1e-9) || *ra > most * (1.0 + 1e-9);
+            let has_height = has(&["Ra", kind.height]);
+            Machined {
+                process,
+                has_height,
+                has_slope: has(kind.slopes),
+                slope: moments.m2.sqrt(),
+                unusual: mean_deviations.into_iter().find(unusual).filter(|_| has_height),
+            }
+        });
+        Ok(Self { moments, density, shape: given.shape(count)?, machined })
     }
 
-    /// Whether the bandwidth is one of its inputs.
-    pub fn reads_bandwidth(entries: &Entries) -> bool {
-        entries.find(Table::Roughness, "RSm").is_some()
+    /// Whether it says m4, so that no bandwidth is to be given beside it.
+    pub fn gives_curvature(entries: &Entries) -> bool {
+        let names = KINDS.into_iter().flat_map(|kind| kind.curvatures);
+        names.into_iter().any(|name| entries.find(Table::Roughness, name).is_some())
     }
 }
 
@@ -86,6 +134,8 @@ impl Roughness {
 struct Given<'a> {
     entries: &'a Entries<'a>,
     begin: usize,
+    case: Case,
+    process: Option<&'static Process>,
 }
 
 impl Given<'_> {
@@ -101,11 +151,29 @@ impl Given<'_> {
         Problem::new(self.at(name).unwrap_or(self.begin), format_args!("{}{name}: {says}", Table::Roughness))
     }
 
+    /// How the surfaces were machined, where that is given.
+    fn process(&self) -> Outcome<Option<&'static Process>> {
+        let Some(entry) = self.entries.find(Table::Roughness, "process") else { return Ok(None) };
+        let names = PROCESSES.iter().map(|process| process.name);
+        let found = match &entry.value {
+            Value::Word(word) => Process::find(word),
+            _ => None,
+        };
+        let process = found.ok_or_else(|| {
+            let names = names.collect::<Vec<_>>().join(", ");
+            Problem::new(
+                entry.at,
+                format_args!("{}process = {}: must be one of {names}", Table::Roughness, entry.value),
+            )
+        });
+        process.map(Some)
+    }
+
     /// Refuses what is not for the kind, and what it lacks.
     fn check(&self, kind: &Kind) -> Outcome<()> {
         let has = |name: &&&str| self.at(name).is_some();
         let first = kind.names.iter().find(has).unwrap_or(&kind.height);
-        for name in [MOMENTS, AREAL, PROFILE].iter().flat_map(|other| other.names) {
+        for name in KINDS.into_iter().flat_map(|other| other.names) {
             if self.at(name).is_some() && !kind.names.contains(name) {
                 return Err(self.refused(name, format_args!("is not for {}, as {first} is", kind.called)));
             }
@@ -117,7 +185,9 @@ impl Given<'_> {
                     format_args!("must not be given together with {}, which it replaces", kind.height),
                 ));
             }
-            (None, None) => return Err(self.refused(kind.height, format_args!("must be set, or Ra"))),
+            (None, None) if self.process.is_none() => {
+                return Err(self.refused(kind.height, format_args!("must be set, or Ra")));
+            }
             _ => {}
         }
         if let Some(name) = ["Ssk", "Sku"].iter().find(|name| self.at("Ra").is_some() && has(name)) {
@@ -128,16 +198,37 @@ impl Given<'_> {
                 ),
             ));
         }
-        match kind.needs.iter().find(|name| self.at(name).is_none()) {
-            Some(missing) => Err(self.refused(missing, format_args!("must be set"))),
-            None => Ok(()),
+        match kind.slopes.iter().filter(|name| self.at(name).is_some()).count() {
+            0 if self.process.is_some() => Ok(()),
+            0 => {
+                let others = kind.slopes.get(1).map_or("", |_| ", or Rdq, or process");
+                Err(self.refused(kind.slopes[0], format_args!("must be set{others}")))
+            }
+            1 => Ok(()),
+            _ => Err(self.refused("Rdq", format_args!("must not be given together with RSm, which it replaces"))),
         }
+    }
+
+    /// Refuses heights of a machined surface that are in another unit.
+    fn check_metres(&self, count: usize) -> Outcome<()> {
+        let heights = ["Ra", "Rq"].into_iter().flat_map(|name| (0..count).map(move |surface| (name, surface)));
+        for (name, surface) in heights.filter(|_| self.process.is_some()) {
+            if let Some(height) = self.get(name, surface).filter(|&height| height > HIGHEST) {
+                let value = Value::Number(height);
+                let says = "of a machined surface must be at most 1e-3 m: is it in um?";
+                return Err(Problem::new(
+                    self.at(name).unwrap_or(self.begin),
+                    format_args!("{}{name} = {value}: {says}", Table::Roughness),
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// How many rough surfaces the numbers are of: for each key the same.
     fn surfaces(&self) -> Outcome<usize> {
         let mut first: Option<(&str, usize)> = None;
-        for entry in self.entries.of(Table::Roughness).filter(|entry| entry.name != "summits") {
+        for entry in self.entries.of(Table::Roughness).filter(|entry| !["summits", "process"].contains(&entry.name)) {
             let count = match &entry.value {
                 Value::Number(_) => 1,
                 Value::Numbers(numbers) if numbers.len() == 2 => 2,
@@ -186,27 +277,45 @@ impl Given<'_> {
             let deviation = FRAC_PI_2.sqrt() * mean;
             return Ok(if kind.height == "m0" { FRAC_PI_2 * (mean * mean) } else { deviation * deviation });
         }
+        if let (None, Some(process)) = (self.at(kind.height), self.process) {
+            let mean = process.middle_and_factor().0 * self.case.height;
+            return Ok(FRAC_PI_2 * (mean * mean));
+        }
         let height = self.need(kind.height, surface)?;
         Ok(if kind.height == "m0" { height } else { height * height })
     }
 
-    fn areal(&self, kind: &Kind, surface: usize) -> Outcome<[f64; 3]> {
-        let (m0, slope) = (self.height(kind, surface)?, self.need("Sdq", surface)?);
-        let m2 = slope * slope / 2.0;
-        let m4 = match (self.at("Ssc"), self.at("Sds")) {
-            (Some(_), _) => {
-                let curvature = self.need("Ssc", surface)?;
-                9.0 * PI / 64.0 * (curvature * curvature)
+    /// m2 of one surface.
+    fn slope(&self, kind: &Kind, surface: usize) -> Outcome<f64> {
+        let named = kind.slopes.iter().find(|name| self.at(name).is_some());
+        if named.is_none() && self.process.is_some() {
+            let slope = machined_slope(self.height(kind, surface)?.sqrt()) * self.case.slope;
+            return Ok(slope * slope);
+        }
+        let named = named.unwrap_or(&kind.slopes[0]);
+        let number = self.need(named, surface)?;
+        Ok(match *named {
+            "m2" => number,
+            "Sdq" => number * number / 2.0,
+            "Rdq" => number * number,
+            _ => {
+                let wave_number = 2.0 * PI / number;
+                self.height(kind, surface)? * (wave_number * wave_number)
             }
-            (None, Some(_)) => 6.0 * PI * 3.0_f64.sqrt() * m2 * self.need("Sds", surface)?,
-            (None, None) => {
-                return Err(self.refused(
-                    "Ssc",
-                    format_args!("must be set, or Sds: Sq and Sdq do not determine how sharp the summits are"),
-                ))
-            }
-        };
-        Ok([m0, m2, m4])
+        })
+    }
+
+    /// m4 of one surface, 0 where nothing is said of it.
+    fn curvature(&self, m2: f64, surface: usize) -> Outcome<f64> {
+        if self.at("m4").is_some() {
+            return self.need("m4", surface);
+        }
+        if self.at("Ssc").is_some() {
+            let curvature = self.need("Ssc", surface)?;
+            return Ok(9.0 * PI / 64.0 * (curvature * curvature));
+        }
+        let density = self.at("Sds").map(|_| self.need("Sds", surface)).transpose()?;
+        Ok(6.0 * PI * 3.0_f64.sqrt() * m2 * density.unwrap_or(0.0))
     }
 
     /// Skew and kurtosis, where both are given, of one rough surface.

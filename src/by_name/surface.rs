@@ -4,24 +4,39 @@ use super::draft::{Draft, TABULATED};
 use super::fields::{FIELDS, FLAG};
 use super::keys::{Entries, Entry, Table};
 use super::numbers::{names, Numbers};
-use super::roughness::Roughness;
+use super::roughness::{Case, Machined, Roughness};
 use super::toml::{text, Outcome, Problem, Value};
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
+use crate::model::points::Point;
 use crate::params::{HeightFamily, Params};
 use std::fmt::{Arguments, Display, Formatter};
 use std::sync::Arc;
 
+/// Of a band, where the text gives none.
+const DEFAULT_COVERAGE: f64 = 0.95;
+/// Of more than these a fit is to be made.
+const MOST_POINTS: usize = 64;
 /// What the bodies set, but for what may be given beside them.
 const MODULI: &[&str] = &["composite_modulus", "effective_shear_modulus", "tangential_modulus"];
 /// What the roughness sets.
-const SUMMITS: &[&str] = &["height_std", "summit_radius", "asperity_count", "summit_density"];
+const SUMMITS: &[&str] = &[
+    "height_std",
+    "summit_radius",
+    "asperity_count",
+    "summit_density",
+    "radius_amplitude",
+    "radius_rate",
+    "summit_mean_height",
+    "rms_slope",
+];
+/// The words for the summits of a roughness.
+const KINDS_OF_SUMMITS: &[&str] = &["moments", "mccool"];
 /// What an interface sets.
 const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coefficient"];
-/// What chooses heights, and what Nayak's summits set beside them.
+/// What chooses heights.
 const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
-const NAYAK: &[&str] = &["height_distribution", "radius_amplitude", "radius_rate"];
 
 /// Sets what a text gives; of what it does not, all stays as it is.
 ///
@@ -34,27 +49,143 @@ pub fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Error> {
 
 fn set(text: &str, draft: &mut Draft) -> Outcome<()> {
     let entries = Entries::read(text)?;
-    let mut given = Given { entries: &entries, numbers: Numbers::default() };
-    given.numbers()?;
-    given.bodies()?;
-    given.heights(draft)?;
-    given.roughness(draft)?;
-    given.interface()?;
-    let Given { numbers, .. } = given;
-    let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| entries.begin(table));
-    numbers.set(draft).map_err(|error| entries.problem(error, begin))?;
-    let measured = numbers.measured().map_err(|error| entries.problem(error, entries.measured()))?;
-    // Of parameters that are not complete no more can be said.
-    let mut params = draft.clone().into_params().map_err(|error| entries.problem(error, None))?;
-    if let Some(measured) = measured {
-        measured.set(&mut params).map_err(|error| entries.problem(error, entries.measured()))?;
+    let described = entries.describe(draft, Case::default())?;
+    let Described { mut params, points, interface, .. } = described;
+    if let Some(interface) = interface.filter(|interface| interface.shear_strength == 0.0 && points.is_empty()) {
+        return Err(entries.problem(Error::NoStrength { interface }, None));
+    }
+    if !points.is_empty() {
+        let calibrated = params.calibrate_points(&points, described.pressure_is_free, None);
+        calibrated.map_err(|error| entries.problem(error, entries.measured()))?;
         draft.params = Params { heights: draft.params.heights.clone(), ..params };
-    } else if let Err(error) = params.surface() {
-        if let Some(at) = error.name().and_then(|name| entries.place(name)) {
-            return Err(Problem::of(at, error));
-        }
     }
     Ok(())
+}
+
+/// What a text says of surfaces and of what was measured on them.
+pub struct Described {
+    /// With the strength as it is before the points.
+    pub params: Params,
+    pub points: Vec<Point>,
+    /// Whether the points may set the pressure coefficient, since nothing else does.
+    pub pressure_is_free: bool,
+    /// Probability of a band.
+    pub coverage: f64,
+    pub bodies: Option<Bodies>,
+    /// That which is named; of one without a strength the parameters have nothing.
+    pub interface: Option<&'static Interface>,
+    /// Whether slip stresses or the pressure coefficient are given.
+    pub has_strength: bool,
+    /// Whether the contact law, or adhesion of elastic contacts, is chosen.
+    pub has_law: bool,
+    /// What of the roughness is that of a process.
+    pub machined: Option<Machined>,
+}
+
+/// Reads what a text says, with what it leaves open of the roughness at one of its cases.
+///
+/// # Errors
+/// Those of [`read`].
+pub fn describe(bytes: &[u8], case: Case) -> Result<Described, Error> {
+    let described = Entries::read(text(bytes)?).and_then(|entries: Entries| {
+        let described = entries.describe(&mut Draft::default(), case)?;
+        described.params.surface().map_err(|error| entries.problem(error, None))?;
+        Ok(described)
+    });
+    described.map_err(|problem| problem.in_text(bytes))
+}
+
+/// An error of the points of a text, where they are.
+pub fn of_points(bytes: &[u8], error: Error) -> Error {
+    let Ok(entries) = text(bytes).map_err(|_| ()).and_then(|text| Entries::read(text).map_err(|_| ())) else {
+        return error;
+    };
+    entries.problem(error, entries.measured()).in_text(bytes)
+}
+
+impl Entries<'_> {
+    /// Sets all but the strength from points.
+    fn describe(&self, draft: &mut Draft, case: Case) -> Outcome<Described> {
+        let mut given = Given { entries: self, numbers: Numbers::default(), interface: None, machined: None };
+        given.numbers()?;
+        given.bodies()?;
+        given.heights(draft)?;
+        given.roughness(draft, case)?;
+        given.interface()?;
+        let Given { numbers, interface, machined, .. } = given;
+        let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| self.begin(table));
+        numbers.set(draft).map_err(|error| self.problem(error, begin))?;
+        // Of parameters that are not complete no more can be said.
+        let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
+        if let Err(error) = params.surface() {
+            if let Some(at) = error.name().and_then(|name| self.place(name)) {
+                return Err(Problem::of(at, error));
+            }
+        }
+        let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
+        Ok(Described {
+            points: self.points(&numbers, params.calibration_error)?,
+            pressure_is_free: !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
+            coverage: self.coverage()?,
+            bodies: numbers.bodies,
+            interface,
+            has_strength: given(STRENGTH),
+            has_law: given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0),
+            machined,
+            params,
+        })
+    }
+
+    fn coverage(&self) -> Outcome<f64> {
+        let Some(entry) = self.find(Table::Top, "coverage") else { return Ok(DEFAULT_COVERAGE) };
+        match entry.number()? {
+            number if number > 0.0 && number < 1.0 => Ok(number),
+            number if (1.0..100.0).contains(&number) => {
+                Err(entry.must_be(format_args!("between 0 and 1: is it in per cent?")))
+            }
+            _ => Err(entry.must_be(format_args!("between 0 and 1"))),
+        }
+    }
+
+    /// The measured points: those of `measured`, or that of the calibration.
+    fn points(&self, numbers: &Numbers, error: f64) -> Outcome<Vec<Point>> {
+        let one = numbers.measured().map_err(|error| self.problem(error, self.measured()))?;
+        let Some(entry) = self.find(Table::Top, "measured") else {
+            return Ok(one.map(|(load, force)| Point { load, force, error }).into_iter().collect());
+        };
+        if one.is_some() {
+            return Err(entry.refused(format_args!("calibration_load gives a measured point already, leave one out")));
+        }
+        let rows = match &entry.value {
+            Value::Numbers(numbers) if !numbers.is_empty() => std::slice::from_ref(numbers),
+            Value::Rows(rows) => &rows[..],
+            _ => &[],
+        };
+        if rows.is_empty() || rows.len() > MOST_POINTS {
+            return Err(entry.must_be(format_args!(
+                "points [load, coefficient] or [load, coefficient, error], as [[1000, 0.16], [10, 0.19, 0.03]], at most {MOST_POINTS}"
+            )));
+        }
+        let point = |(i, row): (usize, &Vec<f64>)| {
+            let refused = |says: Arguments| Err(entry.refused(format_args!("point {}: {says}", i + 1)));
+            let (load, coefficient, error) = match row[..] {
+                [load, coefficient] => (load, coefficient, error),
+                [load, coefficient, error] => (load, coefficient, error),
+                _ => return refused(format_args!("must be [load, coefficient] or [load, coefficient, error]")),
+            };
+            if !(error > 0.0 && error <= 1.0) {
+                return refused(format_args!(
+                    "error = {}: must be > 0 and at most 1: it is a fraction of the coefficient",
+                    Value::Number(error)
+                ));
+            }
+            match Params::measured_force(load, coefficient) {
+                Ok(force) => Ok(Point { load, force, error }),
+                Err(error) => refused(format_args!("{error}")),
+            }
+        };
+        rows.iter().enumerate().map(point).collect()
+    }
 }
 
 impl Entries<'_> {
@@ -68,7 +199,7 @@ impl Entries<'_> {
 
     /// Where the measurement is.
     fn measured(&self) -> Option<usize> {
-        let names = ["calibration_load", "calibration_friction_coefficient", "calibration_friction_force"];
+        let names = ["measured", "calibration_load", "calibration_friction_coefficient", "calibration_friction_force"];
         names.into_iter().find_map(|name| self.place(name))
     }
 
@@ -158,6 +289,8 @@ impl Display for Words<'_> {
 struct Given<'t> {
     entries: &'t Entries<'t>,
     numbers: Numbers,
+    interface: Option<&'static Interface>,
+    machined: Option<Machined>,
 }
 
 impl Given<'_> {
@@ -287,14 +420,14 @@ impl Given<'_> {
         Ok(())
     }
 
-    fn roughness(&mut self, draft: &Draft) -> Outcome<()> {
+    fn roughness(&mut self, draft: &Draft, case: Case) -> Outcome<()> {
         let entries = self.entries;
         let Some(begin) = entries.begin(Table::Roughness) else { return Ok(()) };
         if entries.of(Table::Roughness).next().is_none() {
             return Ok(());
         }
         entries.exclude(SUMMITS, "[roughness]")?;
-        if !Roughness::reads_bandwidth(entries) {
+        if Roughness::gives_curvature(entries) {
             entries.exclude(&["bandwidth"], "[roughness]")?;
         }
         if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
@@ -304,32 +437,28 @@ impl Given<'_> {
             ));
         }
         let bandwidth = self.numbers.get("bandwidth");
-        let Roughness { moments, density, shape } = Roughness::of(entries, begin, bandwidth)?;
+        let Roughness { moments, density, shape, machined } = Roughness::of(entries, begin, bandwidth, case)?;
+        self.machined = machined;
         for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
             self.numbers.give_named(name, moment);
         }
-        if let Some(density) = density {
-            self.numbers.give_named("summit_density", density);
-        }
-        if let Some((entry, word)) = entries.word(Table::Roughness, "summits", "summits, \"equal\" or \"nayak\"")? {
-            self.numbers.has_nayak_summits = word == "nayak";
-            if !["equal", "nayak"].contains(&word) {
-                return Err(entry.must_be(format_args!("{}", Words(&["equal", "nayak"]))));
+        if let Some(entry) = entries.find(Table::Roughness, "summits") {
+            self.numbers.has_mccool_summits = entry.choice(KINDS_OF_SUMMITS)? == 1.0;
+            if self.numbers.has_mccool_summits && moments.m4 == 0.0 {
+                return Err(entry.refused(format_args!(
+                    "\"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth"
+                )));
             }
         }
-        if self.numbers.has_nayak_summits {
-            entries.exclude(SHAPES, "summits = \"nayak\"")?;
-            entries.exclude(NAYAK, "summits = \"nayak\"")?;
+        if let Some(density) = density.filter(|_| self.numbers.has_mccool_summits) {
+            self.numbers.give_named("summit_density", density);
         }
         let Some(shape) = shape else { return Ok(()) };
         entries.exclude(SHAPES, "[roughness] Ssk")?;
         for (name, number) in ["skew", "kurtosis"].into_iter().zip(shape) {
             self.numbers.give_named(name, number);
         }
-        match entries.find(Table::Roughness, "Ssk").filter(|_| self.numbers.has_nayak_summits) {
-            Some(entry) => Err(entry.set_by("summits = \"nayak\"")),
-            None => Ok(()),
-        }
+        Ok(())
     }
 
     fn interface(&mut self) -> Outcome<()> {
@@ -338,7 +467,9 @@ impl Given<'_> {
         let found = Interface::find(name);
         let interface = found
             .ok_or_else(|| Problem::new(entry.at, format_args!("interface: {}", no_interface(name.as_bytes()))))?;
-        self.numbers.interface = Some(interface);
+        self.interface = Some(interface);
+        // The friction coefficient of the others is for an estimate.
+        self.numbers.interface = Some(interface).filter(|interface| interface.shear_strength > 0.0);
         Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! The form of a text: keys with values, in tables that are one level deep. What the keys mean is for others to say.
 //!
 //! The lexer and the parser are those of the crate `toml_parser`. Whatever the text, the work is in proportion to its length, and
-//! memory is bounded: arrays of arrays and keys with dots are refused where they begin.
+//! memory is bounded: arrays more than two deep and keys with dots are refused where they begin.
 
 use crate::distribution::tabulated::LENGTHS;
 use crate::error::Error;
@@ -27,6 +27,8 @@ pub enum Value<'t> {
     Flag(bool),
     Word(Cow<'t, str>),
     Numbers(Vec<f64>),
+    /// An array of arrays of numbers.
+    Rows(Vec<Vec<f64>>),
 }
 
 /// A key or a word as a message shows it: cut, and of signs that are none a question mark.
@@ -54,6 +56,7 @@ impl Display for Value<'_> {
                 [one, other] => write!(f, "[{}, {}]", Value::Number(one), Value::Number(other)),
                 _ => f.write_str("[...]"),
             },
+            Self::Rows(_) => f.write_str("[[...]]"),
         }
     }
 }
@@ -130,6 +133,7 @@ pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
         has_header: false,
         is_inside: false,
         array: None,
+        rows: None,
     };
     let mut syntax = |error: ParseError| {
         first.borrow_mut().get_or_insert_with(|| of_syntax(&error, text));
@@ -185,6 +189,8 @@ struct Reader<'t, 'r> {
     /// Within the braces of a table that is a value.
     is_inside: bool,
     array: Option<Vec<f64>>,
+    /// Those before, of an array of arrays.
+    rows: Option<Vec<Vec<f64>>>,
 }
 
 impl<'t> Reader<'t, '_> {
@@ -286,7 +292,7 @@ impl<'t> EventReceiver for Reader<'t, '_> {
         if self.is_over() {
             return false;
         }
-        if self.is_inside || self.has_header || self.array.is_some() {
+        if self.is_inside || self.has_header || self.array.is_some() || self.rows.is_some() {
             self.refuse(span, format_args!("must be a number, an array of numbers or a word in quotes, not a table"));
             return false;
         }
@@ -310,17 +316,29 @@ impl<'t> EventReceiver for Reader<'t, '_> {
         if self.is_over() {
             return false;
         }
-        if self.array.is_some() {
-            self.refuse(span, format_args!("must be an array of numbers, not of arrays"));
-            return false;
+        match (&self.array, &self.rows) {
+            (Some(numbers), None) if numbers.is_empty() => self.rows = Some(Vec::new()),
+            (Some(_), _) => {
+                self.refuse(span, format_args!("must be an array of numbers, or of arrays of numbers"));
+                return false;
+            }
+            (None, _) => {}
         }
         self.array = Some(Vec::new());
         true
     }
 
     fn array_close(&mut self, _: Span, _: &mut dyn ErrorSink) {
-        if let Some(numbers) = self.array.take().filter(|_| !self.is_over()) {
-            self.set(Value::Numbers(numbers));
+        if self.is_over() {
+            return;
+        }
+        match (self.array.take(), &mut self.rows) {
+            (Some(numbers), Some(rows)) => rows.push(numbers),
+            (Some(numbers), None) => self.set(Value::Numbers(numbers)),
+            (None, _) => {
+                let rows = self.rows.take().unwrap_or_default();
+                self.set(Value::Rows(rows));
+            }
         }
     }
 
@@ -346,6 +364,9 @@ impl<'t> EventReceiver for Reader<'t, '_> {
             return;
         }
         let Some(value) = self.value(span, encoding, error) else { return };
+        if self.array.is_none() && self.rows.is_some() {
+            return self.refuse(span, format_args!("must be an array of numbers, or of arrays of numbers"));
+        }
         let Some(numbers) = &mut self.array else { return self.set(value) };
         match value {
             Value::Number(number) if numbers.len() < LENGTHS.1 => numbers.push(number),

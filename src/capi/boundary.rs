@@ -18,6 +18,7 @@ const LONGEST_PATH: usize = 200;
 pub struct Failure(asperity_status);
 
 impl Failure {
+    #[cold]
     fn new(status: asperity_status, message: &dyn Display) -> Self {
         last_error::set(message);
         Self(status)
@@ -40,6 +41,13 @@ impl Failure {
         Self::new(error.status(), &format_args!("element {index}: {error}"))
     }
 
+    /// A pointer is NULL.
+    #[cold]
+    #[inline(never)] // There are hundreds of calls.
+    fn null(name: &'static str) -> Self {
+        Self::new(ASPERITY_NULL_POINTER, &format_args!("{name} is NULL: pass a valid pointer"))
+    }
+
     /// One pointer of an array is NULL.
     pub fn null_element(name: &'static str, index: usize) -> Self {
         Self::new(ASPERITY_NULL_POINTER, &format_args!("{name}[{index}] is NULL: pass a valid pointer"))
@@ -58,7 +66,13 @@ impl From<Error> for Failure {
 }
 
 /// Runs the body of an entry point that returns a status, in the library's floating-point environment.
-pub fn status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
+pub fn status(mut body: impl FnMut() -> Result<(), Failure>) -> asperity_status {
+    held_status(&mut body)
+}
+
+/// Once for all bodies, since all that is done around a body takes half a kilobyte.
+#[inline(never)]
+fn held_status(body: &mut dyn FnMut() -> Result<(), Failure>) -> asperity_status {
     fp_environment::held(|| contained_status(body))
 }
 
@@ -91,9 +105,10 @@ pub fn contained_value(body: impl FnOnce() -> f64) -> f64 {
 /// Refuses a pointer that is NULL.
 pub fn not_null<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
     if pointer.is_null() {
-        return Err(Failure::new(ASPERITY_NULL_POINTER, &format_args!("{name} is NULL: pass a valid pointer")));
+        Err(Failure::null(name))
+    } else {
+        Ok(())
     }
-    Ok(())
 }
 
 /// Reads through a pointer of the caller.

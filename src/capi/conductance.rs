@@ -12,8 +12,8 @@ const BLOCK: usize = 128;
 
 /// Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact conductance.
 ///
-/// The conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two
-/// bodies. The sum is K_t/(8 G^), of `asperity_tangential_stiffness_at_load`.
+/// The conductance is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two bodies. The sum is
+/// K_t/(8 G^), of `asperity_tangential_stiffness_at_load`: over psi, where `nominal_area` is known.
 ///
 /// @param model  a model
 /// @param load   normal load [force]

@@ -1,81 +1,81 @@
-//! Load against separation: the compiled law of a host that knows the gap of a contact.
+//! Load against the gap between mean planes: the compiled law of a host that knows the gap of a contact.
 
 use super::batch::{self, Arrays, FirstInvalid, Quantity};
 use super::boundary::{self, not_null, write};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
-use crate::model::{by_separation, Model};
+use crate::model::{by_gap, Model};
 
-/// So many separations are turned into arguments of the table at a time.
+/// So many gaps are turned into arguments of the table at a time.
 const BLOCK: usize = 128;
 
-/// Load at a separation of the mean planes, from the compiled law.
+/// Load at a gap, from the compiled law.
 ///
-/// The separation is that of `asperity_state_at_separation`, on the branch of load control: from deep compression to
-/// pull-off, where the surfaces part. Without adhesion the load decays with separation: below about 1e-24 of the load at which
-/// half of the asperities touch it is taken to 0 smoothly, within about one standard deviation of heights. A pull-off load
-/// weaker than 1e-30 of that counts as none. Values are within 1e-9 of exact ones, slopes within 1e-7, both relative to the
-/// load or to the pull-off load, whichever is larger. In compression beyond that of 1e6 times the load at which half of the
-/// asperities touch, the load goes on as a power of the compression.
+/// The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
+/// pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
+/// adhesion the load goes to 0 at the highest asperity; if heights have no end, it is taken to 0 smoothly below about 1e-24 of the
+/// load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-9
+/// of exact ones, slopes within 1e-7, relative to the load or to the pull-off load, whichever is larger, or within what the
+/// rounding of the gap changes them by. In compression beyond that of 1e6 times the load at which half of the asperities touch,
+/// the load goes on as a power of the compression.
 ///
-/// @param model       a model
-/// @param separation  of the mean planes of asperity heights and flat [length]; negative in deep compression
-/// @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a separation
-///         that is NaN, infinite or below -1e50 `height_std`, or a NULL model
+/// @param model  a model
+/// @param gap    between the mean planes [length]; negative in deep compression
+/// @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
+///         infinite or below -1e50 `height_std`, or a NULL model
 #[no_mangle]
-pub unsafe extern "C" fn asperity_load_at_separation(model: *const asperity_model, separation: f64) -> f64 {
-    model::value_at(model, Quantity::Load, -separation)
+pub unsafe extern "C" fn asperity_load_at_gap(model: *const asperity_model, gap: f64) -> f64 {
+    model::value_at(model, Quantity::Load, -gap)
 }
 
-/// Load at a separation, with its slope.
+/// Load at a gap, with its slope.
 ///
-/// @param model              a model
-/// @param separation         as for `asperity_load_at_separation`
-/// @param dload_dseparation  receives d(load)/d(separation) [force/length], <= 0: minus the normal stiffness; 0 at
-///                           pull-off and beyond; NaN where the load is
-/// @return as `asperity_load_at_separation`
+/// @param model       a model
+/// @param gap         as for `asperity_load_at_gap`
+/// @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
+///                    beyond; NaN where the load is
+/// @return as `asperity_load_at_gap`
 #[no_mangle]
-pub unsafe extern "C" fn asperity_load_and_slope_at_separation(
+pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
     model: *const asperity_model,
-    separation: f64,
-    dload_dseparation: *mut f64,
+    gap: f64,
+    dload_dgap: *mut f64,
 ) -> f64 {
     boundary::fast!(contained_value, {
-        let at = |handle: &asperity_model| Quantity::Load.at(&handle.model, -separation);
+        let at = |handle: &asperity_model| Quantity::Load.at(&handle.model, -gap);
         let (load, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), at);
-        write(dload_dseparation, 0, by_separation(slope));
+        write(dload_dgap, 0, by_gap(slope));
         load
     })
 }
 
-/// Loads at many separations, and their slopes.
+/// Loads at many gaps, and their slopes.
 ///
-/// @param model             a model
-/// @param n                 number of separations
-/// @param separation        n separations [length]
-/// @param load              receives n loads [force]
-/// @param dload_dseparation receives n slopes d(load)/d(separation) [force/length], <= 0: minus the normal stiffness;
-///                          0 at pull-off and beyond
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a separation that is NaN or
-///         infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
+/// @param model       a model
+/// @param n           number of gaps
+/// @param gap         n gaps [length]
+/// @param load        receives n loads [force]
+/// @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
+///                    and beyond
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
 ///         below -1e50 `height_std`)
 #[no_mangle]
-pub unsafe extern "C" fn asperity_loads_at_separations(
+pub unsafe extern "C" fn asperity_loads_at_gaps(
     model: *const asperity_model,
     n: usize,
-    separation: *const f64,
+    gap: *const f64,
     load: *mut f64,
-    dload_dseparation: *mut f64,
+    dload_dgap: *mut f64,
 ) -> asperity_status {
     boundary::fast!(contained_status, {
         let model = model::of(model)?;
         if n > 0 {
-            not_null(separation, "separation")?;
+            not_null(gap, "gap")?;
         }
         let mut first_invalid = None;
         for begin in (0..n).step_by(BLOCK) {
             let count = BLOCK.min(n - begin);
-            let found = block(model, separation, load, dload_dseparation, begin, count);
+            let found = block(model, gap, load, dload_dgap, begin, count);
             first_invalid = first_invalid.or(found.map(|(index, argument)| (begin + index, argument)));
         }
         first_invalid.map_or(Ok(()), |(index, argument)| Err(Quantity::Load.failure(model, index, argument)))
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn asperity_loads_at_separations(
 /// The elements of a block: its input is read before an output that may be the same array is written.
 unsafe fn block(
     model: &Model,
-    separation: *const f64,
+    gap: *const f64,
     load: *mut f64,
     slope: *mut f64,
     begin: usize,
@@ -93,7 +93,7 @@ unsafe fn block(
 ) -> FirstInvalid {
     let mut argument = [0.0; BLOCK];
     for (i, argument) in argument[..count].iter_mut().enumerate() {
-        *argument = -separation.add(begin + i).read_unaligned();
+        *argument = -gap.add(begin + i).read_unaligned();
     }
     let mut slopes = [0.0; BLOCK];
     let arrays = Arrays {
@@ -104,7 +104,7 @@ unsafe fn block(
     };
     let first_invalid = batch::fill(model, Quantity::Load, arrays);
     for (i, slope_by_argument) in slopes[..count].iter().enumerate() {
-        write(slope, begin + i, by_separation(*slope_by_argument));
+        write(slope, begin + i, by_gap(*slope_by_argument));
     }
     first_invalid
 }

@@ -29,6 +29,8 @@ impl Write for Message {
 }
 
 /// Stores a message for this thread.
+#[cold]
+#[inline(never)]
 pub fn set(message: &dyn Display) {
     MESSAGE.with(|cell| {
         if let Ok(mut stored) = cell.try_borrow_mut() {

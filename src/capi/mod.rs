@@ -11,6 +11,7 @@ mod batch;
 mod boundary;
 mod calibration;
 mod conductance;
+mod estimate;
 mod evaluate;
 #[cfg(target_arch = "x86_64")]
 mod four_avx2;
@@ -49,6 +50,7 @@ mod version;
 pub use about::*;
 pub use calibration::*;
 pub use conductance::*;
+pub use estimate::*;
 pub use evaluate::*;
 pub use gap::*;
 pub use interfaces::*;

@@ -41,7 +41,7 @@ impl asperity_params {
         numbers.set(&mut draft)?;
         self.take(&draft);
         match numbers.measured()? {
-            Some(measured) => self.calibrate(|surfaces| measured.set(surfaces)),
+            Some((load, force)) => self.calibrate(|surfaces| surfaces.calibrate_force(load, force)),
             None => Ok(()),
         }
     }
@@ -81,8 +81,8 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// A name is that of a field of `asperity_params` that is one number, or one of these arguments of setters:
 ///
 /// - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
-/// - `m0`, `m2` and `m4` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`.
-///   `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
+/// - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
+///   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
 /// - `summit_density`, summits per area, with a `nominal_area` given here or earlier: stands for `asperity_count`
 /// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
 ///   `asperity_params_calibrate`, which comes last

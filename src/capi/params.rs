@@ -104,8 +104,10 @@ pub struct asperity_params {
     /// default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
     /// `asperity_params_set_materials` sets it.
     pub tangential_modulus: f64,
-    /// Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the default, means not known.
-    /// `asperity_params_set_spectral_moments` sets it.
+    /// Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
+    /// Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of
+    /// contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the
+    /// summits approach by. A/A_0 counts as 0.5 at most.
     pub nominal_area: f64,
     /// Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
     pub contact_law: i32,
@@ -117,9 +119,8 @@ pub struct asperity_params {
     /// same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
     /// Where it is > 0, both slip stresses may be 0: Amontons' law.
     pub pressure_coefficient: f64,
-    /// Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether summits act
-    /// independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
-    /// `asperity_params_set_spectral_moments` sets it.
+    /// Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether
+    /// they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
     pub bandwidth: f64,
     /// Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
     /// sets it.
@@ -128,6 +129,10 @@ pub struct asperity_params {
     pub calibration_friction_force: f64,
     /// Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
     pub calibration_error: f64,
+    /// Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+    pub summit_mean_height: f64,
+    /// Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
+    pub rms_slope: f64,
 }
 
 /// Size of the struct.
@@ -156,6 +161,8 @@ macro_rules! with_same_numbers {
             calibration_load: $from.calibration_load,
             calibration_friction_force: $from.calibration_friction_force,
             calibration_error: $from.calibration_error,
+            summit_mean_height: $from.summit_mean_height,
+            rms_slope: $from.rms_slope,
             $($others)*
         }
     };

@@ -43,24 +43,37 @@ thread_local! {
 /// # Errors
 /// [`Failure::out_of_memory`] where the system refused memory that is to stay; else what `make` fails with.
 pub fn held<T>(make: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
-    // SAFETY: its size is not 0.
-    let start = unsafe { System.alloc(WHOLE) };
-    if start.is_null() {
-        return Err(Failure::out_of_memory());
-    }
-    let outer = RESERVE.replace(Reserve { start, ..NONE });
+    let outer = Reserve::open()?;
     let mut made = catch_unwind(AssertUnwindSafe(make));
     if RESERVE.get().live > 0 {
         made = Ok(Err(Failure::out_of_memory())); // drops what was made, or the panic's message
     }
-    if RESERVE.replace(outer).live == 0 {
-        // SAFETY: it came from there, and nothing of it is in use.
-        unsafe { System.dealloc(start, WHOLE) };
-    }
+    Reserve::close(outer);
     made.unwrap_or_else(|panic| resume_unwind(panic))
 }
 
 impl Reserve {
+    /// Puts one in place; the one that was there before.
+    #[inline(never)]
+    fn open() -> Result<Self, Failure> {
+        // SAFETY: its size is not 0.
+        let start = unsafe { System.alloc(WHOLE) };
+        if start.is_null() {
+            return Err(Failure::out_of_memory());
+        }
+        Ok(RESERVE.replace(Self { start, ..NONE }))
+    }
+
+    /// Puts the one before back in its place.
+    #[inline(never)]
+    fn close(outer: Self) {
+        let Self { start, live, .. } = RESERVE.replace(outer);
+        if live == 0 {
+            // SAFETY: it came from there, and nothing of it is in use.
+            unsafe { System.dealloc(start, WHOLE) };
+        }
+    }
+
     /// A block of what is left; NULL if it does not fit.
     fn take(&mut self, layout: Layout) -> *mut u8 {
         if self.start.is_null() {

@@ -1,4 +1,4 @@
-//! Friction or stiffness at one load, or the load at one separation, one number: the table's answer in as few instructions as there are, or else
+//! Friction or stiffness at one load, or the load at one gap, one number: the table's answer in as few instructions as there are, or else
 //! the power by which the law goes on.
 //!
 //! A table cannot panic and its answer needs no stack frame; what lies beside it is out of line, and guarded. A model keeps
@@ -11,7 +11,7 @@ use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
 
-/// A quantity at a load, or at minus a separation.
+/// A quantity at a load, or at minus a gap.
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
 
 /// The quantities, as constants of functions.

@@ -65,9 +65,11 @@ impl asperity_params {
         take! { made(set)? => self; slip_stress_1 slip_stress_2 pressure_coefficient calibration_load calibration_friction_force }
     }
 
-    pub(super) fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Failure> {
-        take! { made(|params| params.set_spectral_moments(moments, nominal_area))? => self;
-            height_std summit_radius asperity_count nominal_area bandwidth
+    /// What one of two ways makes of spectral moments.
+    fn set_summits(&mut self, set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<(), Failure> {
+        take! { made(set)? => self;
+            height_std summit_radius asperity_count nominal_area bandwidth radius_amplitude radius_rate summit_mean_height
+            rms_slope
         }
     }
 
@@ -180,20 +182,18 @@ pub unsafe extern "C" fn asperity_params_set_elastic_plastic(
     })
 }
 
-/// Sets roughness, `nominal_area` and `bandwidth` from the spectral moments of profiles of an isotropic Gaussian surface.
+/// Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales.
 ///
-/// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile. Isotropy makes them the
-/// same in every direction. For two rough surfaces, add their moments. With the bandwidth alpha = m0 m4/m2^2, after
-/// Nayak (1971), Bush, Gibson and Keogh (1976) and McCool (1987):
-///
-/// - height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is 1 + 16/pi - 3^(3/2)
-/// - summit_radius = 3 pi^(1/2)/(8 m4^(1/2))
-/// - asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area
+/// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile: m0 = Rq^2 = Sq^2,
+/// m2 = Rdq^2 = Sdq^2/2. For two rough surfaces, add their moments. The area of contact, its patches and its stiffness depend
+/// on m0 and m2, hardly on m4. The asperities set here follow boundary elements for bandwidths alpha = m0 m4/m2^2 from 1.8 to
+/// 1000 (docs/validation.md); docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
+/// `radius_amplitude`, `radius_rate`, `summit_mean_height`, `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
 ///
 /// @param params        initialised parameters
-/// @param m0            variance of the heights [length^2] > 0: the square of Rq
+/// @param m0            variance of the heights [length^2] > 0
 /// @param m2            variance of the slopes [-] > 0
-/// @param m4            variance of the curvatures [1/length^2] > 0; alpha must be at least 1.5
+/// @param m4            variance of the curvatures [1/length^2] > 0, alpha at least 1.5; 0: not known, alpha = 10
 /// @param nominal_area  [length^2] > 0
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
@@ -204,43 +204,33 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
     m4: f64,
     nominal_area: f64,
 ) -> asperity_status {
+    let moments = SpectralMoments { m0, m2, m4 };
     boundary::status(|| {
-        change(params, |params| params.set_spectral_moments(SpectralMoments { m0, m2, m4 }, nominal_area))
+        change(params, |params| params.set_summits(|made| made.set_spectral_moments(moments, nominal_area)))
     })
 }
 
-/// Sets the roughness as `asperity_params_set_spectral_moments`, and heights and radii as Nayak's summits have them.
+/// Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison with literature.
 ///
-/// On a Gaussian surface higher summits are sharper, and summit heights are not Gaussian: their joint distribution (Nayak,
-/// 1971) depends on the bandwidth alone. This function also sets:
-///
-/// - height_distribution = ASPERITY_HEIGHTS_JOHNSON with the skew and kurtosis of the summit heights: 0.47 and 3.19 at a
-///   bandwidth of 1.5, 0.07 and 3.01 at 3, none and 3 for broad spectra
-/// - radius_amplitude and radius_rate, so that the radius is the inverse of the mean curvature of summits of the mean
-///   height and 1.5 and 3 standard deviations above
-/// - summit_radius, which is that at the mean height: up to 2 % above that of the other function
-///
-/// Prefer it for narrow spectra, with bandwidths near 1.5: it lowers the real area at light loads by a third, to that of
-/// boundary elements. Above a bandwidth of 2 the other function errs less. docs/validation.md has the numbers.
+/// Right for narrow spectra alone: at a bandwidth of 27 the real area is 0.6 of that of boundary elements. Sets the parameters
+/// that `asperity_params_set_spectral_moments` sets, with height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is
+/// 1 + 16/pi - 3^(3/2), summit_radius = 3 pi^(1/2)/(8 m4^(1/2)), asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area,
+/// radius_amplitude = 0, summit_mean_height = 4 (m0/(pi alpha))^(1/2) and bandwidth = alpha.
 ///
 /// @param params                 initialised parameters
-/// @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`
+/// @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`; m4 must be known
 /// @return as `asperity_params_set_spectral_moments`
 #[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_nayak_summits(
+pub unsafe extern "C" fn asperity_params_set_mccool_summits(
     params: *mut asperity_params,
     m0: f64,
     m2: f64,
     m4: f64,
     nominal_area: f64,
 ) -> asperity_status {
+    let moments = SpectralMoments { m0, m2, m4 };
     boundary::status(|| {
-        change(params, |params| {
-            take! { made(|changed| changed.set_nayak_summits(SpectralMoments { m0, m2, m4 }, nominal_area))? => params;
-                height_std summit_radius asperity_count nominal_area bandwidth height_distribution skew kurtosis radius_amplitude
-                radius_rate
-            }
-        })
+        change(params, |params| params.set_summits(|made| made.set_mccool_summits(moments, nominal_area)))
     })
 }
 

@@ -13,7 +13,7 @@ use crate::model::{Model, SummitState};
 ///
 /// @param model    a model
 /// @param n        number of summits
-/// @param overlap  n overlaps [length]: the height of the summit less the separation, negative for a gap unless n = 0
+/// @param overlap  n overlaps [length]: how far the summit would reach beyond the flat, negative for a gap unless n = 0
 /// @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
 ///                 `radius_amplitude` is not 0; NULL: all summits have the mean height
 /// @param load     receives n loads [force], negative where a summit pulls

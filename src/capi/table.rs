@@ -90,10 +90,10 @@ pub unsafe extern "C" fn asperity_table_of(
     })
 }
 
-/// Gives a view of the compiled load against separation, for the evaluators of `asperity_table_of`.
+/// Gives a view of the compiled load against gap, for the evaluators of `asperity_table_of`.
 ///
-/// In its rows minus the separation stands in place of a load and the load in place of the friction force: F at -separation is
-/// the load, and minus dF/d(load) there its slope by separation. Between the lightest load of the rows and the end it is 0.
+/// In its rows minus the gap stands in place of a load and the load in place of the friction force: F at -gap is
+/// the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the end it is 0.
 ///
 /// @param model  a model
 /// @param table  as for `asperity_table_of`
@@ -108,11 +108,11 @@ pub unsafe extern "C" fn asperity_load_table_of(
         let view = model.load_table();
         fill(table, "table", || {
             let heaviest = view.pull_off + view.begin_of(view.row_count);
-            let (at_zero, zero_slope) = model.load_and_slope_at(0.0);
+            let (at_zero, zero_slope) = model.load_and_slope_at_gap(0.0);
             Ok(asperity_table {
                 zero_force: at_zero,
                 zero_slope: 0.0 - zero_slope,
-                heavy_force: model.load_at_separation(-heaviest),
+                heavy_force: model.load_at_gap(-heaviest),
                 ..rows_of(view)
             })
         })

@@ -12,11 +12,11 @@ use std::ffi::{c_char, CStr};
 /// hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
 /// a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-/// Bit of `warnings`: summits do not act independently. Set if more than 10 % of them touch, or if the real area is more than
-/// 10 % of `nominal_area`, where that is given. Never set if `asperity_count` is 1.
+/// Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of `nominal_area`, where that is
+/// given, or if more than 10 % of the summits touch and `rms_slope` is not given. Never set if `asperity_count` is 1.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
-/// Bit of `warnings`: contacts are not small compared with their summits. Set if contact radii are more than a tenth of the
-/// summit radii, on average.
+/// Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
+/// given, contact radii are more than a tenth of the summit radii, on average.
 pub const ASPERITY_WARNING_STEEP: u64 = 4;
 /// Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
 pub const ASPERITY_WARNING_ATOMIC: u64 = 8;
@@ -30,12 +30,16 @@ pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
 /// slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
 /// 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
 pub const ASPERITY_WARNING_UNCALIBRATED: u64 = 64;
-/// Bit of `warnings`: the surface is rough on so many scales that summits stand on summits. Set if Nayak's bandwidth is
-/// above 6: the `bandwidth` given, or that of this many summits on `nominal_area`.
+/// Bit of `warnings`: summits that were counted stand on summits, as the surface is rough on many scales. Set if Nayak's
+/// bandwidth is above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. Never set after
+/// `asperity_params_set_spectral_moments`.
 pub const ASPERITY_WARNING_BROAD: u64 = 128;
 /// Bit of `warnings`: the interface is stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress at
 /// the mean contact radius is larger. Never set without a hardness.
 pub const ASPERITY_WARNING_STRONG: u64 = 256;
+/// Bit of `warnings`: one piece of the surface is not like another. Set if fewer than 8 mean waves, of the length 2 pi
+/// `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known.
+pub const ASPERITY_WARNING_FEW_WAVES: u64 = 512;
 
 const _: () = {
     assert!(ASPERITY_WARNING_PLASTIC == validity::WARNING_PLASTIC);
@@ -47,6 +51,7 @@ const _: () = {
     assert!(ASPERITY_WARNING_UNCALIBRATED == validity::WARNING_UNCALIBRATED);
     assert!(ASPERITY_WARNING_BROAD == validity::WARNING_BROAD);
     assert!(ASPERITY_WARNING_STRONG == validity::WARNING_STRONG);
+    assert!(ASPERITY_WARNING_FEW_WAVES == validity::WARNING_FEW_WAVES);
 };
 
 /// Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
@@ -120,7 +125,7 @@ pub unsafe extern "C" fn asperity_warning_loads(
         not_null(lightest, "lightest")?;
         not_null(heaviest, "heaviest")?;
         if !validity::is_one(warning) {
-            let says = "must be one of the bits ASPERITY_WARNING_, 1 to 256";
+            let says = "must be one of the bits ASPERITY_WARNING_, 1 to 512";
             return Err(Failure::invalid(format_args!("warning = {warning}: {says}")));
         }
         let found = reserve::held(|| Ok(model.warning_loads(warning)?))?;
@@ -158,13 +163,15 @@ fn string(warning: u64) -> &'static CStr {
               or lighter loads if only the pressure is too high"
         }
         ASPERITY_WARNING_CROWDED => {
-            c"summits do not act independently: more than 10 % of them touch, or the real area is more than 10 % of \
-              nominal_area; use lighter loads, or check height_std and asperity_count, which are usually too small"
+            c"summits do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
+              given, more than 10 % of the summits touch; areas are rough here, and stiffness no longer grows with neighbours from \
+              about half of nominal_area on; use lighter loads, or check height_std, asperity_count and nominal_area, which \
+              are usually too small"
         }
         ASPERITY_WARNING_STEEP => {
-            c"contacts are too large for their summits: contact radii are above a tenth of summit radii on \
-              average; use lighter loads, or check summit_radius: a height map that is noisy, or finer than the contacts, \
-              gives too small a radius"
+            c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
+              above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
+              summit_radius: a height map that is noisy gives too steep a surface and too small a radius"
         }
         ASPERITY_WARNING_ATOMIC => {
             c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
@@ -186,14 +193,20 @@ fn string(warning: u64) -> &'static CStr {
               asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured values"
         }
         ASPERITY_WARNING_BROAD => {
-            c"the surface is rough on many scales, with a bandwidth above 6, so that summits stand on summits: at a \
-              bandwidth of 27 the model predicts 7 to 24 % less friction and 30 to 43 % less real area than boundary \
-              elements; filter the height map at the size of the contacts, or calibrate at the load of use"
+            c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on \
+              summits: at a bandwidth of 27 they give 7 to 24 % less friction and 30 to 43 % less real area than boundary \
+              elements; give the mean squares of height and slope instead (m0 and m2, or Sq and Sdq), or calibrate at the \
+              load of use"
         }
         ASPERITY_WARNING_STRONG => {
             c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
               sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
               lower slip stresses"
+        }
+        ASPERITY_WARNING_FEW_WAVES => {
+            c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
+              load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
+              surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights"
         }
         _ => c"unknown warning",
     }

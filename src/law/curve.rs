@@ -5,15 +5,18 @@
 //! the exact states between its nodes is tried again shorter.
 
 use super::coordinate::Coordinate;
-use super::panel::{Panel, PerQuantity, Sample, NODES};
+use super::panel::{chebyshev, Panel, PerQuantity, Sample, NODES};
+use super::planes::{self, Planes};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
 use super::{Quantity, Reach};
-use crate::elementary::{cos, exp_each, log};
+use crate::elementary::{exp_each, log};
 use crate::equilibrium::{Branch, BranchPoint};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
+/// Of a part of the loads it is looked for from far separations on, in sigma above the middle of the heights.
+const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 /// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
@@ -30,6 +33,8 @@ pub struct Unfollowed {
 /// A panel with the exact states that it was compared with.
 struct Attempt {
     panel: Panel,
+    /// Its nodes, if it is no cubic.
+    nodes: Option<[Sample; NODES]>,
     between: [Sample; 2],
     end: Sample,
     /// The largest error over its tolerance.
@@ -46,6 +51,8 @@ pub struct Curve {
     panels: Vec<Panel>,
     /// Exact states spent.
     samples: usize,
+    /// The gaps of separations, if neighbours make them other numbers.
+    planes: Option<Box<Planes>>,
 }
 
 impl Curve {
@@ -57,9 +64,21 @@ impl Curve {
         let mut steps = Steps::new(branch);
         let positions = steps.positions;
         let coordinate = Coordinate { log_pull_off };
-        let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0 };
+        let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0, planes: None };
+        let is_crowded = branch.population().is_crowded();
+        let mut gaps = Vec::new();
         let mut depth = FIRST_DEPTH.max(positions.middle + FIRST_DEPTH - steps.end);
         let mut from = curve.sample(branch, positions.middle - depth)?;
+        if reach.is_part {
+            for height in NEARER {
+                // Where adhesion holds surfaces together the branch may end before.
+                let Ok(nearer) = curve.sample(branch, positions.middle + height) else { continue };
+                if nearer.log_excess > reach.log_heaviest && nearer.separation < steps.end {
+                    from = nearer;
+                    break;
+                }
+            }
+        }
         while from.log_excess < reach.log_heaviest {
             depth *= 2.0;
             from = curve.sample(branch, positions.middle - depth)?;
@@ -90,12 +109,16 @@ impl Curve {
                 continue;
             }
             curve.panels.push(attempt.panel);
+            if is_crowded {
+                gaps.push(planes::Panel::between(&from, &attempt.end, attempt.nodes.as_ref(), positions));
+            }
             check.extend(attempt.between);
             if attempt.end.slope[0].is_finite() {
                 check.push(attempt.end);
             }
             from = attempt.end;
         }
+        curve.planes = is_crowded.then(|| Box::new(Planes::new(branch, gaps, positions)));
         Ok(curve)
     }
 
@@ -103,8 +126,7 @@ impl Curve {
     fn nodes(&self, branch: &Branch, any: Sample, at: impl Fn(f64) -> f64) -> Result<[Sample; NODES], Unfollowed> {
         let mut nodes = [any; NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
-            let angle = std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
-            *node = self.sample(branch, at(-cos(angle)))?;
+            *node = self.sample(branch, at(chebyshev(j)))?;
         }
         Ok(nodes)
     }
@@ -120,7 +142,7 @@ impl Curve {
         self.samples += NODES + 3;
         let panel = Panel::new(&from, &end, positions, &nodes);
         let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &between[0], &between[1], &end]);
-        Ok(Attempt { panel, between, end, error })
+        Ok(Attempt { panel, nodes: Some(nodes), between, end, error })
     }
 
     /// A cubic over a short stretch.
@@ -130,17 +152,18 @@ impl Curve {
         self.samples += 2;
         let panel = Panel::bridge(&from, &end);
         let error = panel.error_over_tolerance(stretch.slope_slack, &[&between]);
-        Ok(Attempt { panel, between: [between, between], end, error })
+        Ok(Attempt { panel, nodes: None, between: [between, between], end, error })
     }
 
     /// The state where a panel ends, which may be pull-off itself.
     fn end(&self, branch: &Branch, to: f64) -> Result<Sample, Unfollowed> {
-        if branch.pull_off().is_none_or(|point| point.separation != to) {
+        let Some(point) = branch.pull_off().filter(|point| point.separation == to) else {
             return self.sample(branch, to);
-        }
+        };
         let unknown = f64::NAN;
         Ok(Sample {
             separation: to,
+            crowding: point.sums.crowding,
             log_excess: f64::NEG_INFINITY,
             s: 0.0,
             s_by_separation: unknown,
@@ -161,9 +184,11 @@ impl Curve {
             return Err(Unfollowed { separation });
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
+        let crowding = sums.crowding;
         let sums = Quantity::ALL.map(|quantity| quantity.of(&sums));
         Ok(Sample {
             separation,
+            crowding,
             log_excess,
             s,
             s_by_separation: s_rate * rate,
@@ -201,6 +226,31 @@ impl Curve {
         let (s, _) = self.coordinate.at(log_excess);
         let panel = self.panel(s);
         panel.holds(s).then(|| panel.separation_at(s))
+    }
+
+    /// The gap of a separation.
+    pub fn gap(&self, separation: f64) -> f64 {
+        self.planes.as_ref().map_or(separation, |planes| planes.gap(separation))
+    }
+
+    /// The load and d(load)/d(gap) at neighbouring gaps, dimensionless.
+    pub fn load_at_gaps<const N: usize>(&self, gap: [f64; N]) -> [(f64, f64); N] {
+        let Some(planes) = &self.planes else { return gap.map(|gap| self.load_at(gap)) };
+        let [index, last] = [gap[0], gap[N - 1]].map(|gap| planes.index_of(gap).min(self.panels.len() - 1));
+        if index != last {
+            return gap.map(|gap| self.load_at_gaps([gap])[0]);
+        }
+        let panel = &self.panels[index];
+        planes.panel(index).places(gap).map(|(place, rate)| {
+            let (s, by_place) = panel.s_at_place(place);
+            let (load, by_s) = self.coordinate.load(s);
+            (load, by_s * by_place * rate)
+        })
+    }
+
+    /// How gaps and separations follow from each other, if they differ.
+    pub fn into_planes(self) -> Option<Box<Planes>> {
+        self.planes
     }
 
     /// The load and d(load)/d(separation) at a separation, dimensionless.
@@ -250,7 +300,7 @@ mod tests {
 
     /// Loads above pull-off between these logarithms.
     fn reach(log_lightest: f64, log_heaviest: f64, has_pull_off: bool) -> Reach {
-        Reach { log_lightest, log_heaviest, has_pull_off, most_rows: 0 }
+        Reach { log_lightest, log_heaviest, has_pull_off, most_rows: 0, is_part: false }
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::row::{
 use super::table::Table;
 use super::tolerance::larger;
 use crate::elementary::{exp, log, log1p};
+use crate::numerics::ascending;
 use std::f64::consts::LN_2;
 use std::ops::Range;
 
@@ -199,9 +200,8 @@ fn linked(rows: &mut Vec<Row>, pieces: &[(f64, Row)], end: f64) -> Row {
 /// follow one link.
 fn groups(begins: &[f64], end: f64) -> Vec<Range<usize>> {
     let ends = begins[1..].iter().chain([&end]);
-    let lengths: Vec<f64> = ends.zip(begins).map(|(end, begin)| end - begin).collect();
-    let mut by_length: Vec<usize> = (0..begins.len()).collect();
-    by_length.sort_by(|&a, &b| lengths[b].total_cmp(&lengths[a]));
+    let less_by_length: Vec<f64> = ends.zip(begins).map(|(end, begin)| begin - end).collect();
+    let by_length = ascending(&less_by_length);
     // So many as links of as few levels as can be hold.
     let mut largest = LINKED;
     while largest * LINKED < begins.len() {

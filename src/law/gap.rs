@@ -1,8 +1,8 @@
-//! Load against separation, compiled: the curve read the other way, as a table of the distance x = anchor - separation.
+//! Load against the gap between mean planes, compiled: the curve read the other way, as a table of the distance x = anchor - gap.
 //!
-//! The anchor lies beyond the end of the branch by a whole binade of x, in which the load is not yet 0: rows begin there. Where there is
-//! a pull-off load, they begin at pull-off. Without one the load decays without end: from the lightest load that is compiled,
-//! it is taken to 0 at the anchor as the seventh power of x, with its value and slope.
+//! Where there is a pull-off load, rows begin at pull-off, and the anchor lies beyond it by a whole binade of x. Without one they begin
+//! at the lightest load that is compiled, and from there the load goes to 0 at the anchor as a power of x, with its value and slope.
+//! The anchor is then the highest summit; where that is far or the load decays without end, it is nearer, by a whole binade again.
 
 use super::continuation::Continuation;
 use super::curve::Curve;
@@ -16,56 +16,39 @@ use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.
 const FRACTION: u32 = 4;
-/// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance.
-const NEAREST_TO_HIGHEST: f64 = 1e-5;
-/// The power by which the load goes to 0 beyond the lightest that is compiled.
+/// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance,
+/// and the load is a power of it, also where the density of heights jumps to 0 there.
+const NEAREST_TO_HIGHEST: f64 = 1e-9;
+/// The largest power by which the load goes to 0 beyond the lightest that is compiled, where the highest summit is far.
 const TAIL_POWER: f64 = 7.0;
 
-/// Load against separation, in the caller's units.
+/// Load against gap, in the caller's units.
 #[derive(Debug, Clone)]
 pub struct Gap {
     /// Rows of x; its "pull-off load" is minus the anchor.
     table: Table,
-    tail: Option<Tail>,
-    /// In heavier compression than the table's, of x.
+    /// Lighter than the table, of x; none where there is a pull-off load.
+    light: Option<Box<Continuation>>,
+    /// In heavier compression than the table's, of minus the separation.
     heavy: Box<Continuation>,
     lengths: Lengths,
 }
 
-/// The caller's units of length: a separation of the model is `unit` times the separation of the means plus `origin`.
+/// The caller's units of length: a gap of the caller is `unit` times the sum of that of the model and `origin`, what the zero of the
+/// model's heights is above the mean plane.
 #[derive(Debug, Clone, Copy)]
 pub struct Lengths {
     pub unit: f64,
     pub origin: f64,
 }
 
-/// Load beyond the lightest that is compiled, at x from 0 to the first row's.
-#[derive(Debug, Clone, Copy)]
-struct Tail {
-    begin: f64,
-    load: f64,
-    /// What the slope by ln x is less than 7.
-    bend: f64,
-}
-
-impl Tail {
-    /// load q^7 (1 + bend (1 - q)), q = x/begin, and its slope by x.
-    fn at(&self, x: f64) -> (f64, f64) {
-        let q = x / self.begin;
-        let cube = q * q * q;
-        let sixth = self.load * cube * cube;
-        let (factor, bend) = (1.0 + self.bend * (1.0 - q), self.bend);
-        (sixth * q * factor, sixth * (TAIL_POWER * factor - bend * q) / self.begin)
-    }
-}
-
 impl Lengths {
-    fn separation(&self, dimensionless: f64) -> f64 {
+    pub fn callers(&self, dimensionless: f64) -> f64 {
         (dimensionless + self.origin) * self.unit
     }
 
-    pub fn dimensionless(&self, separation: f64) -> f64 {
-        separation / self.unit - self.origin
+    pub fn dimensionless(&self, gap: f64) -> f64 {
+        gap / self.unit - self.origin
     }
 }
 
@@ -81,75 +64,91 @@ impl Gap {
         };
         // A length over which the load changes by its own size there.
         let scale = match pull_off {
-            Some(point) => end - zero_load(curve, point.separation),
+            Some(point) => curve.gap(end) - curve.gap(zero_load(curve, point.separation)),
             None => {
                 let (load, slope) = curve.load_at(first);
                 -TAIL_POWER * load / slope
             }
         };
-        let margin = binade_below(scale * lengths.unit);
-        let mut anchor = lengths.separation(first) + margin;
+        let highest = curve.gap(branch.farthest());
+        let [begin, first] = [begin, first].map(|separation| curve.gap(separation));
+        let to_highest = (highest - first) * lengths.unit;
+        let beyond = binade_below(scale * lengths.unit);
+        let is_cut = pull_off.is_none() && to_highest < beyond;
+        let margin = if is_cut { to_highest } else { beyond };
+        let mut anchor = if is_cut { lengths.callers(highest) } else { lengths.callers(first) + margin };
         if pull_off.is_some() {
-            // At pull-off's separation itself the surfaces are apart, whatever rounding did to the sum.
-            while anchor - lengths.separation(first) >= margin {
+            // At pull-off's gap itself the surfaces are apart, whatever rounding did to the sum.
+            while anchor - lengths.callers(first) >= margin {
                 anchor = anchor.below();
             }
         }
-        let tail = pull_off.is_none().then(|| {
-            let (load, slope) = curve.load_at(lengths.dimensionless(anchor - margin));
-            let load = load * unit_load;
-            let rise = -slope * unit_load / lengths.unit * margin / load;
-            Tail { begin: margin, load, bend: TAIL_POWER - rise }
-        });
         let least = -branch.pull_off_load() * unit_load;
-        let source = Distances { curve, lengths, unit_load, anchor: anchor / lengths.unit, end: first, least };
+        // Without the rounding of the caller's units, next to which lengths may be small.
+        let dimensionless = if is_cut { highest } else { lengths.dimensionless(anchor) };
+        let source = Distances { curve, unit_load, anchor: dimensionless, end: first, least };
         let shift = Table::shift_of(FRACTION);
-        let base = margin.to_bits() >> shift;
+        // The first row that the curve has whole.
+        let base = (margin.below().to_bits() >> shift) + 1;
         let end = (margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift;
         let mut table = Table::new(FRACTION, base, -anchor);
         Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
-        let last = table.begin_of(table.row_count).below();
-        let at_last = table.at_excess(last).unwrap_or((f64::NAN, f64::NAN));
-        let heavy = Box::new(Continuation::new(last + table.pull_off, at_last, 0.0, true));
-        Self { heavy, table, tail, lengths }
+        let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
+        let (begin, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
+        let light = pull_off.is_none().then(|| Box::new(Continuation::new(begin, at(begin), 0.0, false)));
+        let heavy = Box::new(Continuation::new(last + table.pull_off, at(last), 0.0, true));
+        Self { heavy, light, table, lengths }
     }
 
-    /// The table: its argument is minus the separation, its slope by that.
+    /// The table: its argument is minus the gap, its slope by that.
     #[inline]
     pub fn table(&self) -> &Table {
         &self.table
     }
 
-    /// The separation from which on the load is 0.
+    /// The gap from which on the load is 0.
     pub fn end(&self) -> f64 {
         let anchor = -self.table.pull_off;
-        anchor - if self.tail.is_some() { 0.0 } else { self.table.begin_of(0) }
+        anchor - if self.light.is_some() { 0.0 } else { self.table.begin_of(0) }
     }
 
-    /// Whether the surfaces are apart at a separation.
+    /// Whether the surfaces are apart at a gap.
     #[inline]
-    pub fn is_open(&self, separation: f64) -> bool {
-        let x = -self.table.pull_off - separation;
-        x <= 0.0 || self.tail.is_none() && x < self.table.begin_of(0)
+    pub fn is_open(&self, gap: f64) -> bool {
+        let x = -self.table.pull_off - gap;
+        x <= 0.0 || self.light.is_none() && x < self.table.begin_of(0)
     }
 
-    /// The load and its slope by minus the separation, where the surfaces are not apart and the table does not answer.
-    pub fn beyond(&self, separation: f64) -> (f64, f64) {
-        let x = -self.table.pull_off - separation;
-        match self.tail.filter(|tail| x < tail.begin) {
-            Some(tail) => tail.at(x),
-            None => self.heavy.at(-separation),
+    /// The load and its slope by minus the gap, where the surfaces are not apart and the table does not answer.
+    pub fn beyond(&self, gap: f64) -> (f64, f64) {
+        let x = -self.table.pull_off - gap;
+        match self.lighter(x) {
+            Some(light) => light.at(x),
+            None => self.heavy.at(-gap),
         }
     }
 
     /// Whether finding them raises no floating-point exception but "inexact".
-    pub fn is_moderate_beyond(&self, separation: f64) -> bool {
-        let x = -self.table.pull_off - separation;
-        !self.tail.is_some_and(|tail| x < tail.begin) && self.heavy.is_moderate(-separation)
+    pub fn is_moderate_beyond(&self, gap: f64) -> bool {
+        let x = -self.table.pull_off - gap;
+        match self.lighter(x) {
+            Some(light) => light.is_moderate(x),
+            None => self.heavy.is_moderate(-gap),
+        }
     }
 
-    /// The separation that carries a load, to some digits; dimensionless; `None` beyond the table.
-    pub fn separation_of(&self, load: f64) -> Option<f64> {
+    /// What answers nearer to the anchor than the rows.
+    fn lighter(&self, x: f64) -> Option<&Continuation> {
+        self.light.as_deref().filter(|_| x < self.table.begin_of(0))
+    }
+
+    /// The caller's units of length.
+    pub fn lengths(&self) -> Lengths {
+        self.lengths
+    }
+
+    /// The gap at which a load is carried; `None` beyond the table.
+    pub fn of_load(&self, load: f64) -> Option<f64> {
         let begins =
             |row: usize| self.table.at_excess(self.table.begin_of(row)).map_or(f64::INFINITY, |(load, _)| load);
         let (mut row, mut next) = (0, self.table.row_count);
@@ -162,8 +161,7 @@ impl Gap {
         }
         let (from, to) = (self.table.begin_of(row), self.table.begin_of(next));
         let excess = |x: f64| self.table.at_excess(x).map_or(f64::INFINITY, |(at, _)| at - load);
-        (next < self.table.row_count)
-            .then(|| self.lengths.dimensionless(-self.table.pull_off - root::bracketed(excess, from, to)))
+        (next < self.table.row_count).then(|| -self.table.pull_off - root::bracketed(excess, from, to))
     }
 }
 
@@ -190,27 +188,27 @@ fn binade_below(x: f64) -> f64 {
 /// The load against ln x, in the caller's units of load; x is in sigma.
 struct Distances<'a> {
     curve: &'a Curve,
-    lengths: Lengths,
     unit_load: f64,
     anchor: f64,
-    /// The end of the branch.
+    /// The gap at the end of the curve.
     end: f64,
     least: f64,
 }
 
 impl Source for Distances<'_> {
     fn at<const N: usize>(&self, log_x: [f64; N]) -> [(f64, f64); N] {
-        log_x.map(|log_x| {
-            let x = exp(log_x);
-            let separation = (self.anchor - x - self.lengths.origin).min(self.end);
-            let (load, slope) = self.curve.load_at(separation);
-            (load * self.unit_load, -slope * self.unit_load * x)
+        let x = log_x.map(exp);
+        let loads = self.curve.load_at_gaps(x.map(|x| (self.anchor - x).min(self.end)));
+        std::array::from_fn(|i| {
+            let (load, slope) = loads[i];
+            (load * self.unit_load, -slope * self.unit_load * x[i])
         })
     }
 
     fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
-        let log_x = |separation: f64| log(self.anchor - self.lengths.origin - separation);
-        let joints = self.curve.joints().rev().filter(|&joint| joint < self.end).map(log_x);
+        let log_x = |gap: f64| log(self.anchor - gap);
+        let joints = self.curve.joints().rev().map(|joint| self.curve.gap(joint));
+        let joints = joints.filter(|&joint| joint < self.end).map(log_x);
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 
@@ -228,7 +226,7 @@ mod tests {
     #[test]
     fn the_table_is_small_and_nearly_all_of_it_is_whole_rows() {
         for (gamma, most) in [(0.0, 400), (1e-3, 340)] {
-            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let table = law.gap().table();
             let links = table.rows.iter().filter(|row| row.is_link()).count();
             println!("{} rows, {} with parts, {links} links", table.row_count, table.rows.len());
@@ -238,7 +236,7 @@ mod tests {
             // From next to the end, or from where the load is more than nothing, to far in compression.
             for i in 0..200 {
                 let separation = branch.farthest().min(9.0) - 1e-3 * 1.08_f64.powi(i);
-                let (load, _) = table.at_load(-law.gap().lengths.separation(separation)).expect("it is tabulated");
+                let (load, _) = table.at_load(-law.gap().lengths.callers(separation)).expect("it is tabulated");
                 let exact = 3.0 * branch.population().at_separation(separation).load();
                 let error = (load - exact).abs() / exact.abs().max(least);
                 assert!(error < 1e-9, "{error:e} at {separation}");
@@ -246,23 +244,11 @@ mod tests {
         }
     }
 
-    #[test]
-    fn the_tail_joins_the_lightest_load_with_its_slope_and_ends_at_nothing() {
-        let tail = Tail { begin: 2.0, load: 3.0, bend: 1.5 };
-        assert_eq!(tail.at(2.0), (3.0, 3.0 * (TAIL_POWER - 1.5) / 2.0));
-        assert_eq!(tail.at(0.0), (0.0, 0.0));
-        for x in [0.1, 0.7, 1.3, 1.9] {
-            let difference = (tail.at(x + 1e-6).0 - tail.at(x - 1e-6).0) / 2e-6;
-            let (load, slope) = tail.at(x);
-            assert!(load > 0.0 && (difference / slope - 1.0).abs() < 1e-7, "{x}: {slope}, not {difference}");
-        }
-    }
-
     /// With a load that decays without end, and with one that pulls at the end of the branch.
     #[test]
     fn beyond_the_table_surfaces_are_apart_or_the_load_goes_on() {
         for gamma in [0.0, 1e-3] {
-            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], 3e-9).expect("a law");
+            let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let gap = law.gap();
             let [end, step] = [gap.end(), 1e-12];
             assert!(gap.is_open(end + step) && !gap.is_open(end - step), "{gamma}: {end:e}");
@@ -277,11 +263,15 @@ mod tests {
             assert!(!gap.is_open(last) && gap.is_moderate_beyond(2.0 * last));
             let (farther, _) = gap.beyond(2.0 * last);
             assert!(farther > 1.5 * load && farther < 6.0 * load, "{farther:e} from {load:e}");
-            match gap.tail {
-                Some(tail) => {
-                    let (within, x) = (end - 0.5 * tail.begin, 0.5 * tail.begin);
-                    let off = gap.beyond(within).0 / tail.at(x).0 - 1.0;
-                    assert!(off.abs() < 1e-6 && !gap.is_open(within) && !gap.is_moderate_beyond(within), "{off:e}");
+            match &gap.light {
+                Some(light) => {
+                    let begin = gap.table().begin_of(0);
+                    let (load, slope) = gap.table().at_excess(begin).expect("the table answers");
+                    let (joint, within) = (light.at(begin.below()), end - 0.5 * begin);
+                    assert!((joint.0 / load - 1.0).abs() < 1e-9 && (joint.1 / slope - 1.0).abs() < 1e-7, "{joint:?}");
+                    // Between the fourth power and the seventh.
+                    let part = gap.beyond(within).0 / load;
+                    assert!(part > 0.5_f64.powi(7) && part < 0.5_f64.powi(3) && !gap.is_open(within), "{part}");
                 }
                 None => {
                     let (load, _) = gap.table().at_load(-(end - step)).expect("the table answers");

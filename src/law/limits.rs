@@ -303,7 +303,7 @@ fn equal_contacts() -> Row {
 #[cfg(test)]
 mod tests {
     use super::super::tests::branch;
-    use super::super::Law;
+    use super::super::{Law, Lengths};
     use super::*;
     use crate::four::Portable;
 
@@ -364,7 +364,7 @@ mod tests {
     #[test]
     fn levels_resist_what_the_contacts_of_their_load_do() {
         let branch = branch(0.001);
-        let law = Law::new(&branch, 1.0, [1.0; 2], 1.0).expect("a law");
+        let law = Law::new(&branch, 1.0, [1.0; 2], Lengths { unit: 1.0, origin: 0.0 }).expect("a law");
         for log_excess in [-20.0_f64, -8.3, -3.1, 0.2, 4.9, 9.0] {
             let (separation, sums) = branch.at_log_excess(log_excess, None).expect("a state");
             let (mut shares, mut slopes) = ([0.0; LEVELS], [0.0; LEVELS]);

@@ -13,6 +13,7 @@ mod fill;
 mod gap;
 mod limits;
 mod panel;
+mod planes;
 mod position;
 mod row;
 mod steps;
@@ -30,9 +31,10 @@ use fill::{Filling, Source};
 pub use gap::Gap;
 use limits::Limits;
 use panel::Sample;
+use planes::Planes;
 
 pub use curve::Unfollowed;
-use gap::Lengths;
+pub use gap::Lengths;
 pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
@@ -60,7 +62,7 @@ const LIGHTEST_PULL_OFF: f64 = 1e-30;
 pub enum Quantity {
     /// The friction force.
     Friction,
-    /// The sum of contact radii, to which the tangential stiffness is proportional.
+    /// The sum of contact radii over psi, to which the tangential stiffness is proportional.
     Radius,
 }
 
@@ -73,16 +75,17 @@ impl Quantity {
     pub fn of(self, sums: &Sums) -> (f64, f64) {
         match self {
             Self::Friction => (sums.friction, sums.friction_slope),
-            Self::Radius => (sums.radius, sums.radius_slope),
+            Self::Radius => sums.spread_radius(),
         }
     }
 }
 
-/// Friction force and tangential stiffness against load, and load against separation.
+/// Friction force and tangential stiffness against load, and load against gap.
 #[derive(Debug, Clone)]
 pub struct Law {
     compiled: [Compiled; Quantity::COUNT],
     gap: Gap,
+    planes: Option<Box<Planes>>,
     limits: Limits,
 }
 
@@ -111,6 +114,8 @@ pub struct Reach {
     /// Whether pull-off itself is.
     has_pull_off: bool,
     most_rows: usize,
+    /// Whether it is a part of what a law reaches, for one who asks for no other loads.
+    is_part: bool,
 }
 
 impl Reach {
@@ -126,18 +131,56 @@ impl Reach {
             log_heaviest: log(heaviest) + ROW,
             has_pull_off: pull_off > LIGHTEST_PULL_OFF * half,
             most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * branch.kinks().len(),
+            is_part: false,
         }
+    }
+
+    /// The part of it between two loads above pull-off, in the model's units, which is not empty.
+    fn between(self, log_lightest: f64, log_heaviest: f64) -> Self {
+        let log_heaviest = (log_heaviest + ROW).max(self.log_lightest + ROW).min(self.log_heaviest);
+        let log_lightest = (log_lightest - ROW).min(log_heaviest - ROW).max(self.log_lightest);
+        Self { log_lightest, log_heaviest, is_part: true, ..self }
     }
 }
 
 impl Law {
-    /// Compiles the law in units of load, of each quantity and of length.
+    /// Compiles the law in units of load, of each quantity and of length; `mean_height` is that of the mean of the summits above the
+    /// mean plane, in that unit.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
-    pub fn new(branch: &Branch, load: f64, units: [f64; Quantity::COUNT], length: f64) -> Result<Self, Unfollowed> {
+    pub fn new(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+    ) -> Result<Self, Unfollowed> {
+        Self::compiled(branch, load, units, lengths, Reach::of(branch))
+    }
+
+    /// The same between two loads above pull-off alone, in the model's units: sooner, for few questions.
+    ///
+    /// # Errors
+    /// As [`Law::new`].
+    pub fn between(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+        [lightest, heaviest]: [f64; 2],
+    ) -> Result<Self, Unfollowed> {
+        let reach = Reach::of(branch).between(log(lightest), log(heaviest));
+        Self::compiled(branch, load, units, lengths, reach)
+    }
+
+    fn compiled(
+        branch: &Branch,
+        load: f64,
+        units: [f64; Quantity::COUNT],
+        lengths: Lengths,
+        reach: Reach,
+    ) -> Result<Self, Unfollowed> {
         let mut samples = Vec::new();
-        let reach = Reach::of(branch);
         let curve = Curve::new(branch, reach, &mut samples)?;
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
@@ -146,9 +189,8 @@ impl Law {
             compiled
         });
         let limits = Limits::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
-        let lengths = Lengths { unit: length, origin: branch.population().heights().origin() };
         let gap = Gap::new(branch, &curve, reach, lengths, load);
-        Ok(Self { compiled, gap, limits })
+        Ok(Self { compiled, gap, planes: curve.into_planes(), limits })
     }
 
     /// The table of a quantity.
@@ -183,7 +225,24 @@ impl Law {
         &self.limits
     }
 
-    /// Load against separation.
+    /// The gap between mean planes at a separation of the population, in the caller's unit.
+    pub fn gap_at(&self, separation: f64) -> f64 {
+        let gap = self.planes.as_ref().map_or(separation, |planes| planes.gap(separation));
+        self.gap.lengths().callers(gap)
+    }
+
+    /// The separation of the population at a gap in the caller's unit.
+    pub fn separation_at(&self, gap: f64) -> f64 {
+        let gap = self.gap.lengths().dimensionless(gap);
+        self.planes.as_ref().map_or(gap, |planes| planes.separation(gap))
+    }
+
+    /// The separation that carries a load, to some digits; `None` beyond the table.
+    pub fn separation_of(&self, load: f64) -> Option<f64> {
+        self.gap.of_load(load).map(|gap| self.separation_at(gap))
+    }
+
+    /// Load against gap.
     #[inline]
     pub fn gap(&self) -> &Gap {
         &self.gap
@@ -259,20 +318,20 @@ mod tests {
 
     const LOAD: f64 = 3.0;
     const UNITS: [f64; 2] = [0.5, 7.0];
-    const LENGTH: f64 = 3e-9;
+    const LENGTHS: Lengths = Lengths { unit: 3e-9, origin: 0.0 };
 
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
                 assert!(error > 1e-16 && error < 5e-11, "{quantity:?}: {error:e}");
             }
             let table = law.table(Quantity::Friction);
             for load in [0.1, 1.0, 55.0, 3e3].map(|load| load * LOAD) {
-                let separation = law.gap().separation_of(load).expect("it is covered");
+                let separation = law.separation_of(load).expect("it is covered");
                 let found = branch.log_excess(separation).sums.load() * LOAD;
                 assert!((found / load - 1.0).abs() < 1e-8, "{found}, not {load}");
             }
@@ -302,7 +361,7 @@ mod tests {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let table = law.table(Quantity::Friction);
             // Hertz' overlap at that radius, in sigma, with R = beta/alpha and sigma = alpha beta.
             let overlap = 8e4 * 8e4 / (beta * beta);
@@ -355,7 +414,7 @@ mod tests {
                     let branch = Branch::new(of(&surface(groups, heights, radii))).expect("a branch");
                     let mut samples = Vec::new();
                     let curve = Curve::new(&branch, Reach::of(&branch), &mut samples).expect("a curve");
-                    let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+                    let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
                     let rows = law.table(Quantity::Friction).rows.len();
                     [samples.len(), curve.joints().count(), rows, law.gap().table().rows.len()]
                 },
@@ -371,7 +430,7 @@ mod tests {
                 &[87, 29, 225, 246],
                 &[18, 6, 189, 169],
                 &[85, 28, 429, 304],
-                &[148, 49, 434, 465],
+                &[148, 49, 434, 602],
                 &[40, 13, 406, 373],
             ],
             "states, panels, rows of friction and of the gap",
@@ -425,7 +484,7 @@ mod tests {
         let panels = surfaces.map(|params| {
             [panels_laid(|| {
                 let branch = Branch::new(of(&params)).expect("a branch");
-                Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law")
+                Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law")
             })]
         });
         assert_work(
@@ -447,7 +506,7 @@ mod tests {
         for heights in [crate::params::HeightFamily::Weibull { shape: 1.1 }, crate::population::tests::table(), steps] {
             let branch = Branch::new(crate::population::tests::of(&Params { heights, ..Params::paper() }));
             let branch = branch.expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let excess = |sums: &Sums| sums.load() - branch.pull_off_load();
             let at = |separation: f64| branch.population().at_separation(separation);
             let kinks: Vec<f64> =
@@ -483,7 +542,7 @@ mod tests {
                 ..default
             };
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTH).expect("a law");
+            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             let feet: Vec<f64> = branch.kinks().iter().copied().filter(|&kink| kink > -10.0).collect();
             assert!(feet.len() >= 2, "{feet:?}");
             for quantity in Quantity::ALL {

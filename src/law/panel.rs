@@ -4,12 +4,17 @@
 use super::position::Positions;
 use super::tolerance::{self, larger};
 use super::Quantity;
-use crate::elementary::log;
+use crate::elementary::{cos, log};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 
 /// Exact states per panel.
 pub const NODES: usize = 10;
+/// Where its node j lies, from -1 to 1.
+pub fn chebyshev(j: usize) -> f64 {
+    -cos(std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64)
+}
+
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * NODES;
 /// Next to a kink the slope of the stiffness is harder to resolve than that of friction: it need only be as good as values ask for, which
@@ -25,6 +30,8 @@ pub type PerQuantity = [f64; Quantity::COUNT];
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     pub separation: f64,
+    /// 1 - psi, and its slope by separation.
+    pub crowding: (f64, f64),
     /// ln(load - pull-off load).
     pub log_excess: f64,
     pub s: f64,
@@ -53,14 +60,38 @@ pub struct Panel {
 
 /// What lengths in separation are measured in.
 #[derive(Debug, Clone, Copy)]
-enum Length {
+pub enum Length {
     Separation,
     Position(Positions),
 }
 
 impl Length {
+    /// Of a panel from one separation to another.
+    pub fn of(positions: Positions, from: f64, to: f64) -> Self {
+        match positions.is_short(from, to) {
+            true => Self::Separation,
+            false => Self::Position(positions),
+        }
+    }
+
+    /// The separation at a place.
+    pub fn beyond(self, from: f64, place: f64) -> f64 {
+        match self {
+            Self::Separation => from + place,
+            Self::Position(positions) => positions.separation(positions.position(from) + place),
+        }
+    }
+
+    /// The second derivative of a separation by its place.
+    pub fn bend(self, separation: f64) -> f64 {
+        match self {
+            Self::Separation => 0.0,
+            Self::Position(positions) => positions.bend(separation),
+        }
+    }
+
     /// From one separation to another, and its slope by the latter.
-    fn between(self, from: f64, to: f64) -> (f64, f64) {
+    pub fn between(self, from: f64, to: f64) -> (f64, f64) {
         match self {
             Self::Separation => (to - from, 1.0),
             Self::Position(positions) => (positions.position(to) - positions.position(from), positions.density(to)),
@@ -72,10 +103,7 @@ impl Panel {
     /// From one state to another, through the states at its nodes.
     pub fn new(from: &Sample, to: &Sample, positions: Positions, nodes: &[Sample; NODES]) -> Self {
         let is_narrow = from.s - to.s < NARROW;
-        let length = match positions.is_short(from.separation, to.separation) {
-            true => Length::Separation,
-            false => Length::Position(positions),
-        };
+        let length = Length::of(positions, from.separation, to.separation);
         let log_value = std::array::from_fn(|quantity| {
             let rise = |node: &Sample| log(node.value[quantity] / nodes[0].value[quantity]);
             let (places, slopes) =
@@ -125,6 +153,11 @@ impl Panel {
         (s, slope * density)
     }
 
+    /// s at a place, and its slope by that.
+    pub fn s_at_place(&self, place: f64) -> (f64, f64) {
+        self.s.at(place)
+    }
+
     /// The separation at s.
     pub fn separation_at(&self, s: f64) -> f64 {
         root::bracketed(|separation| self.s_at(separation).0 - s, self.begin, self.end)
@@ -161,7 +194,7 @@ fn error_over_tolerance((value, slope): (f64, f64), exact: (f64, f64), slack: f6
 
 /// A polynomial with given values and slopes at its nodes.
 #[derive(Debug, Clone)]
-struct Hermite {
+pub struct Hermite {
     /// The value at the first node, to which the others are relative.
     reference: f64,
     nodes: [f64; NODES],
@@ -171,7 +204,7 @@ struct Hermite {
 
 impl Hermite {
     /// With these values, relative to a reference, and slopes.
-    fn new(reference: f64, nodes: [f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> Self {
+    pub fn new(reference: f64, nodes: [f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> Self {
         // Divided differences; between the two copies of a node they are the slope.
         let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
         for order in 1..CONDITIONS {
@@ -187,7 +220,7 @@ impl Hermite {
     }
 
     /// The cubic between two places, with its slopes there and what it rises by.
-    fn cubic(reference: f64, (from, start): (f64, f64), (to, end): (f64, f64), rise: f64) -> Self {
+    pub fn cubic(reference: f64, (from, start): (f64, f64), (to, end): (f64, f64), rise: f64) -> Self {
         let width = to - from;
         let mut nodes = [to; NODES];
         nodes[0] = from;
@@ -200,7 +233,7 @@ impl Hermite {
 
     /// The value and the slope.
     #[inline(always)] // so that several are worked out side by side
-    fn at(&self, x: f64) -> (f64, f64) {
+    pub fn at(&self, x: f64) -> (f64, f64) {
         let (mut value, mut slope) = (0.0, 0.0);
         for (node, pair) in self.nodes.iter().zip(self.coefficients.chunks_exact(2)).rev() {
             let distance = x - node;
@@ -246,6 +279,7 @@ mod tests {
         let (log_value, slope) = ([2.0 + 3.0 * s + 0.5 * s * s, s * s], [3.0 + s, 2.0 * s]);
         Sample {
             separation,
+            crowding: (0.0, 0.0),
             log_excess: 2.0 * s,
             s,
             s_by_separation: -1.0 - separation / 4.0,

@@ -62,6 +62,11 @@ impl Positions {
         }
     }
 
+    /// d^2(separation)/d(position)^2.
+    pub fn bend(&self, separation: f64) -> f64 {
+        (separation - self.middle) / (TURN * TURN)
+    }
+
     /// d(position)/d(separation).
     pub fn density(&self, separation: f64) -> f64 {
         let distance = (separation - self.middle) / TURN;

@@ -83,6 +83,19 @@ impl Interface {
     pub fn find(name: impl AsRef<[u8]>) -> Option<&'static Self> {
         INTERFACES.iter().find(|interface| interface.name.to_bytes() == name.as_ref())
     }
+
+    /// Those of two bodies without a lubricant, whatever else is said of them: "steel/steel dry".
+    pub fn of_bodies(bodies: &Bodies) -> Vec<&'static Self> {
+        let (first, second) = (bodies.first.name.to_bytes(), bodies.second.name.to_bytes());
+        let is_of = |interface: &&Self| {
+            let Some((one, other)) = halves(interface.name.to_bytes()) else { return false };
+            let mut words = other.split(|&byte| byte == b' ');
+            let both = (one, words.next().unwrap_or_default());
+            let is_lubricated = words.next().is_some_and(|word| [&b"with"[..], b"greased"].contains(&word));
+            !is_lubricated && (both == (first, second) || both == (second, first))
+        };
+        INTERFACES.iter().filter(is_of).collect()
+    }
 }
 
 impl Pair {

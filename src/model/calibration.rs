@@ -1,10 +1,12 @@
-//! The strength of an interface from one measured friction force.
+//! The strength of an interface from measured friction forces.
 //!
 //! The friction force is linear in the slip stresses: with both times c it is c F0(P) + kappa P_H(P), F0 that of the stresses
 //! as they are. A measured force F at the load P gives c = (F - kappa P_H)/F0. All else, how F changes with load, area, roughness
 //! and adhesion, is the model's.
 
+use super::points::{misfit, nearest, tell_pressure, Point, Seen};
 use super::Model;
+use crate::elementary::{exp, log};
 use crate::error::{CalibrationFailure as Reason, Error};
 use crate::float_bits::finite;
 use crate::params::{Params, LARGEST};
@@ -14,6 +16,17 @@ const LARGEST_COEFFICIENT: f64 = 20.0;
 /// Strengths so close to the measured one are it.
 const ROUNDING: f64 = 1e-12;
 
+/// What a calibration found.
+#[derive(Debug)]
+pub(crate) struct Calibrated {
+    /// The points, with the parts of their forces.
+    pub seen: Vec<Seen>,
+    /// How far off the points are.
+    pub misfit: f64,
+    /// Whether the points set the pressure coefficient.
+    pub tells_pressure: bool,
+}
+
 impl Params {
     /// Scales both slip stresses so that the friction coefficient at a load is the one measured there, and keeps the measurement.
     ///
@@ -21,6 +34,11 @@ impl Params {
     /// [`Error::InvalidParameter`] for a load that does not press, or a coefficient that is not above 0 and at most 20; those of
     /// [`Params::calibrate_force`]. The parameters are then as before.
     pub fn calibrate(&mut self, load: f64, friction_coefficient: f64) -> Result<(), Error> {
+        self.calibrate_force(load, Self::measured_force(load, friction_coefficient)?)
+    }
+
+    /// The force of a measured coefficient.
+    pub(crate) fn measured_force(load: f64, friction_coefficient: f64) -> Result<f64, Error> {
         if !finite(load) {
             return Err(Error::InvalidLoad { name: "calibration_load", value: load });
         }
@@ -32,7 +50,7 @@ impl Params {
             let allowed = "must be > 0 and at most 20; is it a force? Calibrate with the friction force then";
             return Err(Error::invalid("calibration_friction_coefficient", friction_coefficient, allowed));
         }
-        self.calibrate_force(load, friction_coefficient * load)
+        Ok(friction_coefficient * load)
     }
 
     /// Scales both slip stresses so that the friction force at a load is the one measured there, and keeps the measurement: for
@@ -43,37 +61,88 @@ impl Params {
     /// coefficient gives alone, or so large that a stress exceeds G*; and those of [`Model::new`] and
     /// [`Model::state_at_load`]. The parameters are then as before.
     pub fn calibrate_force(&mut self, load: f64, friction_force: f64) -> Result<(), Error> {
+        let point = Point { load, force: friction_force, error: self.calibration_error };
+        self.calibrate_points(&[point], false, None).map(|_| ())
+    }
+
+    /// The same from one point or several: the curve nearest to them in their logarithms, each weighted by its error. Where they
+    /// tell the pressure coefficient and it is free, it is led by them too. The measurement that is kept is that of the curve at
+    /// the mean of the logarithms of the loads.
+    ///
+    /// A model without a pressure coefficient, where there is one, is not made again.
+    pub(crate) fn calibrate_points(
+        &mut self,
+        points: &[Point],
+        pressure_is_free: bool,
+        without_pressure: Option<&Model>,
+    ) -> Result<Calibrated, Error> {
+        let Point { load, force: friction_force, .. } = points[0];
         let refused = |reason: Reason, number: f64| Err(Error::Uncalibrated { load, friction_force, reason, number });
-        if !finite(friction_force) || friction_force <= 0.0 {
+        if points.iter().any(|point| !finite(point.force) || point.force <= 0.0) {
             return refused(Reason::NotPositive, 0.0);
         }
         if self.slip.stress_1 == 0.0 && self.slip.stress_2 == 0.0 {
             return refused(Reason::NoStress, 0.0);
         }
-        let without_pressure = Self { pressure_coefficient: 0.0, ..self.clone() };
-        let state = Model::new(&without_pressure)?.state_at_load(load)?;
-        let of_pressure = self.pressure_coefficient * state.hertz_load;
-        if friction_force <= of_pressure {
-            return refused(Reason::Pressure, of_pressure);
+        let made;
+        let model = match without_pressure {
+            Some(model) => model,
+            None => {
+                made = Model::new(&Self { pressure_coefficient: 0.0, ..self.clone() })?;
+                &made
+            }
+        };
+        let mut seen = Vec::with_capacity(points.len());
+        for &Point { load, force: friction_force, error } in points {
+            let refused = |reason, number| Err(Error::Uncalibrated { load, friction_force, reason, number });
+            let state = model.state_at_load(load)?;
+            let of_pressure = self.pressure_coefficient * state.hertz_load;
+            if friction_force <= of_pressure {
+                return refused(Reason::Pressure, of_pressure);
+            }
+            // Of a load that hardly presses the force may be too small for a number.
+            if state.friction_force < f64::MIN_POSITIVE {
+                return refused(Reason::NoFriction, state.friction_force);
+            }
+            let (force, pressed, measured) = (state.friction_force, state.hertz_load, log(friction_force));
+            seen.push(Seen { force, pressed, measured, error });
         }
-        // Of a load that hardly presses the force may be too small for a number.
-        if state.friction_force < f64::MIN_POSITIVE {
-            return refused(Reason::NoFriction, state.friction_force);
-        }
-        let factor = (friction_force - of_pressure) / state.friction_force;
+        let tells_pressure = pressure_is_free && tell_pressure(&seen);
+        let (factor, kappa) = match seen[..] {
+            [one] => {
+                let kappa = self.pressure_coefficient;
+                ((friction_force - kappa * one.pressed) / one.force, kappa)
+            }
+            _ => {
+                let (log_c, kappa) = nearest(&seen, (!tells_pressure).then_some(self.pressure_coefficient));
+                (exp(log_c), kappa)
+            }
+        };
+        let (force, of_pressure) = (seen[0].force, kappa * seen[0].pressed);
         let largest = self.slip.stress_1.max(self.slip.stress_2);
         if factor > 1.0 / largest {
-            return refused(Reason::Strength, state.friction_force / largest + of_pressure);
+            return refused(Reason::Strength, force / largest + of_pressure);
         }
         let least = 1.0 / (LARGEST * self.slip.stress_1.min(self.slip.stress_2));
         if factor < least {
-            return refused(Reason::Weakness, state.friction_force * least + of_pressure);
+            return refused(Reason::Weakness, force * least + of_pressure);
+        }
+        let misfit = misfit(&seen, log(factor), kappa, tells_pressure);
+        let [mut load, mut friction_force] = [load, friction_force];
+        if points.len() > 1 {
+            load = exp(points.iter().map(|point| log(point.load)).sum::<f64>() / points.len() as f64);
+            let state = model.state_at_load(load)?;
+            friction_force = factor * state.friction_force + kappa * state.hertz_load;
         }
         if (factor - 1.0).abs() > ROUNDING {
             self.slip.stress_1 *= factor;
             self.slip.stress_2 *= factor;
         }
+        self.pressure_coefficient = kappa;
+        let precision: f64 = points.iter().map(|point| 1.0 / (point.error * point.error)).sum();
+        self.calibration_error = if points.len() > 1 { misfit.max(1.0) / precision.sqrt() } else { points[0].error };
+        self.calibration_error = self.calibration_error.min(1.0);
         (self.calibration_load, self.calibration_friction_force) = (load, friction_force);
-        Ok(())
+        Ok(Calibrated { seen, misfit, tells_pressure })
     }
 }

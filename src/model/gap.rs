@@ -1,6 +1,6 @@
-//! Load against separation: what hosts ask that know the gap of a contact and not its load.
+//! Load against the gap between mean planes: what hosts ask that know the gap of a contact and not its load.
 //!
-//! Inside, the argument is minus the separation, with which the load rises as friction does with load: one table serves both.
+//! Inside, the argument is minus the gap, with which the load rises as friction does with load: one table serves both.
 
 use super::Model;
 use crate::error::Error;
@@ -8,20 +8,20 @@ use crate::float_bits::{finite, nan};
 use crate::law::Table;
 
 impl Model {
-    /// The load at a separation on the branch of load control; 0 where the surfaces are apart: from pull-off's separation on, or
-    /// where the load has decayed to nothing. NaN for a separation that is not finite or below -1e50 `height_std`.
-    pub fn load_at_separation(&self, separation: f64) -> f64 {
-        self.load_and_slope_at(separation).0
+    /// The load at a gap on the branch of load control; 0 where the surfaces are apart: from pull-off's gap on, or
+    /// where the load has decayed to nothing. NaN for a gap that is not finite or below -1e50 `height_std`.
+    pub fn load_at_gap(&self, gap: f64) -> f64 {
+        self.load_and_slope_at_gap(gap).0
     }
 
-    /// That load, and its slope by separation, <= 0.
-    pub fn load_and_slope_at(&self, separation: f64) -> (f64, f64) {
-        let answer = self.tabulated_load(-separation).or_else(|| self.known_load(-separation));
-        let (load, slope) = answer.unwrap_or_else(|| self.continued_load(-separation));
-        (load, by_separation(slope))
+    /// That load, and its slope by gap, <= 0.
+    pub fn load_and_slope_at_gap(&self, gap: f64) -> (f64, f64) {
+        let answer = self.tabulated_load(-gap).or_else(|| self.known_load(-gap));
+        let (load, slope) = answer.unwrap_or_else(|| self.continued_load(-gap));
+        (load, by_gap(slope))
     }
 
-    /// Load and slope at minus the separation, where the compiled law answers.
+    /// Load and slope at minus the gap, where the compiled law answers.
     #[inline]
     pub(crate) fn tabulated_load(&self, approach: f64) -> Option<(f64, f64)> {
         // Tested by bits, as loads are.
@@ -50,33 +50,33 @@ impl Model {
         self.law.gap().is_moderate_beyond(-approach)
     }
 
-    /// The table of loads by minus the separation.
+    /// The table of loads by minus the gap.
     #[inline]
     pub(crate) fn load_table(&self) -> &Table {
         self.law.gap().table()
     }
 
-    /// The error of an admissible separation at which there is no load.
-    pub(crate) fn no_load_at(separation: f64) -> Error {
-        let allowed = "the load at this separation is no number, or cannot be found; please report the parameters";
-        Error::out_of_range("separation", separation, allowed)
+    /// The error of an admissible gap at which there is no load.
+    pub(crate) fn no_load_at(gap: f64) -> Error {
+        let allowed = "the load at this gap is no number, or cannot be found; please report the parameters";
+        Error::out_of_range("gap", gap, allowed)
     }
 
-    /// Whether the surfaces touch or attract at a separation.
+    /// Whether the surfaces touch or attract at a gap.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] if it is not finite, [`Error::OutOfRange`] below -1e50 `height_std`, [`Error::Open`] where
     /// the surfaces are apart.
-    pub fn validate_separation(&self, separation: f64) -> Result<(), Error> {
-        if finite(separation) && self.law.gap().is_open(separation) {
-            return Err(Error::Open { separation, end: self.law.gap().end() });
+    pub fn validate_gap(&self, gap: f64) -> Result<(), Error> {
+        if finite(gap) && self.law.gap().is_open(gap) {
+            return Err(Error::Open { gap, end: self.law.gap().end() });
         }
-        self.dimensionless("separation", separation).map(|_| ())
+        self.separation_at(gap).map(|_| ())
     }
 }
 
-/// The slope by separation from that by minus the separation, which rounding may have made negative at pull-off itself.
-pub fn by_separation(slope: f64) -> f64 {
+/// The slope by gap from that by minus the gap, which rounding may have made negative at pull-off itself.
+pub fn by_gap(slope: f64) -> f64 {
     if slope.is_sign_negative() && !nan(slope) {
         0.0
     } else {

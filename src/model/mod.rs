@@ -5,10 +5,11 @@
 // Brackets hold units here, not links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
-mod calibration;
+pub(crate) mod calibration;
 mod exact;
 mod gap;
 mod microslip;
+pub(crate) mod points;
 pub mod validity;
 
 use crate::elementary::cbrt;
@@ -18,12 +19,12 @@ use crate::float_bits::finite;
 use crate::groups::Groups;
 #[cfg(target_arch = "x86_64")]
 use crate::law::Continuation;
-use crate::law::{Law, Quantity, Table, Unfollowed};
+use crate::law::{Law, Lengths, Quantity, Table, Unfollowed};
 use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
 pub use exact::{State, SummitState};
-pub(crate) use gap::by_separation;
+pub(crate) use gap::by_gap;
 pub use microslip::MicroslipStep;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
@@ -119,11 +120,33 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
     pub fn new(params: &Params) -> Result<Self, Error> {
+        Self::compiled(params, None)
+    }
+
+    /// The same for loads from one to another, from the pull-off load upwards: sooner, where no others are asked for.
+    ///
+    /// # Errors
+    /// As [`Model::new`].
+    pub(crate) fn between(params: &Params, loads: [f64; 2]) -> Result<Self, Error> {
+        Self::compiled(params, Some(loads))
+    }
+
+    fn compiled(params: &Params, loads: Option<[f64; 2]>) -> Result<Self, Error> {
         let (groups, heights, radius) = params.surface()?;
         let units = Units::new(params);
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
         let compile = |branch: &Branch| {
-            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), units.length)
+            // Heights count from the mean of the summits, gaps from the mean plane.
+            let origin = branch.population().heights().origin() + params.summit_mean_height / units.length;
+            let lengths = Lengths { unit: units.length, origin };
+            let of_quantities = Quantity::ALL.map(|quantity| units.of(quantity));
+            match loads {
+                None => Law::new(branch, units.load, of_quantities, lengths),
+                Some(loads) => {
+                    let excess = loads.map(|load| (load / units.load - branch.pull_off_load()).max(f64::MIN_POSITIVE));
+                    Law::between(branch, units.load, of_quantities, lengths, excess)
+                }
+            }
         };
         let mut branch = Branch::new(population)?;
         let mut law = compile(&branch);
@@ -200,8 +223,8 @@ impl Model {
         self.value_and_slope(Quantity::Radius, load).0
     }
 
-    /// Sum of the radii of all contacts [length]: the constriction conductance of independent contacts is 2 k times it, k the
-    /// harmonic mean of the conductivities of the two bodies. 0 below pull-off; NaN for a load that is not finite or too heavy.
+    /// Sum of the radii of all contacts over psi, which is 1 where the nominal area is not known [length]: the constriction
+    /// conductance is 2 k times it, k the harmonic mean of the conductivities of the two bodies. 0 below pull-off; NaN for a load that is not finite or too heavy.
     pub fn contact_radius_sum_at_load(&self, load: f64) -> f64 {
         self.contact_radius_sum_and_slope(load).0
     }

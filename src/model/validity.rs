@@ -24,17 +24,23 @@ pub const WARNING_UNCALIBRATED: u64 = 64;
 pub const WARNING_BROAD: u64 = 128;
 /// Set where the interface is stronger than the softer body.
 pub const WARNING_STRONG: u64 = 256;
+/// Set where too few waves of the roughness fit the nominal area for it to be like another.
+pub const WARNING_FEW_WAVES: u64 = 512;
 
 /// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
 /// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
 const YIELD_PRESSURE: f64 = 0.4;
 /// The plasticity index above which contacts flow at any load (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
 const PLASTIC_INDEX: f64 = 1.0;
-/// The fraction of the summits in contact, and of the nominal area, up to which contacts are too far apart to matter to each
-/// other.
+/// The fraction of the nominal area up to which contacts are too far apart to matter to each other; of the summits in contact too,
+/// where the slope of the surface is not known: asperities that stand for a surface with its slope may touch each other.
 const CROWDED_FRACTION: f64 = 0.1;
-/// The mean contact radius over that of the summits up to which a summit is a paraboloid of small strain.
+/// The mean contact radius over that of the summits up to which a summit is a paraboloid of small strain ...
 const STEEP_RATIO: f64 = 0.1;
+/// ... and the slope of the surface, where it is known, up to which it is 4 % longer than its plan.
+const STEEP_SLOPE: f64 = 0.3;
+/// Mean waves a side of the nominal area, from which on friction is that of boundary elements to 10 % or so (docs/validation.md).
+const FEWEST_WAVES: f64 = 8.0;
 /// The number of contacts from which the mean over surfaces at one load is that at one separation, to 1/20.
 const FEWEST_CONTACTS: f64 = 20.0;
 
@@ -50,7 +56,7 @@ const ALWAYS: f64 = f64::MAX;
 pub struct Measures([f64; WARNINGS]);
 
 /// All warnings, and how many they are.
-pub const ALL: u64 = 2 * WARNING_STRONG - 1;
+pub const ALL: u64 = 2 * WARNING_FEW_WAVES - 1;
 pub const WARNINGS: usize = ALL.count_ones() as usize;
 
 /// Whether this is the bit of one warning.
@@ -70,7 +76,9 @@ impl Measures {
             false => 0.0,
         };
         let area = if params.nominal_area > 0.0 { state.real_area / params.nominal_area } else { 0.0 };
-        let crowded = if of_many { state.fraction_in_contact.max(area) / CROWDED_FRACTION } else { 0.0 };
+        let knows_slope = params.rms_slope > 0.0;
+        let touching_part = if knows_slope { 0.0 } else { state.fraction_in_contact };
+        let crowded = if of_many { touching_part.max(area) / CROWDED_FRACTION } else { 0.0 };
         let atomic = if touching { params.burgers_vector / state.mean_contact_radius } else { 0.0 };
         let over = |large: f64, small: f64| if small > 0.0 { large / small } else { f64::MAX };
         let few = if of_many { over(FEWEST_CONTACTS, state.contacting) } else { 0.0 };
@@ -85,8 +93,13 @@ impl Measures {
             false => 0.0,
         };
         let broad = params.known_bandwidth() / BROAD_BANDWIDTH;
-        let steep = state.mean_steepness / STEEP_RATIO;
-        Self([plastic, crowded, steep, atomic, few, adhesive, uncalibrated, broad, strong])
+        let steep = match knows_slope {
+            true => params.rms_slope / STEEP_SLOPE,
+            false => state.mean_steepness / STEEP_RATIO,
+        };
+        let waves = params.waves_a_side();
+        let few_waves = if of_many && waves > 0.0 { FEWEST_WAVES / waves } else { 0.0 };
+        Self([plastic, crowded, steep, atomic, few, adhesive, uncalibrated, broad, strong, few_waves])
     }
 
     /// Whether one of the assumptions fails.
@@ -166,10 +179,9 @@ pub fn extent_of(
         let peaks: Vec<_> = states.windows(3).filter(is_peak).map(|around| (around[0].0, around[2].0)).collect();
         for (from, to) in peaks {
             if let Some(peak) = exceeds(from, to, |d| Ok(at(d)?.0[bit]))? {
-                states.push((peak, at(peak)?));
+                states.insert(states.partition_point(|(separation, _)| *separation <= peak), (peak, at(peak)?));
             }
         }
-        states.sort_by(|a, b| a.0.total_cmp(&b.0));
     }
     let holds = |(_, measures): &(f64, Measures)| measures.has(warning);
     let (Some(first), Some(last)) = (states.iter().position(holds), states.iter().rposition(holds)) else {

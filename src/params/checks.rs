@@ -10,6 +10,11 @@ use crate::groups::Groups;
 use crate::population::radius::RadiusProfile;
 use std::sync::Arc;
 
+/// No surface is steeper on average; it is the slope in another unit.
+const STEEPEST: f64 = 5.0;
+/// Means of summits are no higher, in height_std: gaps between mean planes would have few digits.
+const HIGHEST_SUMMITS: f64 = 1e4;
+
 /// Larger ones are another quantity; friction forces stay in range.
 const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
@@ -45,6 +50,12 @@ impl Params {
         let default_modulus = "must be finite and >= 0; 0 stands for E* G* / (2 (E* + G*))";
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
+        not_negative("summit_mean_height", self.summit_mean_height, "must be finite and >= 0; 0 means not known")?;
+        if self.summit_mean_height > HIGHEST_SUMMITS * self.height_std {
+            let allowed = "must be at most 1e4 height_std; are both in one unit?";
+            return Err(Error::invalid("summit_mean_height", self.summit_mean_height, allowed));
+        }
+        check_rms_slope(self.rms_slope)?;
         let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
         if self.bandwidth != 0.0 && self.bandwidth < LEAST_BANDWIDTH {
@@ -66,6 +77,7 @@ impl Params {
             b_over_h: self.burgers_vector / self.adhesion_range,
             hardness: if self.hardness > 0.0 { self.hardness / self.composite_modulus } else { f64::INFINITY },
             yields: self.contact_law == ContactLawKind::ElasticPlastic,
+            nominal_area: self.nominal_area / (self.burgers_vector * self.burgers_vector) / self.asperity_count,
         }
     }
 
@@ -162,6 +174,19 @@ impl Params {
     }
 }
 
+/// A slope of a surface, or 0.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] or [`Error::OutOfRange`].
+pub(super) fn check_rms_slope(slope: f64) -> Result<(), Error> {
+    not_negative("rms_slope", slope, "must be finite and >= 0; 0 means not known")?;
+    if slope > STEEPEST {
+        let allowed = "must be at most 5, a slope of 79 degrees; is Sdq in degrees or per cent?";
+        return Err(Error::out_of_range("rms_slope", slope, allowed));
+    }
+    Ok(())
+}
+
 /// The limits of the groups, with the slip of units that most likely leads beyond each.
 fn check_groups(groups: &Groups) -> Result<(), Error> {
     macro_rules! within {
@@ -242,6 +267,9 @@ mod tests {
         });
         assert_eq!(refused(|params| params.bandwidth = 1.5), None);
         assert_eq!(refused(|params| params.bandwidth = 1.5_f64.below()), Some((false, "bandwidth")));
+        assert_eq!(refused(|params| params.rms_slope = STEEPEST), None);
+        assert_eq!(refused(|params| params.rms_slope = STEEPEST.above()), Some((true, "rms_slope")));
+        assert_eq!(refused(|params| params.summit_mean_height = -1.0), Some((false, "summit_mean_height")));
         assert_eq!(refused(|params| params.hardness = 0.0), None);
         assert_eq!(refused(|params| params.hardness = -0.0), None);
         assert_eq!(refused(|params| params.max_friction_coefficient = f64::INFINITY), None);

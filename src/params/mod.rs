@@ -16,12 +16,14 @@ use crate::distribution::weibull::Weibull;
 pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::float_bits::infinite;
-use crate::joint_distribution::SummitShape;
 use crate::materials::{Bodies, Interface};
-use crate::spectrum::SpectralMoments;
+pub(crate) use crate::spectrum::LEAST_BANDWIDTH;
+use crate::spectrum::{SpectralMoments, Summits};
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST;
 use numbers::{magnitude, not_negative, poisson_ratio};
+use std::f64::consts::PI;
+use unit_slips::BROADEST;
 
 /// The law of one summit in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,7 +73,7 @@ pub struct Params {
     /// G^ [stress]: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0 stands for
     /// E* G* / (2 (E* + G*)), which is exact for two bodies of one material and for one rigid body.
     pub tangential_modulus: f64,
-    /// Nominal area of contact [length^2], to judge whether summits crowd; 0 if not known.
+    /// Nominal area of contact [length^2], to judge whether summits crowd and how neighbours stiffen contacts; 0 if not known.
     pub nominal_area: f64,
     /// The law of one summit in contact.
     pub contact_law: ContactLawKind,
@@ -88,6 +90,11 @@ pub struct Params {
     pub calibration_friction_force: f64,
     /// The relative standard error of that measurement.
     pub calibration_error: f64,
+    /// Height of the mean of the summits above the mean plane of the surface [length]; 0 if not known: gaps then count from the
+    /// mean of the summits.
+    pub summit_mean_height: f64,
+    /// Root mean square slope of the surface, Sdq = (2 m2)^(1/2), to judge slopes and waves on the nominal area; 0 if not known.
+    pub rms_slope: f64,
 }
 
 impl Default for Params {
@@ -104,9 +111,6 @@ impl Default for Params {
 
 /// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
 pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
-
-/// The bandwidth of the narrowest spectrum of an isotropic surface (P. R. Nayak, J. Lubr. Technol. 93 (1971) 398).
-pub(crate) const LEAST_BANDWIDTH: f64 = 1.5;
 
 /// Of summits of a Gaussian surface the bandwidth is 0.897 + (eta sigma R/0.02036)^2.
 const NARROWEST: f64 = 0.8968;
@@ -143,6 +147,8 @@ impl Params {
             calibration_load: 0.0,
             calibration_friction_force: 0.0,
             calibration_error: 0.05,
+            summit_mean_height: 0.0,
+            rms_slope: 0.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -281,42 +287,58 @@ impl Params {
         Ok(())
     }
 
-    /// Summits of an isotropic Gaussian surface: `height_std`, `summit_radius`, `asperity_count`, `nominal_area` and
-    /// `bandwidth` from the spectral moments of its profiles and its area.
+    /// The asperities that follow from the spectral moments of a surface, rough on however many scales, and its area:
+    /// `height_std`, `summit_radius`, `asperity_count`, `nominal_area`, `radius_amplitude`, `radius_rate`, `summit_mean_height`
+    /// and `rms_slope`. `bandwidth` becomes 0: that of these asperities is not that of the surface. m4 may be 0, not known.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`], also for moments that no such surface has, or [`Error::OutOfRange`]; the parameters
     /// are then as before.
     pub fn set_spectral_moments(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
-        let SpectralMoments { m0, m2, m4 } = moments;
-        for (name, value) in [("m0", m0), ("m2", m2), ("m4", m4), ("nominal_area", nominal_area)] {
-            positive(name, value)?;
-        }
-        if !moments.exist() {
-            let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit?";
-            return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
-        }
-        self.height_std = moments.summit_height_std();
-        self.summit_radius = moments.summit_radius();
-        self.asperity_count = moments.summit_density() * nominal_area;
-        self.nominal_area = nominal_area;
+        not_negative("m4", moments.m4, "must be finite and >= 0; 0 means not known")?;
+        self.set_summits(SpectralMoments::asperities, moments, nominal_area)?;
+        self.bandwidth = 0.0;
+        Ok(())
+    }
+
+    /// McCool's summits of the surface instead, all with one radius: the same parameters, and `bandwidth`.
+    ///
+    /// # Errors
+    /// As [`Params::set_spectral_moments`]; m4 must be known.
+    pub fn set_mccool_summits(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
+        positive("m4", moments.m4)?;
+        self.set_summits(SpectralMoments::mccool_summits, moments, nominal_area)?;
         // That of a narrow spectrum is 1.5 but for rounding.
         self.bandwidth = moments.bandwidth().max(LEAST_BANDWIDTH);
         Ok(())
     }
 
-    /// The same summits with the heights and radii of Nayak's joint distribution: also sets Johnson's heights,
-    /// `radius_amplitude` and `radius_rate`, and `summit_radius` is that at the mean height.
-    ///
-    /// # Errors
-    /// As [`Params::set_spectral_moments`].
-    pub fn set_nayak_summits(&mut self, moments: SpectralMoments, nominal_area: f64) -> Result<(), Error> {
-        self.set_spectral_moments(moments, nominal_area)?;
-        let shape = SummitShape::of_bandwidth(moments.bandwidth());
-        self.summit_radius *= shape.radius_ratio;
-        self.radius_amplitude = shape.radius_amplitude;
-        self.radius_rate = shape.radius_rate;
-        self.heights = HeightFamily::Johnson { skew: shape.skew, kurtosis: shape.kurtosis };
+    fn set_summits(
+        &mut self,
+        of: fn(&SpectralMoments) -> Summits,
+        moments: SpectralMoments,
+        nominal_area: f64,
+    ) -> Result<(), Error> {
+        for (name, value) in [("m0", moments.m0), ("m2", moments.m2), ("nominal_area", nominal_area)] {
+            positive(name, value)?;
+        }
+        checks::check_rms_slope(moments.rms_slope())?;
+        if !moments.exist() {
+            let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit?";
+            return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
+        }
+        if moments.bandwidth() > BROADEST.0 {
+            return Err(Error::out_of_range("bandwidth m0 m4/m2^2", moments.bandwidth(), BROADEST.1));
+        }
+        let summits = of(&moments);
+        self.height_std = summits.height_std;
+        self.summit_radius = summits.radius;
+        self.asperity_count = summits.density * nominal_area;
+        self.nominal_area = nominal_area;
+        self.radius_amplitude = summits.radius_amplitude;
+        self.radius_rate = summits.radius_rate;
+        self.summit_mean_height = summits.mean_height;
+        self.rms_slope = moments.rms_slope();
         Ok(())
     }
 
@@ -367,6 +389,11 @@ impl Params {
         self.asperity_count / self.nominal_area * self.height_std * self.summit_radius
     }
 
+    /// How many waves of the mean length 2 pi height_std/rms_slope fit a side of the nominal area; 0 if not known.
+    pub(crate) fn waves_a_side(&self) -> f64 {
+        self.nominal_area.sqrt() * self.rms_slope / (2.0 * PI * self.height_std)
+    }
+
     /// The law of friction of one contact, in dimensionless units.
     pub(crate) fn slip_law(&self) -> Slip {
         let by_hertz_load = self.pressure_coefficient * self.composite_modulus / self.effective_shear_modulus;
@@ -395,6 +422,7 @@ impl Params {
             burgers_vector: self.burgers_vector * length,
             height_std: self.height_std * length,
             summit_radius: self.summit_radius * length,
+            summit_mean_height: self.summit_mean_height * length,
             ..self.clone()
         }
     }
@@ -445,20 +473,48 @@ mod tests {
     #[test]
     fn summits_of_an_area_are_their_density_times_it() {
         let moments = SpectralMoments { m0: 2.0, m2: 0.01, m4: 3e-4 };
+        type Set = fn(&mut Params, SpectralMoments, f64) -> Result<(), Error>;
+        let ways: [(Set, Summits, f64); 2] = [
+            (Params::set_spectral_moments, moments.asperities(), 0.0),
+            (Params::set_mccool_summits, moments.mccool_summits(), moments.bandwidth()),
+        ];
+        // One after the other, as each sets all that the other does.
         let mut params = Params::paper();
-        params.set_spectral_moments(moments, 250.0).expect("summits");
-        assert_eq!(params.height_std, moments.summit_height_std());
-        assert_eq!(params.summit_radius, moments.summit_radius());
-        assert!((params.asperity_count / (250.0 * moments.summit_density()) - 1.0).abs() < 1e-14);
+        for (set, summits, bandwidth) in ways.into_iter().cycle().take(3) {
+            set(&mut params, moments, 250.0).expect("summits");
+            assert_eq!((params.height_std, params.summit_radius), (summits.height_std, summits.radius));
+            assert_eq!(params.asperity_count, 250.0 * summits.density);
+            assert_eq!((params.radius_amplitude, params.radius_rate), (summits.radius_amplitude, summits.radius_rate));
+            assert_eq!((params.summit_mean_height, params.rms_slope), (summits.mean_height, moments.rms_slope()));
+            assert_eq!((params.bandwidth, params.nominal_area), (bandwidth, 250.0));
+            params.surface().expect("a surface");
+        }
     }
 
+    /// Each of m4 = 0 and m4 of the least bandwidth is taken, by the setter that it is for.
     #[test]
-    fn nayaks_summits_are_taken_at_every_bandwidth() {
-        for bandwidth in [1.5, 1.6, 2.0, 4.0, 20.0, 1e3, 1e6, 1e9] {
+    fn m4_may_be_unknown_but_for_mccools_summits() {
+        let moments = |m4: f64| SpectralMoments { m0: 2.0, m2: 0.01, m4 };
+        let mut params = Params::paper();
+        for m4 in [0.0, -0.0, 7.5e-5] {
+            params.set_spectral_moments(moments(m4), 250.0).expect("asperities");
+        }
+        for m4 in [-1e-4, f64::NAN, f64::INFINITY, 7.4e-5, 51.0] {
+            assert!(params.set_spectral_moments(moments(m4), 250.0).is_err(), "{m4}");
+            assert!(params.set_mccool_summits(moments(m4), 250.0).is_err(), "{m4}");
+        }
+        let unknown = params.set_mccool_summits(moments(0.0), 250.0);
+        assert!(matches!(unknown, Err(Error::InvalidParameter { name: "m4", .. })), "{unknown:?}");
+    }
+
+    /// Whatever the bandwidth of the surface, its asperities are as close as those of a narrow spectrum.
+    #[test]
+    fn asperities_of_moments_are_never_those_of_a_broad_spectrum() {
+        for bandwidth in [0.0, 1.5, 5.0, 100.0, 1e4] {
             let mut params = Params { work_of_adhesion: 0.0, ..Params::paper() };
-            let moments = SpectralMoments { m0: 1e4, m2: 0.01 / f64::sqrt(bandwidth), m4: 1e-8 };
-            params.set_nayak_summits(moments, 250.0).expect("summits");
-            assert!(params.radius_amplitude < 0.0 && params.radius_amplitude > -0.6, "{params:?}");
+            let moments = SpectralMoments { m0: 1e4, m2: 0.01, m4: bandwidth * 1e-8 };
+            params.set_spectral_moments(moments, 1e9).expect("asperities");
+            assert!((1.0..5.0).contains(&params.known_bandwidth()), "{bandwidth}: {}", params.known_bandwidth());
             params.surface().unwrap_or_else(|error| panic!("{bandwidth}: {error}"));
         }
     }

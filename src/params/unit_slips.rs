@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 /// Hardness over E*: from soft metals (1e-3) and rubber (1) there is room to either side.
 const HARDNESS: RangeInclusive<f64> = 1e-5..=100.0;
 /// Nayak's bandwidth: of a fractal dimension of 2.2, 4e3 goes with three decades of wavelengths, 2e5 with four.
-const BROADEST: (f64, &str) = (
+pub(super) const BROADEST: (f64, &str) = (
     1e6,
     "must be at most 1e6: is m0 the square of Rq, is asperity_count a number \
      of summits and not a density, and are all lengths in one unit?",

@@ -20,8 +20,13 @@ impl Params {
             &mut self.tangential_modulus,
             &mut self.hardness,
         ];
-        let lengths =
-            [&mut self.adhesion_range, &mut self.burgers_vector, &mut self.height_std, &mut self.summit_radius];
+        let lengths = [
+            &mut self.adhesion_range,
+            &mut self.burgers_vector,
+            &mut self.height_std,
+            &mut self.summit_radius,
+            &mut self.summit_mean_height,
+        ];
         let forces = [&mut self.calibration_load, &mut self.calibration_friction_force];
         let all = (stresses.into_iter().map(|stress| (stress, force / area)))
             .chain(lengths.into_iter().map(|length_of| (length_of, length)))

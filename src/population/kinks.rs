@@ -8,7 +8,7 @@
 use super::break_away::Edge;
 use super::{Point, Population};
 use crate::asperity::contact::Contact;
-use crate::numerics::root;
+use crate::numerics::{ascending, root};
 
 /// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
 const LOWEST_END: f64 = -8.0;
@@ -42,7 +42,7 @@ impl Population {
                 }));
             }
         }
-        kinks.sort_by(f64::total_cmp);
+        let mut kinks: Vec<f64> = ascending(&kinks).into_iter().map(|i| kinks[i]).collect();
         kinks.dedup_by(|next, kink| *next - *kink < SAME_KINK * (1.0 + kink.abs()));
         kinks
     }

@@ -4,13 +4,15 @@
 //! begins, `walk` goes over the summits in contact in `panels` that end at `cuts`, `attracted` over those that attract below;
 //! `node_table` keeps what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells
 //! more of the contacts than their sums, `tangential` what they resist before they slip, `changes` what the sums change by with
-//! each parameter, `one_summit` gives the law of a single one.
+//! each parameter, `one_summit` gives the law of a single one, `crowding` what
+//! neighbours change.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
 mod attracted;
 mod break_away;
 mod changes;
+mod crowding;
 mod cuts;
 mod deep;
 mod kinks;
@@ -38,9 +40,11 @@ use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
 use crate::groups::Groups;
 use break_away::Edge;
+use crowding::Crowding;
 use deep::DeepRule;
 use node_table::NodeTable;
 use radius::RadiusProfile;
+use std::f64::consts::PI;
 use std::sync::Arc;
 use sums::Summit;
 use walk::{Progress, Visitor, Walk};
@@ -66,6 +70,8 @@ pub struct Population {
     slip: Slip,
     heights: Arc<dyn HeightDistribution>,
     radius: RadiusProfile,
+    /// Where the nominal area is known.
+    crowding: Option<Crowding>,
     lambda_cubed: f64,
     /// The contact radii at which what is summed has a kink, infinite where there are fewer.
     radius_kinks: [f64; RADII],
@@ -164,6 +170,7 @@ impl Population {
             slip,
             heights,
             radius,
+            crowding: (groups.nominal_area > 0.0).then_some(Crowding { nominal_area: groups.nominal_area }),
             lambda_cubed: groups.lambda_cubed(),
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
@@ -221,6 +228,17 @@ impl Population {
 
     /// The sums at a separation; NaN where they take more panels than there may be.
     pub fn at_separation(&self, separation: f64) -> Sums {
+        let mut sums = self.of_lone_summits(separation);
+        sums.crowding = self.crowding.map_or((0.0, 0.0), |crowding| crowding.of(&sums));
+        sums
+    }
+
+    /// Whether neighbours change anything.
+    pub fn is_crowded(&self) -> bool {
+        self.crowding.is_some()
+    }
+
+    fn of_lone_summits(&self, separation: f64) -> Sums {
         if let Some(rule) = self.deep.as_ref().filter(|rule| rule.covers(separation)) {
             return rule.sums(self, separation);
         }
@@ -294,6 +312,7 @@ impl Population {
         sums.load_slope -= density * (edge.point.contact.load - below);
         sums.friction_slope -= density * self.slip.friction(&edge.point.contact).force;
         sums.radius_slope -= density * edge.point.contact.radius;
+        sums.area_slope -= density * PI * edge.point.contact.radius * edge.point.contact.radius;
     }
 
     /// The summit of a height, from a guess of its parameter.

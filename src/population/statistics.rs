@@ -36,6 +36,10 @@ pub struct Statistics {
     /// Mean of (f - F' p)^2 over the contacts, of their friction f and load p, over the square of their mean friction: the
     /// variance of the friction force under a constant load, times the number of contacts, to first order.
     pub friction_variance: f64,
+    /// Mean square over the square of the mean of the loads of Hertz' contacts of the same radii.
+    pub hertz_spread: f64,
+    /// Sums over the contacts, as those of `Sums`, of the load times itself and times its slope and that of friction by overlap.
+    pub products: [f64; 3],
 }
 
 /// Counts contacts, and keeps every contact radius that it sees with its height.
@@ -47,6 +51,8 @@ struct Counting<'a> {
     /// F', the slope of friction by load.
     slope: f64,
     friction: f64,
+    /// Of Hertz' loads and their squares.
+    hertz: [f64; 2],
     seen: Vec<(f64, f64)>,
 }
 
@@ -66,6 +72,12 @@ impl Visitor for Counting<'_> {
         let excess = summit.friction - self.slope * summit.load;
         sums.friction_variance += fraction * excess * excess;
         self.friction += fraction * summit.friction;
+        self.hertz[0] += fraction * summit.hertz_load;
+        self.hertz[1] += fraction * summit.hertz_load * summit.hertz_load;
+        let factors = [summit.load, summit.load_by_overlap, summit.friction_by_overlap];
+        for (sum, factor) in sums.products.iter_mut().zip(factors) {
+            *sum += fraction * summit.load * factor;
+        }
         self.seen.push((z, summit.radius));
     }
 
@@ -87,6 +99,7 @@ impl Population {
             sums: Statistics::default(),
             slope: slope.clamp(-STEEPEST, STEEPEST),
             friction: 0.0,
+            hertz: [0.0; 2],
             seen: Vec::new(),
         };
         if self.yields == self.kinks_of_contact {
@@ -94,7 +107,7 @@ impl Population {
         } else {
             self.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
         }
-        let Counting { count, sums, friction, seen, .. } = counting;
+        let Counting { count, sums, friction, hertz, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -120,6 +133,8 @@ impl Population {
                 true => sums.friction_variance / friction * (count / friction),
                 false => 0.0,
             },
+            hertz_spread: hertz[1] / hertz[0] * (count / hertz[0]),
+            products: sums.products,
         })
     }
 

@@ -30,12 +30,27 @@ pub struct Sums {
     pub friction_slope: f64,
     /// d(contact radius)/d(separation).
     pub radius_slope: f64,
+    /// d(real area)/d(separation).
+    pub area_slope: f64,
+    /// 1 - psi of `crowding`, and its slope by separation; 0 where the nominal area is not known.
+    pub crowding: (f64, f64),
 }
 
 impl Sums {
     /// The load of all summits.
     pub fn load(&self) -> f64 {
         self.load_contacting + self.load_attracted
+    }
+
+    /// psi: what the mean planes approach by where summits do by 1.
+    pub fn psi(&self) -> f64 {
+        1.0 - self.crowding.0
+    }
+
+    /// The contact radius over psi, to which stiffness and conductance are proportional, and its slope by separation.
+    pub fn spread_radius(&self) -> (f64, f64) {
+        let spread = self.radius / self.psi();
+        (spread, (self.radius_slope + spread * self.crowding.1) / self.psi())
     }
 
     /// The sums at this separation if they are to be had.
@@ -64,6 +79,8 @@ impl Sums {
             load_slope: factor * self.load_slope,
             friction_slope: factor * self.friction_slope,
             radius_slope: factor * self.radius_slope,
+            area_slope: factor * self.area_slope,
+            crowding: self.crowding,
         }
     }
 
@@ -84,6 +101,7 @@ impl Sums {
         self.load_slope -= weight * summit.load_by_overlap;
         self.friction_slope -= weight * summit.friction_by_overlap;
         self.radius_slope -= weight * summit.radius_by_overlap;
+        self.area_slope -= weight * summit.area_by_overlap;
     }
 
     /// Adds one attracted summit, `weight` times.
@@ -112,6 +130,7 @@ pub struct Summit {
     pub load_by_overlap: f64,
     pub friction_by_overlap: f64,
     pub radius_by_overlap: f64,
+    pub area_by_overlap: f64,
 }
 
 impl Summit {
@@ -119,6 +138,7 @@ impl Summit {
     #[inline]
     pub fn new(contact: &Contact, friction: Friction) -> Self {
         let by_overlap = contact.s_by_overlap();
+        let radius_by_overlap = contact.by_s.radius * by_overlap;
         Self {
             overlap: contact.overlap,
             radius: contact.radius,
@@ -128,7 +148,8 @@ impl Summit {
             area: PI * contact.radius * contact.radius,
             load_by_overlap: contact.by_s.load * by_overlap,
             friction_by_overlap: friction.rate(&contact.by_s) * by_overlap,
-            radius_by_overlap: contact.by_s.radius * by_overlap,
+            radius_by_overlap,
+            area_by_overlap: 2.0 * PI * contact.radius * radius_by_overlap,
         }
     }
 }

@@ -28,7 +28,8 @@ pub trait Visitor {
     fn end_of_panel(&mut self, _end: &Point) {}
 }
 
-/// What the contacts of a walk are handed to, with all that is known of them.
+/// What the contacts of a walk are handed to, with all that is known of them. The walk is compiled once for all of these: a copy
+/// of it takes 8 kB.
 pub trait ContactVisitor {
     /// So many contacts, as a fraction of all summits.
     fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip);
@@ -93,7 +94,7 @@ impl Population {
         &self,
         walk: &Walk,
         progress: &mut Progress,
-        visitor: &mut impl ContactVisitor,
+        visitor: &mut dyn ContactVisitor,
     ) -> Result<(), Error> {
         let &Walk { separation, start, edge_height, end } = walk;
         let mut here = self.above_lower_end(walk, progress, visitor);
@@ -151,8 +152,8 @@ impl Population {
         (1.0 + fall * LONGER_PER_FOLD).min(2.0)
     }
 
-    /// Whether the summits above one add nothing to what has been summed: above the last mode, where ln of their density
-    /// falls about as fast as there.
+    /// Whether the summits above one add nothing to what has been summed: above the last mode, where the density falls on. Of a table
+    /// that may be as slowly as can be, elsewhere its logarithm falls about as fast as there.
     pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point, log_density: f64) -> bool {
         if from.z < self.heights.last_mode() {
             return false;
@@ -160,8 +161,11 @@ impl Population {
         let density = exp(log_density);
         // Where the density is 0 it has no rate.
         density == 0.0 || {
-            let rate = -self.heights.log_density_slope(from.z);
-            density * importance(from.contact.overlap) <= NEGLIGIBLE * progress.total * rate
+            let (rate, rise) = match self.heights.is_piecewise_polynomial() {
+                true => (1.0 / (self.highest - from.z), self.highest - from.z),
+                false => (-self.heights.log_density_slope(from.z), 0.0),
+            };
+            density * importance(from.contact.overlap + rise) <= NEGLIGIBLE * progress.total * rate
         }
     }
 
@@ -182,7 +186,7 @@ impl Population {
 
     /// The first panel where the range begins at a lower end of the distribution at which the density is a power; returns where
     /// it ends.
-    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut impl ContactVisitor) -> Point {
+    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut dyn ContactVisitor) -> Point {
         let &Walk { separation, start, edge_height, end } = walk;
         let (lower_end, _) = self.heights.support();
         let smooth = (start.z - edge_height).min(self.radius.smooth_length(lower_end));

@@ -18,6 +18,10 @@
 #define ASPERITY_NOT_CONVERGED 6
 #define ASPERITY_OUT_OF_MEMORY 7
 #define ASPERITY_INTERNAL 255
+#define ASPERITY_STRENGTH_DEFAULT 0
+#define ASPERITY_STRENGTH_TABLE 1
+#define ASPERITY_STRENGTH_GIVEN 2
+#define ASPERITY_STRENGTH_MEASURED 3
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 #define ASPERITY_HEIGHTS_WEIBULL 1
 #define ASPERITY_HEIGHTS_JOHNSON 2
@@ -35,9 +39,26 @@
 #define ASPERITY_WARNING_UNCALIBRATED 64
 #define ASPERITY_WARNING_BROAD 128
 #define ASPERITY_WARNING_STRONG 256
+#define ASPERITY_WARNING_FEW_WAVES 512
 #define ASPERITY_TABLE_LAYOUT 1
 typedef struct asperity_model asperity_model;
 typedef int32_t asperity_status;
+
+typedef struct asperity_estimate {
+  uint64_t struct_size; /* 0, 8 */
+  double load; /* 8, 8 */
+  double friction_coefficient; /* 16, 8 */
+  double low; /* 24, 8 */
+  double high; /* 32, 8 */
+  double friction_force; /* 40, 8 */
+  double strength_share; /* 48, 8 */
+  double roughness_share; /* 56, 8 */
+  double measurement_share; /* 64, 8 */
+  double misfit; /* 72, 8 */
+  uint64_t warnings; /* 80, 8 */
+  int32_t strength_source; /* 88, 4 */
+  int32_t reserved; /* 92, 4 */
+} asperity_estimate; /* 96 */
 
 typedef struct asperity_params {
   uint64_t struct_size; /* 0, 8 */
@@ -74,7 +95,9 @@ typedef struct asperity_params {
   double calibration_load; /* 232, 8 */
   double calibration_friction_force; /* 240, 8 */
   double calibration_error; /* 248, 8 */
-} asperity_params; /* 256 */
+  double summit_mean_height; /* 256, 8 */
+  double rms_slope; /* 264, 8 */
+} asperity_params; /* 272 */
 
 typedef struct asperity_material_data {
   uint64_t struct_size; /* 0, 8 */
@@ -125,12 +148,12 @@ typedef struct asperity_microslip {
 typedef struct asperity_state {
   uint64_t struct_size; /* 0, 8 */
   double load; /* 8, 8 */
-  double separation; /* 16, 8 */
+  double gap; /* 16, 8 */
   double friction_force; /* 24, 8 */
   double friction_coefficient; /* 32, 8 */
   double dforce_dload; /* 40, 8 */
   double dmu_dload; /* 48, 8 */
-  double dload_dseparation; /* 56, 8 */
+  double dload_dgap; /* 56, 8 */
   double real_area; /* 64, 8 */
   double contacting; /* 72, 8 */
   double attracted; /* 80, 8 */
@@ -216,6 +239,8 @@ asperity_status asperity_check_loads(const struct asperity_model *, double, doub
 double asperity_contact_radius_sum_at_load(const struct asperity_model *, double);
 asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
+asperity_status asperity_estimate_at_loads(const char *, size_t, size_t, const double *, struct asperity_estimate *);
+size_t asperity_estimate_text(const char *, size_t, size_t, const double *, char *, size_t);
 void asperity_free(struct asperity_model *);
 double asperity_friction_and_slope_at_load(const struct asperity_model *, double, double *);
 double asperity_friction_at_load(const struct asperity_model *, double);
@@ -230,10 +255,10 @@ asperity_status asperity_get_params(const struct asperity_model *, struct asperi
 asperity_status asperity_interface(const char *, struct asperity_interface_data *);
 const char *asperity_interface_name(size_t);
 size_t asperity_last_error(char *, size_t);
-double asperity_load_and_slope_at_separation(const struct asperity_model *, double, double *);
-double asperity_load_at_separation(const struct asperity_model *, double);
+double asperity_load_and_slope_at_gap(const struct asperity_model *, double, double *);
+double asperity_load_at_gap(const struct asperity_model *, double);
 asperity_status asperity_load_table_of(const struct asperity_model *, struct asperity_table *);
-asperity_status asperity_loads_at_separations(const struct asperity_model *, size_t, const double *, double *, double *);
+asperity_status asperity_loads_at_gaps(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_material(const char *, struct asperity_material_data *);
 const char *asperity_material_name(size_t);
 size_t asperity_microslip_length(const struct asperity_model *);
@@ -252,7 +277,7 @@ asperity_status asperity_params_set_dimensionless(struct asperity_params *, doub
 asperity_status asperity_params_set_elastic_plastic(struct asperity_params *, double);
 asperity_status asperity_params_set_interface(struct asperity_params *, const char *);
 asperity_status asperity_params_set_materials(struct asperity_params *, double, double, double, double);
-asperity_status asperity_params_set_nayak_summits(struct asperity_params *, double, double, double, double);
+asperity_status asperity_params_set_mccool_summits(struct asperity_params *, double, double, double, double);
 asperity_status asperity_params_set_pair(struct asperity_params *, const char *);
 asperity_status asperity_params_set_skew(struct asperity_params *, double);
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *, double, double, double, double);
@@ -267,8 +292,8 @@ double asperity_shear_stress_at_pressure(const struct asperity_model *, double, 
 asperity_status asperity_shear_stresses_at_pressures(const struct asperity_model *, size_t, const double *, double, double *, double *);
 double asperity_slip_force(const struct asperity_model *, double, double, double, double *, double *);
 asperity_status asperity_slip_forces(const struct asperity_model *, size_t, const double *, const double *, double, double *, double *, double *);
+asperity_status asperity_state_at_gap(const struct asperity_model *, double, struct asperity_state *);
 asperity_status asperity_state_at_load(const struct asperity_model *, double, struct asperity_state *);
-asperity_status asperity_state_at_separation(const struct asperity_model *, double, struct asperity_state *);
 const char *asperity_status_string(asperity_status);
 asperity_status asperity_summary_of(const struct asperity_model *, struct asperity_summary *);
 asperity_status asperity_summits_at_overlaps(const struct asperity_model *, size_t, const double *, const double *, double *, double *, double *);

@@ -83,9 +83,10 @@ static void every_warning_says_what_fails_and_what_to_do(void)
 {
     const uint64_t all = ASPERITY_WARNING_PLASTIC | ASPERITY_WARNING_CROWDED | ASPERITY_WARNING_STEEP |
                          ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE |
-                         ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG;
+                         ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG |
+                         ASPERITY_WARNING_FEW_WAVES;
     const char *advice[] = { "; use ", "; measure the friction force once and call asperity_params_calibrate",
-                             "; filter the height map", "; calibrate with a measured friction force" };
+                             "; give the mean squares of height and slope", "; calibrate with a measured friction force" };
     for (int bit = 0; bit < 64; bit++) {
         const uint64_t warning = UINT64_C(1) << bit;
         const char *text = asperity_warning_string(warning);
@@ -108,7 +109,7 @@ static void the_text_of_warnings_has_a_line_for_each(void)
     char text[4096], expected[4096] = "", cut[20];
 
     CHECK(asperity_warnings_text(0, text, sizeof text) == 10 && strcmp(text, "no warning") == 0, "'%s'", text);
-    for (uint64_t bit = 1; bit <= ASPERITY_WARNING_STRONG; bit *= 2) {
+    for (uint64_t bit = 1; bit <= ASPERITY_WARNING_FEW_WAVES; bit *= 2) {
         const size_t length = strlen(expected);
         snprintf(expected + length, sizeof expected - length, "%s%s", length ? "\n" : "", asperity_warning_string(bit));
         CHECK(asperity_warnings_text(bit, text, sizeof text) == strlen(asperity_warning_string(bit)), "%d", (int)bit);
@@ -118,13 +119,13 @@ static void the_text_of_warnings_has_a_line_for_each(void)
     }
     CHECK(asperity_warnings_text(unknown | 1, text, sizeof text) == strlen(asperity_warning_string(1)) + 16, "unknown");
     CHECK(strcmp(text + strlen(text) - 16, "\nunknown warning") == 0, "'%s'", text);
-    CHECK(asperity_warnings_text(511, NULL, 0) == strlen(expected), "the length alone");
-    CHECK(asperity_warnings_text(511, NULL, 100) == strlen(expected), "no buffer, whatever its length");
+    CHECK(asperity_warnings_text(1023, NULL, 0) == strlen(expected), "the length alone");
+    CHECK(asperity_warnings_text(1023, NULL, 100) == strlen(expected), "no buffer, whatever its length");
     memset(cut, 'x', sizeof cut);
-    CHECK(asperity_warnings_text(511, cut, 10) == strlen(expected) && strlen(cut) == 9 && cut[10] == 'x', "'%.20s'", cut);
+    CHECK(asperity_warnings_text(1023, cut, 10) == strlen(expected) && strlen(cut) == 9 && cut[10] == 'x', "'%.20s'", cut);
     CHECK(strncmp(cut, expected, 9) == 0, "'%s'", cut);
     memset(cut, 'x', sizeof cut);
-    CHECK(asperity_warnings_text(511, cut, 0) == strlen(expected) && cut[0] == 'x', "a buffer of no length");
+    CHECK(asperity_warnings_text(1023, cut, 0) == strlen(expected) && cut[0] == 'x', "a buffer of no length");
 }
 
 /* ---- Parameters ---- */
@@ -274,34 +275,33 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
     CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
+    /* Asperities by their dimensions, with L = (m0/(2 m2))^(1/2); m4 changes the radius alone, by the power -0.043. */
     expected = p;
     CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.height_std, sqrt(3), 0.2) && close_to(p.summit_mean_height, 2.3, 0.2), "heights");
+    CHECK(p.radius_amplitude < -0.3 && p.radius_amplitude > -0.9 && p.radius_rate > 0.3, "higher asperities are sharper");
+    CHECK(p.asperity_count > 0.01 * 11 / 3 && p.asperity_count < 0.05 * 11 / 3, "N = %.9g", p.asperity_count);
+    CHECK(p.nominal_area == 11 && p.rms_slope == 1 && p.bandwidth == 0, "what warnings judge");
+#define SUMMITS(F)                                                                                                     \
+    F(height_std) F(summit_radius) F(asperity_count) F(nominal_area) F(bandwidth) F(radius_amplitude) F(radius_rate)   \
+    F(summit_mean_height) F(rms_slope)
+#define TAKE(field) expected.field = p.field;
+    SUMMITS(TAKE)
+    CHECK(SAME(p, expected), "set_spectral_moments changed another field");
+    CHECK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0, 11) == ASPERITY_OK, "%s", last_message());
+    CHECK(close_to(p.summit_radius, expected.summit_radius, 0.05) && p.summit_radius != expected.summit_radius, "R without m4");
+    expected.summit_radius = p.summit_radius;
+    CHECK(SAME(p, expected), "m4 changed more than the radius");
+
+    CHECK(asperity_params_set_mccool_summits(&p, 3, 0.5, 0.7, 11) == ASPERITY_OK, "%s", last_message());
     CHECK(close_to(p.height_std * p.height_std, 3 - 0.8968 * 0.25 / 0.7, 1e-4), "sigma = %g", p.height_std);
     CHECK(close_to(p.summit_radius, 0.375 * sqrt(3.14159265358979324 / 0.7), 1e-14), "R = %.9g", p.summit_radius);
     CHECK(close_to(p.asperity_count, 0.7 * 11 / (3 * sqrt(3) * 3.14159265358979324), 1e-14), "N = %.9g", p.asperity_count);
-    expected.height_std = p.height_std;
-    expected.summit_radius = p.summit_radius;
-    expected.asperity_count = p.asperity_count;
-    CHECK(p.nominal_area == 11, "the area");
-    expected.nominal_area = 11;
     CHECK(close_to(p.bandwidth, 3 * 0.7 / 0.25, 1e-14), "bandwidth = %.9g", p.bandwidth);
-    expected.bandwidth = p.bandwidth;
-    CHECK(SAME(p, expected), "set_spectral_moments changed another field");
-
-    /* One wavelength: the density of curvatures, t^2 - 1 + exp(-t^2) times exp(-t^2/2), integrated by hand. */
-    CHECK(asperity_params_set_nayak_summits(&p, 1.5, 1, 1, 11) == ASPERITY_OK, "%s", last_message());
-    CHECK(p.height_distribution == ASPERITY_HEIGHTS_JOHNSON, "heights");
-    CHECK(close_to(p.skew, 0.46948489, 1e-7) && close_to(p.kurtosis, 3.18672953, 1e-7), "%.9g, %.9g", p.skew, p.kurtosis);
-    CHECK(p.radius_amplitude < 0 && p.radius_rate > 0, "radii");
-    CHECK(asperity_params_set_spectral_moments(&expected, 1.5, 1, 1, 11) == ASPERITY_OK, "%s", last_message());
-    CHECK(close_to(p.summit_radius, expected.summit_radius, 1e-12), "R = %.9g", p.summit_radius);
-    expected.summit_radius = p.summit_radius;
-    expected.height_distribution = p.height_distribution;
-    expected.skew = p.skew;
-    expected.kurtosis = p.kurtosis;
-    expected.radius_amplitude = p.radius_amplitude;
-    expected.radius_rate = p.radius_rate;
-    CHECK(SAME(p, expected), "set_nayak_summits changed another field");
+    CHECK(close_to(p.summit_mean_height, 4 * sqrt(3 / (3.14159265358979324 * p.bandwidth)), 1e-14), "mean height");
+    CHECK(p.nominal_area == 11 && p.rms_slope == 1 && p.radius_amplitude == 0, "the rest");
+    SUMMITS(TAKE)
+    CHECK(SAME(p, expected), "set_mccool_summits changed another field");
 
     expected = p;
     CHECK(asperity_params_set_skew(&p, 0) == ASPERITY_OK, "%s", last_message());
@@ -342,9 +342,11 @@ static void failing_setters_touch_nothing(void)
     FAILS(asperity_params_set_spectral_moments(&p, 0, 1, 2, 1), ASPERITY_INVALID_PARAMETER, "m0 = 0: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, -1, 2, 1), ASPERITY_INVALID_PARAMETER, "m2 = -1: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1, NAN, 1), ASPERITY_INVALID_PARAMETER, "m4 = NaN: ");
+    FAILS(asperity_params_set_mccool_summits(&p, 1, 1, 0, 1), ASPERITY_INVALID_PARAMETER, "m4 = 0: ");
+    FAILS(asperity_params_set_spectral_moments(&p, 1, 1, -0.5, 1), ASPERITY_INVALID_PARAMETER, "m4 = -0.5: must be finite and >= 0");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1, 2, INFINITY), ASPERITY_INVALID_PARAMETER, "nominal_area = inf: ");
     FAILS(asperity_params_set_spectral_moments(&p, 1, 1e-41, 2, 1), ASPERITY_OUT_OF_RANGE, "m2 = 1e-41: ");
-    FAILS(asperity_params_set_nayak_summits(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
+    FAILS(asperity_params_set_mccool_summits(&p, 1, 1, 1.49, 1), ASPERITY_INVALID_PARAMETER,
           "bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5");
     FAILS(asperity_params_set_skew(&p, -1.2), ASPERITY_INVALID_PARAMETER, "skew = -1.2: ");
     FAILS(asperity_params_set_skew(&p, NAN), ASPERITY_INVALID_PARAMETER, "skew = NaN: ");
@@ -364,7 +366,7 @@ static double value_of(const asperity_params *p, const char *name)
     return value;
 }
 
-enum { NAMES_OF_FIELDS = 28 };
+enum { NAMES_OF_FIELDS = 30 };
 
 static void names_are_those_of_the_fields(void)
 {
@@ -403,6 +405,8 @@ static void names_are_those_of_the_fields(void)
     NAMES(pressure_coefficient, 2);
     NAMES(bandwidth, 2);
     NAMES(calibration_error, 2);
+    NAMES(summit_mean_height, 2);
+    NAMES(rms_slope, 2);
     NAMES(contact_law, 1);
     NAMES(slip_onset, 1);
     NAMES(weibull_shape, 2);
@@ -1029,9 +1033,9 @@ static asperity_status fill_state(const asperity_model *model, void *out)
     return asperity_state_at_load(model, 1.0, out);
 }
 
-static asperity_status fill_state_at_separation(const asperity_model *model, void *out)
+static asperity_status fill_state_at_gap(const asperity_model *model, void *out)
 {
-    return asperity_state_at_separation(model, 10.0, out);
+    return asperity_state_at_gap(model, 10.0, out);
 }
 
 static asperity_status fill_separated_state(const asperity_model *model, void *out)
@@ -1051,7 +1055,7 @@ static asperity_status fill_sensitivities(const asperity_model *model, void *out
 
 static void outputs_are_written_no_further_than_struct_size(void)
 {
-    fill_call *const calls[] = { fill_state, fill_state_at_separation, fill_summary, fill_sensitivities };
+    fill_call *const calls[] = { fill_state, fill_state_at_gap, fill_summary, fill_sensitivities };
     const size_t sizes[] = { sizeof(asperity_state), sizeof(asperity_state), sizeof(asperity_summary),
                              sizeof(asperity_sensitivities) };
     asperity_model *model = model_of(surface(0));
@@ -1097,10 +1101,10 @@ static void failing_states_say_what_is_wrong(void)
     CHECK(asperity_state_at_load(model, 1e200, &state) == ASPERITY_OUT_OF_RANGE && says("load = 1e200: "), "1e200");
     CHECK(asperity_state_at_load(hertz, 0, &state) == ASPERITY_OUT_OF_RANGE && says("load = 0: "), "Hertz at 0");
     CHECK(asperity_state_at_load(hertz, -1, &state) == ASPERITY_SEPARATED, "Hertz below 0");
-    CHECK(asperity_state_at_separation(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("separation = NaN: "),
-          "NaN separation");
-    CHECK(asperity_state_at_separation(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf separation");
-    CHECK(asperity_state_at_separation(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("separation = 1e300: "),
+    CHECK(asperity_state_at_gap(model, NAN, &state) == ASPERITY_INVALID_PARAMETER && says("gap = NaN: "),
+          "NaN gap");
+    CHECK(asperity_state_at_gap(model, -INFINITY, &state) == ASPERITY_INVALID_PARAMETER, "inf gap");
+    CHECK(asperity_state_at_gap(model, 1e300, &state) == ASPERITY_OUT_OF_RANGE && says("gap = 1e300: "),
           "'%s'", last_message());
     CHECK(SAME(state, before), "the state was touched by a failing call");
     asperity_free(model);
@@ -1205,7 +1209,7 @@ static void a_warning_is_told_with_its_loads(void)
     FAILS(asperity_warning_loads(model, 16, &lightest, NULL), ASPERITY_NULL_POINTER, "heaviest is NULL");
     FAILS(asperity_warning_loads(model, 0, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 0: must be one");
     FAILS(asperity_warning_loads(model, 3, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 3: must be one");
-    FAILS(asperity_warning_loads(model, 512, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 512: ");
+    FAILS(asperity_warning_loads(model, 1024, &lightest, &heaviest), ASPERITY_INVALID_PARAMETER, "warning = 1024: ");
 #undef FAILS
     CHECK(asperity_warning_loads(model, ASPERITY_WARNING_UNCALIBRATED, &lightest, &heaviest) == ASPERITY_OK && isnan(lightest) &&
           isnan(heaviest), "a strength of its own: %g to %g", lightest, heaviest);
@@ -1306,11 +1310,11 @@ static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
               state.dforce_dload);
         CHECK(fabs(mu_slope - (slope - mu) / load) <= 1e-12 * mu / load, "%s at %g: dmu/dP", name, load);
         CHECK(fabs(state.dmu_dload - mu_slope) <= 3e-8 * mu / load, "%s at %g: dmu/dP of the state", name, load);
-        CHECK(state.dload_dseparation < 0, "%s at %g: no stiffness", name, load);
+        CHECK(state.dload_dgap < 0, "%s at %g: no stiffness", name, load);
         {
             asperity_state again;
             again.struct_size = sizeof again;
-            CHECK(asperity_state_at_separation(model, state.separation, &again) == ASPERITY_OK, "%s", last_message());
+            CHECK(asperity_state_at_gap(model, state.gap, &again) == ASPERITY_OK, "%s", last_message());
             CHECK(close_to(again.friction_force, state.friction_force, 1e-9), "%s at %g: not on the way back", name,
                   load);
         }

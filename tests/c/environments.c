@@ -156,7 +156,7 @@ static void prepare(const asperity_model *model, questions *q)
         q->load[LOADS - FAR + i] = ldexp(0.7 + 0.1 * (i % 3), (i % 2 == 0 ? 27 : -27) * i) * s.max_table_load;
     /* From compression beyond the table over all heights to surfaces apart. */
     for (int i = 0; i < LOADS; i++)
-        q->separation[i] = i < specials ? special[i] : state.separation * (1.5 - ldexp(0.1 * i, i % 4 == 0 ? 40 - i : -2));
+        q->separation[i] = i < specials ? special[i] : state.gap * (1.5 - ldexp(0.1 * i, i % 4 == 0 ? 40 - i : -2));
     q->load[specials] = s.pull_off_load;
     q->load[specials + 1] = 0.4 * s.pull_off_load;
     q->load[specials + 2] = 3 * s.pull_off_load;
@@ -201,15 +201,15 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
         asperity_friction_at_pressure(model, q->load[i], 1.3, &a->slopes[2][i]);
         a->stress[i] = asperity_shear_stress_at_pressure(model, q->load[i], 1.3, &a->slopes[3][i]);
         a->sliding[0][i] = asperity_slip_force(model, q->load[i], -0.31, 0.7, &a->sliding[1][i], &a->sliding[2][i]);
-        a->gap[0][i] = asperity_load_at_separation(model, q->separation[i]);
-        a->gap[1][i] = asperity_load_and_slope_at_separation(model, q->separation[i], &a->gap[2][i]);
+        a->gap[0][i] = asperity_load_at_gap(model, q->separation[i]);
+        a->gap[1][i] = asperity_load_and_slope_at_gap(model, q->separation[i], &a->gap[2][i]);
     }
     {
         const asperity_model *const models[] = {model, model};
         uint32_t which[LOADS];
         for (int i = 0; i < LOADS; i++)
             which[i] = (uint32_t)(i % 2);
-        *status++ = asperity_loads_at_separations(model, LOADS, q->separation, a->gaps[0], a->gaps[1]);
+        *status++ = asperity_loads_at_gaps(model, LOADS, q->separation, a->gaps[0], a->gaps[1]);
         *status++ = asperity_friction_force_at_loads_of(models, 2, LOADS, which, q->load, a->of[0], a->of[1]);
         *status++ = asperity_friction_at_pressures(model, LOADS, q->load, 1.3, a->pressed[0], a->pressed[1]);
         *status++ = asperity_shear_stresses_at_pressures(model, LOADS, q->load, 1.3, a->pressed[2], a->pressed[3]);
@@ -223,7 +223,7 @@ static asperity_model *ask(const asperity_params *p, const questions *q, answers
     for (int i = 0; i < EXACT; i++) {
         a->at_load[i].struct_size = a->at_separation[i].struct_size = sizeof(asperity_state);
         asperity_state_at_load(model, q->exact[i], &a->at_load[i]);
-        asperity_state_at_separation(model, q->overlap[i], &a->at_separation[i]);
+        asperity_state_at_gap(model, q->overlap[i], &a->at_separation[i]);
         asperity_tangential_at_load(model, q->exact[i], q->displacement, &a->tangential[0][i], &a->tangential[1][i]);
         a->slipped[i].struct_size = sizeof(asperity_microslip);
         asperity_microslip_step(model, q->exact[i], q->increments[i], a->states[i], a->states[i], &a->slipped[i]);

@@ -95,8 +95,8 @@ static void evaluate_at(const asperity_model *model, double x)
     state.struct_size = sizeof state;
     doing = "asperity_state_at_load";
     asperity_state_at_load(model, x, &state);
-    doing = "asperity_state_at_separation";
-    asperity_state_at_separation(model, x, &state);
+    doing = "asperity_state_at_gap";
+    asperity_state_at_gap(model, x, &state);
     sensitivities.struct_size = sizeof sensitivities;
     doing = "asperity_sensitivities_at_load";
     asperity_sensitivities_at_load(model, x, &sensitivities);
@@ -105,12 +105,12 @@ static void evaluate_at(const asperity_model *model, double x)
     doing = "asperity_summits_at_overlaps";
     asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
     microslip_at(model, x);
-    doing = "asperity_load_at_separation";
-    asperity_load_at_separation(model, x);
-    doing = "asperity_load_and_slope_at_separation";
-    asperity_load_and_slope_at_separation(model, x, slope);
-    doing = "asperity_loads_at_separations";
-    asperity_loads_at_separations(model, 2, in, out, slope);
+    doing = "asperity_load_at_gap";
+    asperity_load_at_gap(model, x);
+    doing = "asperity_load_and_slope_at_gap";
+    asperity_load_and_slope_at_gap(model, x, slope);
+    doing = "asperity_loads_at_gaps";
+    asperity_loads_at_gaps(model, 2, in, out, slope);
     doing = "asperity_friction_force_at_loads_of";
     {
         const uint32_t which[] = {0, 1};
@@ -272,8 +272,8 @@ static void special_setter_arguments(void)
             memcpy(&x[k], &specials[i], sizeof *x);
             doing = "asperity_params_set_spectral_moments";
             asperity_params_set_spectral_moments(&p, x[0], x[1], x[2], x[3]);
-            doing = "asperity_params_set_nayak_summits";
-            asperity_params_set_nayak_summits(&p, x[0], x[1], x[2], x[3]);
+            doing = "asperity_params_set_mccool_summits";
+            asperity_params_set_mccool_summits(&p, x[0], x[1], x[2], x[3]);
         }
         {
             asperity_params p = surface(0);
@@ -327,7 +327,7 @@ static void null_pointers(void)
     REFUSES(asperity_params_calibrate(NULL, 1, 1));
     REFUSES(asperity_params_calibrate_force(NULL, 1, 1));
     REFUSES(asperity_params_set_spectral_moments(NULL, 3, 0.5, 0.7, 11));
-    REFUSES(asperity_params_set_nayak_summits(NULL, 3, 0.5, 0.7, 11));
+    REFUSES(asperity_params_set_mccool_summits(NULL, 3, 0.5, 0.7, 11));
     REFUSES(asperity_params_set_dimensionless(NULL, 0.01, 1000, 0.001, 1, 0.3));
     REFUSES(asperity_params_set_materials(NULL, 1, 0.3, 1, 0.3));
     REFUSES(asperity_params_set_skew(NULL, 0));
@@ -358,10 +358,10 @@ static void null_pointers(void)
     REFUSES(asperity_friction_force_at_loads(model, 1, NULL, &y, NULL));
     REFUSES(asperity_state_at_load(NULL, 1, &state));
     REFUSES(asperity_state_at_load(model, 1, NULL));
-    REFUSES(asperity_state_at_separation(NULL, 1, &state));
+    REFUSES(asperity_state_at_gap(NULL, 1, &state));
     REFUSES(asperity_summits_at_overlaps(NULL, 1, &x, NULL, &y, NULL, NULL));
     REFUSES(asperity_summits_at_overlaps(model, 1, NULL, NULL, &y, NULL, NULL));
-    REFUSES(asperity_state_at_separation(model, 1, NULL));
+    REFUSES(asperity_state_at_gap(model, 1, NULL));
     REFUSES(asperity_check_loads(NULL, 1, 2, &warnings));
     REFUSES(asperity_check_loads(model, 1, 2, NULL));
     REFUSES(asperity_warning_loads(NULL, 64, &x, &y));

@@ -1,4 +1,4 @@
-//! Loads at separations: the batch has the bits of the scalar call, unaligned and in place, and says what is wrong where.
+//! Loads at gaps: the batch has the bits of the scalar call, unaligned and in place, and says what is wrong where.
 
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
@@ -17,25 +17,25 @@ fn models() -> [Handle; 4] {
 }
 
 /// Separations of every kind: among the heights, apart, in compression beyond the table, no numbers.
-fn mixed_separations(random: &mut SplitMix, sigma: f64, count: usize) -> Vec<f64> {
+fn mixed_gaps(random: &mut SplitMix, sigma: f64, count: usize) -> Vec<f64> {
     let corners =
         [f64::NAN, f64::INFINITY, f64::from_bits(0xfff4 << 48), 0.0, -0.0, 1e300, -1e300, f64::from_bits(1), -f64::MAX];
-    let separation = |random: &mut SplitMix| match random.below(12) {
+    let gap = |random: &mut SplitMix| match random.below(12) {
         0 => corners[random.below(corners.len())],
         1 => -sigma * random.log_between(1e2, 1e11),
         _ => sigma * random.between(-6.0, 14.0),
     };
-    (0..count).map(|_| separation(random)).collect()
+    (0..count).map(|_| gap(random)).collect()
 }
 
-fn scalar(model: *const asperity_model, separation: f64) -> (f64, f64) {
+fn scalar(model: *const asperity_model, gap: f64) -> (f64, f64) {
     let mut slope = 7.0;
     // SAFETY: the model lives.
     let (alone, load) = unsafe {
-        let alone = asperity_load_at_separation(model, separation);
-        (alone, asperity_load_and_slope_at_separation(model, separation, &mut slope))
+        let alone = asperity_load_at_gap(model, gap);
+        (alone, asperity_load_and_slope_at_gap(model, gap, &mut slope))
     };
-    assert_eq!(alone.to_bits(), load.to_bits(), "{separation:e}");
+    assert_eq!(alone.to_bits(), load.to_bits(), "{gap:e}");
     (load, slope)
 }
 
@@ -46,33 +46,33 @@ fn an_element_has_the_bits_of_the_call_for_one() {
         let model = handle.0;
         let sigma = asperity_params::initial().height_std;
         for count in [0, 1, 2, 3, 4, 7, 127, 128, 129, 1000] {
-            let separations = mixed_separations(&mut random, sigma, count);
-            let expected: Vec<(f64, f64)> = separations.iter().map(|&d| scalar(model, d)).collect();
+            let gaps = mixed_gaps(&mut random, sigma, count);
+            let expected: Vec<(f64, f64)> = gaps.iter().map(|&d| scalar(model, d)).collect();
             let same = |loads: &[f64], slopes: &[f64]| {
                 for (i, &(load, slope)) in expected.iter().enumerate() {
                     let found = (loads[i].to_bits(), slopes[i].to_bits());
-                    assert_eq!(found, (load.to_bits(), slope.to_bits()), "{i}: {:e}", separations[i]);
+                    assert_eq!(found, (load.to_bits(), slope.to_bits()), "{i}: {:e}", gaps[i]);
                 }
             };
             let (mut load, mut slope) = (vec![0.0; count], vec![0.0; count]);
             // SAFETY: arrays of so many elements; in place both ways.
             unsafe {
-                let (d, loads, slopes) = (separations.as_ptr(), load.as_mut_ptr(), slope.as_mut_ptr());
-                asperity_loads_at_separations(model, count, d, loads, slopes);
+                let (d, loads, slopes) = (gaps.as_ptr(), load.as_mut_ptr(), slope.as_mut_ptr());
+                asperity_loads_at_gaps(model, count, d, loads, slopes);
                 same(&load, &slope);
-                let mut place = separations.clone();
-                asperity_loads_at_separations(model, count, place.as_ptr(), place.as_mut_ptr(), slopes);
+                let mut place = gaps.clone();
+                asperity_loads_at_gaps(model, count, place.as_ptr(), place.as_mut_ptr(), slopes);
                 same(&place, &slope);
-                place.clone_from(&separations);
-                asperity_loads_at_separations(model, count, place.as_ptr(), loads, place.as_mut_ptr());
+                place.clone_from(&gaps);
+                asperity_loads_at_gaps(model, count, place.as_ptr(), loads, place.as_mut_ptr());
                 same(&load, &place);
                 // One byte off, and one output only.
                 let mut bytes = vec![0_u8; 8 * count + 8];
                 let unaligned = bytes.as_mut_ptr().add(1).cast::<f64>();
                 std::ptr::copy_nonoverlapping(d.cast::<u8>(), unaligned.cast(), 8 * count);
-                asperity_loads_at_separations(model, count, unaligned, null_mut(), slopes);
+                asperity_loads_at_gaps(model, count, unaligned, null_mut(), slopes);
                 same(&load, &slope);
-                asperity_loads_at_separations(model, count, unaligned, unaligned, null_mut());
+                asperity_loads_at_gaps(model, count, unaligned, unaligned, null_mut());
                 std::ptr::copy_nonoverlapping(unaligned.cast::<u8>(), loads.cast(), 8 * count);
                 same(&load, &slope);
             }
@@ -81,26 +81,24 @@ fn an_element_has_the_bits_of_the_call_for_one() {
 }
 
 #[test]
-fn the_first_separation_that_is_not_in_order_is_named() {
+fn the_first_gap_that_is_not_in_order_is_named() {
     let handle = Handle::new(&asperity_params::initial());
     let model = handle.0;
-    for (separation, status, says) in [
-        (f64::NAN, ASPERITY_INVALID_PARAMETER, "separation = NaN: must be finite"),
+    for (gap, status, says) in [
+        (f64::NAN, ASPERITY_INVALID_PARAMETER, "gap = NaN: must be finite"),
         (f64::INFINITY, ASPERITY_INVALID_PARAMETER, "must be finite"),
-        (1e4, ASPERITY_SEPARATED, "separation = 10000: the surfaces part at "),
+        (1e4, ASPERITY_SEPARATED, "gap = 10000: the surfaces part at "),
         (f64::MAX, ASPERITY_SEPARATED, "the surfaces part at "),
         (-1e300, ASPERITY_OUT_OF_RANGE, "1e50 height_std"),
     ] {
         for index in [0, 5, 131, 299] {
-            let mut separations = [1.0; 300];
-            separations[index] = separation;
-            separations[299] = separation;
+            let mut gaps = [1.0; 300];
+            gaps[index] = gap;
+            gaps[299] = gap;
             let mut load = [0.0; 300];
             // SAFETY: arrays of 300 elements.
-            let found = unsafe {
-                asperity_loads_at_separations(model, 300, separations.as_ptr(), load.as_mut_ptr(), null_mut())
-            };
-            assert_eq!(found, status, "{separation}: {}", message());
+            let found = unsafe { asperity_loads_at_gaps(model, 300, gaps.as_ptr(), load.as_mut_ptr(), null_mut()) };
+            assert_eq!(found, status, "{gap}: {}", message());
             let message = message();
             assert!(message.starts_with(&format!("element {index}: ")) && message.contains(says), "{message}");
             assert!(load[index].is_nan() != (status == ASPERITY_SEPARATED), "{}", load[index]);
@@ -114,13 +112,13 @@ fn null_is_refused_or_nan() {
     let mut load = [7.0];
     // SAFETY: NULL is what is tested.
     unsafe {
-        assert!(asperity_load_at_separation(null(), 1.0).is_nan());
-        assert!(asperity_load_and_slope_at_separation(null(), 1.0, null_mut()).is_nan());
-        let at = asperity_loads_at_separations(null(), 1, [1.0].as_ptr(), load.as_mut_ptr(), null_mut());
+        assert!(asperity_load_at_gap(null(), 1.0).is_nan());
+        assert!(asperity_load_and_slope_at_gap(null(), 1.0, null_mut()).is_nan());
+        let at = asperity_loads_at_gaps(null(), 1, [1.0].as_ptr(), load.as_mut_ptr(), null_mut());
         assert_eq!((at, load), (ASPERITY_NULL_POINTER, [7.0]));
-        let at = asperity_loads_at_separations(handle.0, 1, null(), load.as_mut_ptr(), null_mut());
+        let at = asperity_loads_at_gaps(handle.0, 1, null(), load.as_mut_ptr(), null_mut());
         assert_eq!((at, load), (ASPERITY_NULL_POINTER, [7.0]));
-        assert_eq!(asperity_loads_at_separations(handle.0, 0, null(), null_mut(), null_mut()), ASPERITY_OK);
-        assert_eq!(asperity_loads_at_separations(handle.0, 1, [1.0].as_ptr(), null_mut(), null_mut()), ASPERITY_OK);
+        assert_eq!(asperity_loads_at_gaps(handle.0, 0, null(), null_mut(), null_mut()), ASPERITY_OK);
+        assert_eq!(asperity_loads_at_gaps(handle.0, 1, [1.0].as_ptr(), null_mut(), null_mut()), ASPERITY_OK);
     }
 }

@@ -33,7 +33,7 @@ pub trait TestParams: Sized {
     /// Those with a unit, and the number of summits.
     fn quantities(&mut self) -> [&mut f64; 8];
     /// All numbers: the quantities, and the others.
-    fn numbers(&mut self) -> [&mut f64; 26];
+    fn numbers(&mut self) -> [&mut f64; 28];
 }
 
 impl TestParams for asperity_params {
@@ -104,7 +104,7 @@ impl TestParams for asperity_params {
         ]
     }
 
-    fn numbers(&mut self) -> [&mut f64; 26] {
+    fn numbers(&mut self) -> [&mut f64; 28] {
         [
             &mut self.composite_modulus,
             &mut self.effective_shear_modulus,
@@ -132,6 +132,8 @@ impl TestParams for asperity_params {
             &mut self.calibration_load,
             &mut self.calibration_friction_force,
             &mut self.calibration_error,
+            &mut self.summit_mean_height,
+            &mut self.rms_slope,
         ]
     }
 }

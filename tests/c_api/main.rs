@@ -7,6 +7,7 @@ mod common;
 
 mod batch;
 mod domains;
+mod estimate;
 mod fuzz;
 mod fuzz_calls;
 mod gap;

@@ -210,7 +210,7 @@ fn parameters_are_set_in_memory_without_values() {
         assert_eq!(asperity_params_set_dimensionless(params, 0.1, 4.0, 1e-3, 1.0, 0.3), OK);
         assert_eq!(asperity_params_set_materials(params, 2e11, 0.3, f64::INFINITY, 0.2), OK);
         assert_eq!(asperity_params_set_spectral_moments(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
-        assert_eq!(asperity_params_set_nayak_summits(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
+        assert_eq!(asperity_params_set_mccool_summits(params, 1e-16, 1e-4, 1e10, 1e-6), OK);
         assert_eq!(asperity_params_set_skew(params, 0.5), OK);
         assert_eq!(asperity_params_set_elastic_plastic(params, 1e9), OK);
         assert_eq!(asperity_params_set_pair(params, c"steel/steel".as_ptr()), OK);
@@ -225,6 +225,20 @@ fn parameters_are_set_in_memory_without_values() {
         let bytes = Place::at(text.len(), 1);
         bytes.pointer::<u8>().copy_from_nonoverlapping(text.as_ptr(), text.len());
         assert_eq!(asperity_params_set_text(params, bytes.pointer(), text.len()), OK);
+        // Loads may lie anywhere, too.
+        let load = Place::at(8, 1);
+        load.pointer::<f64>().write_unaligned(10.0);
+        let surface = b"pair = \"Si/Si\"\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_count = 1e5\n";
+        let surface_bytes = Place::at(surface.len(), 1);
+        surface_bytes.pointer::<u8>().copy_from_nonoverlapping(surface.as_ptr(), surface.len());
+        let mut found: asperity_estimate = std::mem::zeroed();
+        found.struct_size = size_of::<asperity_estimate>() as u64;
+        let (at, load) = (surface_bytes.pointer(), load.pointer());
+        assert_eq!(asperity_estimate_at_loads(at, surface.len(), 1, load, &mut found), OK);
+        let written = asperity_estimate_text(at, surface.len(), 1, load, null_mut(), 0);
+        let buffer = Place::at(written + 1, 1);
+        assert_eq!(asperity_estimate_text(at, surface.len(), 1, load, buffer.pointer(), written + 1), written);
+        assert_eq!(CStr::from_ptr(buffer.pointer()).count_bytes(), written);
         assert_eq!(asperity_params_set_units(params, 1e-3, 1.0), OK);
         let written = asperity_params_text(params, null_mut(), 0);
         let buffer = Place::at(written + 1, 1);
@@ -235,7 +249,7 @@ fn parameters_are_set_in_memory_without_values() {
         assert_eq!(asperity_params_set_dimensionless(params, -1.0, 4.0, 1e-3, 1.0, 0.3), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_materials(params, 2e11, 0.7, 1e11, 0.2), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_spectral_moments(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
-        assert_eq!(asperity_params_set_nayak_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_mccool_summits(params, 1.0, 1.0, 1.0, 1.0), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_skew(params, -9.0), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_elastic_plastic(params, 0.0), INVALID_PARAMETER);
         assert_eq!(asperity_params_calibrate(params, 1.0, -0.3), INVALID_PARAMETER);
@@ -276,7 +290,7 @@ fn null_is_refused_or_skipped() {
             asperity_params_set_dimensionless(null_mut(), 0.1, 4.0, 1e-3, 1.0, 0.3),
             asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3),
             asperity_params_set_spectral_moments(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
-            asperity_params_set_nayak_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
+            asperity_params_set_mccool_summits(null_mut(), 1e-16, 1e-4, 1e10, 1e-6),
             asperity_params_set_skew(null_mut(), 0.0),
             asperity_params_set_elastic_plastic(null_mut(), 1.0),
             asperity_params_calibrate(null_mut(), 1.0, 1.0),
@@ -290,6 +304,8 @@ fn null_is_refused_or_skipped() {
             asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
             asperity_params_set_text(null_mut(), c"".as_ptr(), 0),
             asperity_params_set_text(&mut params, null(), 0),
+            asperity_estimate_at_loads(null(), 0, 0, null(), null_mut()),
+            asperity_estimate_at_loads(c"".as_ptr(), 0, 1, null(), null_mut()),
             asperity_params_read(null_mut(), c"".as_ptr()),
             asperity_params_read(&mut params, null()),
             asperity_params_set_units(null_mut(), 1.0, 1.0),
@@ -308,14 +324,14 @@ fn null_is_refused_or_skipped() {
             asperity_set_params(null_mut(), &params),
             asperity_get_params(null(), &mut params),
             asperity_state_at_load(null(), 1.0, &mut state),
-            asperity_state_at_separation(null(), 1.0, &mut state),
+            asperity_state_at_gap(null(), 1.0, &mut state),
             asperity_check_loads(null(), 1.0, 2.0, &mut 0),
             asperity_warning_loads(null(), 16, &mut 0.0, &mut 0.0),
             asperity_summits_at_overlaps(null(), 1, &1.0, null(), &mut slope, null_mut(), null_mut()),
             asperity_summary_of(null(), &mut summary),
             asperity_table_of(null(), null_mut()),
             asperity_tangential_stiffness_at_loads(null(), 1, &1.0, &mut slope),
-            asperity_loads_at_separations(null(), 1, &1.0, &mut slope, null_mut()),
+            asperity_loads_at_gaps(null(), 1, &1.0, &mut slope, null_mut()),
             asperity_friction_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
             asperity_shear_stresses_at_pressures(null(), 1, &1.0, 1.0, &mut slope, null_mut()),
             asperity_slip_forces(null(), 1, &1.0, &1.0, 1.0, &mut slope, null_mut(), null_mut()),
@@ -333,7 +349,7 @@ fn null_is_refused_or_skipped() {
         assert!(asperity_friction_force_at_load(null(), 1.0).is_nan());
         assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
         assert_eq!(asperity_microslip_length(null()), 0);
-        assert!(asperity_load_at_separation(null(), 1.0).is_nan());
+        assert!(asperity_load_at_gap(null(), 1.0).is_nan());
         for (batch, one) in LAWS {
             assert_eq!(batch(null(), 1, &1.0, &mut slope, null_mut()), NULL_POINTER);
             assert!(slope == 7.0 && one(null(), 1.0, null_mut()).is_nan());
@@ -443,10 +459,10 @@ fn one_contact(handle: &Handle) {
         assert_eq!(forces(one.pointer(), other.pointer()), OK);
         assert_eq!((found(one.word(0)), forces(null_mut(), null_mut())), (force, OK));
         let separation = 0.0;
-        let pressed = asperity_load_and_slope_at_separation(handle.0, separation, one.pointer());
+        let pressed = asperity_load_and_slope_at_gap(handle.0, separation, one.pointer());
         assert!(pressed > 0.0 && found(one.word(0)) < 0.0);
-        assert_eq!(asperity_load_at_separation(handle.0, separation), pressed);
-        assert_eq!(asperity_loads_at_separations(handle.0, 1, &separation, other.pointer(), third.pointer()), OK);
+        assert_eq!(asperity_load_at_gap(handle.0, separation), pressed);
+        assert_eq!(asperity_loads_at_gaps(handle.0, 1, &separation, other.pointer(), third.pointer()), OK);
         assert_eq!((found(other.word(0)), third.word(0)), (pressed, one.word(0)));
         let mut table: asperity_table = std::mem::zeroed();
         table.struct_size = size_of::<asperity_table>() as u64;
@@ -573,7 +589,7 @@ fn structs(handle: &Handle) {
     };
     let at_separation = |place: &Place| {
         // SAFETY: as before.
-        unsafe { asperity_state_at_separation(handle.0, 0.3, place.pointer()) }
+        unsafe { asperity_state_at_gap(handle.0, 0.3, place.pointer()) }
     };
     // SAFETY: as before.
     let summary_of = |place: &Place| unsafe { asperity_summary_of(handle.0, place.pointer()) };
@@ -620,7 +636,7 @@ fn structs(handle: &Handle) {
     // SAFETY: NULL is refused.
     unsafe {
         assert_eq!(asperity_state_at_load(handle.0, 1.0, null_mut()), NULL_POINTER);
-        assert_eq!(asperity_state_at_separation(handle.0, 1.0, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_state_at_gap(handle.0, 1.0, null_mut()), NULL_POINTER);
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), NULL_POINTER);
         let warnings = Place::aligned(size_of::<u64>());
         assert_eq!(asperity_check_loads(handle.0, 1.0, 2.0, warnings.pointer()), OK);

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 const SEED: u64 = 0x5eed_c0de;
 /// Every bit that a state may warn with.
-const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_STRONG - 1;
+const ALL_WARNINGS: u64 = 2 * ASPERITY_WARNING_FEW_WAVES - 1;
 /// A surface whose calls together take longer hangs, or nearly so: of the processor time of the process, which other tests
 /// use too.
 const LONGEST_SURFACE: Duration = Duration::from_secs(300);
@@ -34,7 +34,7 @@ struct Library {
     set_dimensionless: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64, f64) -> i32,
     set_materials: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
     set_moments: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
-    set_nayak: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
+    set_mccool: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
     set_skew: unsafe extern "C" fn(*mut asperity_params, f64) -> i32,
 }
 
@@ -54,14 +54,14 @@ impl Watched {
             create: asperity_create,
             set_params: asperity_set_params,
             at_load: asperity_state_at_load,
-            at_separation: asperity_state_at_separation,
+            at_separation: asperity_state_at_gap,
             friction: asperity_friction_at_load,
             force: asperity_friction_force_at_load,
             summits: asperity_summits_at_overlaps,
             set_dimensionless: asperity_params_set_dimensionless,
             set_materials: asperity_params_set_materials,
             set_moments: asperity_params_set_spectral_moments,
-            set_nayak: asperity_params_set_nayak_summits,
+            set_mccool: asperity_params_set_mccool_summits,
             set_skew: asperity_params_set_skew,
         };
         Self {
@@ -156,7 +156,7 @@ impl Watched {
 
     /// The exact state at a separation.
     fn at_separation(&mut self, handle: &Handle, separation: f64) -> Result<asperity_state, i32> {
-        self.state("state_at_separation", &[INVALID_PARAMETER, OUT_OF_RANGE], separation, |library, state| {
+        self.state("state_at_gap", &[INVALID_PARAMETER, OUT_OF_RANGE], separation, |library, state| {
             // SAFETY: the model lives, the struct has its size set.
             unsafe { (library.at_separation)(handle.0, separation, state) }
         })
@@ -192,8 +192,8 @@ fn refused(status: i32, documented: &[i32], what: &dyn Fn() -> String) {
 
 /// Every number that a caller could want is one: finite where it must be, with its sign.
 fn is_sound(state: &asperity_state) -> bool {
-    let finite = [state.load, state.separation, state.friction_force, state.real_area, state.contacting];
-    let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dseparation];
+    let finite = [state.load, state.gap, state.friction_force, state.real_area, state.contacting];
+    let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dgap];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
     let radii = [state.mean_contact_radius, state.max_contact_radius];
     let contacts = [state.fraction_in_contact, state.mean_asperity_pressure, state.plasticity_index];
@@ -420,7 +420,7 @@ fn setters_given_random_bits_leave_the_parameters_or_set_valid_ones() {
                 0 => (library.set_dimensionless)(&mut params, x[0], x[1], x[2], x[3], x[4]),
                 1 => (library.set_materials)(&mut params, x[0], x[1], x[2], x[3]),
                 2 => (library.set_moments)(&mut params, x[0], x[1], x[2], x[3]),
-                3 => (library.set_nayak)(&mut params, x[0], x[1], x[2], x[3]),
+                3 => (library.set_mccool)(&mut params, x[0], x[1], x[2], x[3]),
                 _ => (library.set_skew)(&mut params, x[0]),
             }
         });
@@ -515,7 +515,7 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
             continue;
         };
         watched.claim(is_sound(&state), || format!("{}: {state:?}", what()));
-        let again = watched.at_separation(handle, state.separation);
+        let again = watched.at_separation(handle, state.gap);
         let Ok(again) = again else {
             watched.failures.push(format!("{}: at its separation {again:?}: {}", what(), message()));
             continue;
@@ -523,7 +523,7 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
         let off = (again.load - load).abs();
         // Contacts that push and contacts that pull cancel in a load: its resolution is that of their loads.
         watched.claim(off <= 1e-9 * load.abs().max(scale).max(again.attraction_load.abs()), || {
-            format!("{}: at its separation {:e} the load is {:e}", what(), state.separation, again.load)
+            format!("{}: at its separation {:e} the load is {:e}", what(), state.gap, again.load)
         });
         // SAFETY: the model lives.
         let force = watched.call(&what, |library| unsafe { (library.force)(handle.0, load) });
@@ -630,7 +630,7 @@ fn a_null_handle_is_refused_everywhere() {
         assert_eq!(asperity_set_params(null_mut(), &params), NULL_POINTER);
         assert_eq!(asperity_get_params(null_mut(), &mut params), NULL_POINTER);
         assert_eq!(asperity_state_at_load(null_mut(), 1.0, &mut state), NULL_POINTER);
-        assert_eq!(asperity_state_at_separation(null_mut(), 1.0, &mut state), NULL_POINTER);
+        assert_eq!(asperity_state_at_gap(null_mut(), 1.0, &mut state), NULL_POINTER);
         assert_eq!(asperity_check_loads(null_mut(), 1.0, 2.0, &mut 0), NULL_POINTER);
         assert_eq!(asperity_summary_of(null_mut(), &mut summary), NULL_POINTER);
         asperity_free(null_mut());
@@ -653,7 +653,7 @@ fn a_null_output_is_refused_everywhere() {
         refused(asperity_params_set_skew(null_mut(), 0.0), "params");
         refused(asperity_get_params(handle.0, null_mut()), "params");
         refused(asperity_state_at_load(handle.0, 1.0, null_mut()), "state");
-        refused(asperity_state_at_separation(handle.0, 1.0, null_mut()), "state");
+        refused(asperity_state_at_gap(handle.0, 1.0, null_mut()), "state");
         refused(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), "warnings");
         refused(asperity_warning_loads(handle.0, 16, null_mut(), &mut 0.0), "lightest");
         refused(asperity_summary_of(handle.0, null_mut()), "summary");

@@ -9,7 +9,7 @@ use std::ffi::{c_char, CString};
 use std::path::Path;
 use std::ptr::{null, null_mut};
 
-/// Hard carbon on hard carbon, as on docs/surface-file.md.
+/// Hard carbon on hard carbon.
 const CARBON: &str = "nominal_area = 1e-6
 work_of_adhesion = 0.06
 adhesion_range = 0.25e-9
@@ -151,7 +151,8 @@ fn parameters_of_roughness_are_moments() {
             (found.height_std, expected.height_std),
             (found.summit_radius, expected.summit_radius),
             (found.asperity_count, expected.asperity_count),
-            (found.bandwidth, expected.bandwidth),
+            (found.summit_mean_height, expected.summit_mean_height),
+            (found.rms_slope, expected.rms_slope),
         ] {
             assert_near(found, expected, 1e-13, roughness);
         }
@@ -168,35 +169,40 @@ fn parameters_of_roughness_are_moments() {
     near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSsc = 2.6e6", by_curvature);
     near(&format!("[roughness]\nRa = {ra}\nSdq = 0.08\nSsc = 2.6e6"), by_curvature);
     near(&format!("[roughness]\nRa = {ra}\nm2 = 0.0032\nm4 = 3e12"), [rq * rq, 0.0032, 3e12]);
-    // Both: the summits that were counted.
-    let counted = with("[roughness]\nSq = 5e-9\nSdq = 0.08\nSsc = 2.6e6\nSds = 1e13");
-    assert_eq!(counted.asperity_count, 1e13 * area);
-    // A profile: the bandwidth is known, or the usual one.
-    let by_profile = |rq: f64, width: f64, bandwidth: f64| {
-        let m2 = rq * rq * (2.0 * pi / width).powi(2);
-        [rq * rq, m2, bandwidth * m2 * m2 / (rq * rq)]
-    };
-    near("bandwidth = 5.0\n[roughness]\nRq = 5e-9\nRSm = 400e-9", by_profile(rq, 400e-9, 5.0));
-    near(&format!("[roughness]\nRa = {ra}\nRSm = 400e-9"), by_profile(rq, 400e-9, 90.0_f64.sqrt()));
+    // Height and slope are enough; a bandwidth may be known.
+    let of_bandwidth = |m2: f64, bandwidth: f64| [rq * rq, m2, bandwidth * m2 * m2 / (rq * rq)];
+    let unknown = |m2: f64| of_bandwidth(m2, 0.0);
+    near("[roughness]\nSq = 5e-9\nSdq = 0.08", unknown(0.0032));
+    near(&format!("[roughness]\nRa = {ra}\nSdq = 0.08"), unknown(0.0032));
+    near("[roughness]\nm0 = 25e-18\nm2 = 0.0032", unknown(0.0032));
+    near("bandwidth = 5.0\n[roughness]\nSq = 5e-9\nSdq = 0.08", of_bandwidth(0.0032, 5.0));
+    near("[roughness]\nRq = 5e-9\nRdq = 0.06", unknown(0.0036));
+    let by_width = |width: f64| rq * rq * (2.0 * pi / width).powi(2);
+    near("bandwidth = 5.0\n[roughness]\nRq = 5e-9\nRSm = 400e-9", of_bandwidth(by_width(400e-9), 5.0));
+    near(&format!("[roughness]\nRa = {ra}\nRSm = 400e-9"), unknown(by_width(400e-9)));
+    // Of a density beside the curvature McCool's summits are as many, and the asperities of moments are not.
+    let both = "[roughness]\nSq = 5e-9\nSdq = 0.08\nSsc = 2.6e6\nSds = 1e13";
+    assert_eq!(with(&format!("{both}\nsummits = \"mccool\"")).asperity_count, 1e13 * area);
+    near(both, by_curvature);
     // Two rough surfaces: mean squares add.
     let (one, other) = (by_density(4e-9, 0.06, 2e13), by_density(3e-9, 0.08, 1e13));
     let sum = std::array::from_fn(|i| one[i] + other[i]);
     near("[roughness]\nSq = [4e-9, 3e-9]\nSdq = [0.06, 0.08]\nSds = [2e13, 1e13]", sum);
     near("[roughness]\nm0 = [1e-17, 2e-17]\nm2 = [1e-3, 2e-3]\nm4 = [1e12, 3e12]", [3e-17, 3e-3, 4e12]);
     let two = 0.8e-6_f64.hypot(0.4e-6);
-    let widths = [0.8e-6, 0.4e-6].map(|ra| by_profile(ra * (pi / 2.0).sqrt(), 80e-6, 1.0)[1]);
-    let (m0, m2) = (pi / 2.0 * two * two, widths[0] + widths[1]);
-    near("[roughness]\nRa = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 80e-6]", [m0, m2, 90.0_f64.sqrt() * m2 * m2 / m0]);
+    let (m0, wave_number) = (pi / 2.0 * two * two, 2.0 * pi / 80e-6);
+    near("[roughness]\nRa = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 80e-6]", [m0, m0 * wave_number * wave_number, 0.0]);
     // Heights and radii beside them.
     let shaped =
         near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSds = 2e13\nSsk = 0.1\nSku = 3.2", by_density(rq, slope, density));
     assert_eq!((shaped.height_distribution, shaped.skew, shaped.kurtosis), (ASPERITY_HEIGHTS_JOHNSON, 0.1, 3.2));
-    let mut nayak = asperity_params::unset();
+    let mut mccool = asperity_params::unset();
     // SAFETY: an initialised struct.
-    assert_eq!(unsafe { asperity_params_set_nayak_summits(&mut nayak, 4e-18, 2e-3, 8e12, area) }, OK);
-    let moments = "[roughness]\nm0 = 4e-18\nm2 = 2e-3\nm4 = 8e12\nsummits = ";
-    assert_same(&with(&format!("{moments}\"nayak\"")), &nayak, "Nayak's summits");
-    assert_same(&with(&format!("{moments}\"equal\"")), &by_moments(4e-18, 2e-3, 8e12), "equal summits");
+    assert_eq!(unsafe { asperity_params_set_mccool_summits(&mut mccool, 4e-18, 2e-3, 8e12, area) }, OK);
+    let moments = "[roughness]\nm0 = 4e-18\nm2 = 2e-3\nm4 = 8e12";
+    assert_same(&with(&format!("{moments}\nsummits = \"mccool\"")), &mccool, "McCool's summits");
+    assert_same(&with(&format!("{moments}\nsummits = \"moments\"")), &by_moments(4e-18, 2e-3, 8e12), "asperities");
+    assert_same(&with(moments), &by_moments(4e-18, 2e-3, 8e12), "asperities by default");
     // Summits per area.
     assert_eq!(surface("summit_density = 2e12\nnominal_area = 1e-6").asperity_count, 2e6);
 }
@@ -270,7 +276,10 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (changed("[roughness]", "[roughnes]"), "line 13: [roughnes]: no such table; there are [materials] and [roughness]"),
         (changed("nominal_area = 1e-6", ""), "line 13: nominal_area: must be set, since [roughness] gives"),
         (changed("m4", "Sq"), "line 16: [roughness] Sq: is not for spectral moments, as m0 is"),
-        (changed("m4 =", "#"), "line 13: [roughness] m4: must be set"),
+        (changed("m2 =", "#"), "line 13: [roughness] m2: must be set"),
+        (changed("m4 =", "summits = \"mccool\"#"), "line 16: [roughness] summits: \"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth"),
+        (changed("m4 =", "summits = \"equal\"#"), "line 16: [roughness] summits = \"equal\": must be \"moments\" or \"mccool\""),
+        (format!("radius_amplitude = 0.5\n{CARBON}"), "line 1: radius_amplitude: [roughness] sets it already"),
         (changed("nu2 =", "#"), "line 7: [materials] gives no name as second, so nu2 must be set there"),
         (changed("nu2 = 0.25", "nu2 = 0.6"), "line 11: nu2 = 0.6: must be > -1 and <= 0.5"),
         (changed("51e9", "true"), "line 5: hardness = true: must be a number"),
@@ -282,6 +291,7 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (changed("51e9", "-1"), "line 5: hardness = -1: must be finite and >= 0"),
         (changed("51e9", "1979-05-27"), "line 5: hardness: 1979-05-27 must be a number or a word in quotes"),
         (changed("3.3736e11", "3.3736"), "line 13: bandwidth m0 m4/m2^2 = "),
+        ("nominal_area = 1\n[roughness]\nSq = 1e-6\nSdq = 12.5".into(), "line 2: rms_slope = 12.5: must be at most 5, a slope of 79 degrees; is Sdq in degrees"),
         (format!("height_std = 1e-9\n{CARBON}"), "line 1: height_std: [roughness] sets it already"),
         (format!("bandwidth = 3\n{CARBON}"), "line 1: bandwidth: [roughness] sets it already"),
         (format!("\ncomposite_modulus = 1e11\n{CARBON}"), "line 2: composite_modulus: [materials] sets it already"),
@@ -304,7 +314,9 @@ fn what_is_wrong_is_named_with_line_and_key() {
         ("nominal_area = 1\n[roughness]\nRa = 3e-6".into(), "line 3: [roughness] Ra: give with it RSm"),
         ("nominal_area = 1\n[roughness]\nRa = 1\nm0 = 1\nm2 = 1\nm4 = 1".into(), "line 3: [roughness] Ra: must not be given together with m0, which it replaces"),
         ("nominal_area = 1\n[roughness]\nSq = [1, 2]\nSdq = 0.1\nSds = [1, 2]".into(), "line 4: [roughness] Sdq: must be as many numbers as Sq has"),
-        ("nominal_area = 1\n[roughness]\nSq = 1\nSdq = 0.1".into(), "line 2: [roughness] Ssc: must be set, or Sds"),
+        ("nominal_area = 1\n[roughness]\nSq = 1".into(), "line 2: [roughness] Sdq: must be set"),
+        ("nominal_area = 1\n[roughness]\nRq = 1".into(), "line 2: [roughness] RSm: must be set, or Rdq"),
+        ("nominal_area = 1\n[roughness]\nRq = 1\nRSm = 1\nRdq = 1".into(), "line 5: [roughness] Rdq: must not be given together with RSm, which it replaces"),
         ("nominal_area = 1\n[roughness]\nRa = -1\nRSm = 1".into(), "line 3: Ra = -1: must be finite and > 0"),
         ("summit_density = 1".into(), "line 1: nominal_area: must be set, since summit_density gives"),
         ("interface = 3".into(), "line 1: interface = 3: must be the name of an interface, in quotes"),
@@ -316,7 +328,7 @@ fn what_is_wrong_is_named_with_line_and_key() {
         ("table_height = [1, 2]\ntable_density = [1, 2]".into(), "line 1: table_height: table_length = 2: must be between 3 and 256"),
         ("table_height = [1, 2, 3]\ntable_density = [1, 2]".into(), "line 2: table_density: 2 numbers for 3 heights"),
         ("table_height = [1, 2, 3]".into(), "line 1: table_height: table_height and table_density go together"),
-        ("table_height = [[1], 2]".into(), "line 1: table_height: must be an array of numbers, not of arrays"),
+        ("table_height = [[1], 2]".into(), "line 1: table_height: must be an array of numbers, or of arrays of numbers"),
         (format!("table_height = [{}]", "1,".repeat(257)), "line 1: table_height: more than 256 numbers"),
         ("height_std =\n".into(), "line 1: height_std: has no value"),
         ("height_std: 3".into(), "line 1: not TOML: invalid unquoted key"),

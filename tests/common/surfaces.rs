@@ -39,6 +39,20 @@ pub fn table(height: &[f64], density: &[f64]) -> HeightFamily {
     HeightFamily::Tabulated { height: height.into(), density: density.into() }
 }
 
+/// The same on a nominal area of which pi R sigma for each summit is this share, with summits that are higher than the mean plane.
+pub fn crowded(params: Params, share: f64) -> Params {
+    let touched = std::f64::consts::PI * params.summit_radius * params.height_std * params.asperity_count;
+    Params { nominal_area: touched / share, summit_mean_height: 1.3 * params.height_std, ..params }
+}
+
+/// Bins of equal width with these densities, next to each other: between two the density changes within a part `step` of one.
+pub fn bins(densities: &[f64], step: f64) -> HeightFamily {
+    let ends = |bin: usize| [bin as f64 + step, (bin + 1) as f64];
+    let height: Vec<f64> = (0..densities.len()).flat_map(ends).collect();
+    let density: Vec<f64> = densities.iter().flat_map(|&density| [density; 2]).collect();
+    table(&height, &density)
+}
+
 /// The model of parameters that have one.
 #[track_caller]
 pub fn model(params: &Params) -> Model {

@@ -3,10 +3,11 @@
 usage: follow_docs.py PAGE.md FOLDER
 
 A fenced block whose first line names a language and a file is that file; `sh` blocks are run one after another by one
-shell, in FOLDER; a `text` block is the output of the `sh` block before it, digit by digit. Code in a language that
-could be tested must name its file: nothing of it goes untested.
+shell, in FOLDER; a `text` block is the output of the `sh` block before it, digit by digit; with ASPERITY_WRITE_PAGES it becomes that. Code in a
+language that could be tested must name its file: nothing of it goes untested.
 """
 
+import os
 import re
 import subprocess
 import sys
@@ -38,7 +39,9 @@ def follow(page, folder):
         sys.exit(f"{page}: a command fails:\n{done.stderr}")
     for number, expected in outputs.items():
         printed = (folder / f".out{number}").read_text(encoding="utf-8")
-        if printed != expected:
+        if printed != expected and "ASPERITY_WRITE_PAGES" in os.environ:
+            page.write_text(page.read_text(encoding="utf-8").replace(f"```text\n{expected}", f"```text\n{printed}", 1), encoding="utf-8")
+        elif printed != expected:
             sys.exit(f"{page}: this prints\n{printed}instead of\n{expected}after\n{scripts[number - 1]}")
     return len(files), len(scripts), len(outputs)
 

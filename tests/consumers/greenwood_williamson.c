@@ -64,8 +64,8 @@ int main(void)
     if (asperity_create(&params, &model) != ASPERITY_OK)
         return failed("asperity_create");
     state.struct_size = sizeof state;
-    if (asperity_state_at_separation(model, 0, &state) != ASPERITY_OK)
-        return failed("asperity_state_at_separation");
+    if (asperity_state_at_gap(model, 0, &state) != ASPERITY_OK)
+        return failed("asperity_state_at_gap");
     compare(&params, model, &state);
     asperity_free(model);
     return failures != 0;

@@ -157,6 +157,8 @@ void each_setter_sets_its_own_field() {
     FIELD(calibration_load, 20.0);
     FIELD(calibration_friction_force, 3.2);
     FIELD(calibration_error, 0.1);
+    FIELD(summit_mean_height, 2e-9);
+    FIELD(rms_slope, 0.1);
 }
 
 void a_table_is_copied_and_shared() {
@@ -274,7 +276,9 @@ void bounds_are_those_that_the_pages_say() {
 }
 
 void spectral_moments_give_the_summits() {
-    const Params params = Params().set_spectral_moments(3.0, 0.5, 0.7, 11.0);
+    const Params unknown = Params().set_spectral_moments(3.0, 0.5, 0.0, 11.0);
+    EXPECT(unknown.rms_slope() == 1.0 && unknown.radius_amplitude() < 0.0 && unknown.summit_mean_height() > 1.7);
+    const Params params = Params().set_mccool_summits(3.0, 0.5, 0.7, 11.0);
     EXPECT(close(params.height_std() * params.height_std(), 3.0 - 0.8968 * 0.25 / 0.7, 1e-4));
     EXPECT(close(params.summit_radius(), 0.375 * std::sqrt(3.14159265358979324 / 0.7), 1e-14));
     EXPECT(close(params.asperity_count(), 0.7 * 11.0 / (6.0 * 3.14159265358979324 * std::sqrt(3.0) * 0.5), 1e-14));
@@ -283,10 +287,7 @@ void spectral_moments_give_the_summits() {
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER);
     EXPECT(begins(error.what(), "bandwidth m0 m4/m2^2 = 1.25: must be at least 1.5"));
     EXPECT(changed.summit_radius() == params.summit_radius());
-    changed.set_nayak_summits(1.5, 1.0, 1.0, 11.0);
-    EXPECT(changed.height_distribution() == asperity::Heights::johnson);
-    EXPECT(close(changed.skew(), 0.46948489, 1e-7) && close(changed.kurtosis(), 3.18672953, 1e-7));
-    EXPECT(thrown_by([&] { changed.set_nayak_summits(1.0, 1.0, 1.25, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { changed.set_mccool_summits(1.0, 1.0, 1.25, 1.0); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void dimensionless_groups_come_back_from_the_model() {
@@ -350,6 +351,26 @@ void a_surface_is_a_text() {
     EXPECT(std::memcmp(&other.c(), &Params::paper().c(), sizeof(asperity_params)) == 0);
     other.contact_law(static_cast<asperity::ContactLaw>(7));
     EXPECT(thrown_by([&] { (void)other.text(); }).status() == ASPERITY_INVALID_PARAMETER);
+}
+
+constexpr const char *GROUND = "pair = \"steel/steel\"\n"
+                               "nominal_area = 1e-4\n"
+                               "measured = [1000, 0.16]\n"
+                               "[roughness]\n"
+                               "process = \"ground\"\n"
+                               "Ra = 0.8e-6\n";
+
+void an_estimate_needs_a_text_alone() {
+    const std::vector<double> loads = {10.0, 1000.0};
+    const std::vector<asperity::Estimate> found = asperity::estimates(GROUND, loads);
+    EXPECT(found.size() == 2 && close(found[1].friction_coefficient, 0.16, 1e-6));
+    EXPECT(0.16 < found[0].low && found[0].low < found[0].friction_coefficient && found[0].high < 0.23);
+    EXPECT(found[0].strength_source == ASPERITY_STRENGTH_MEASURED && found[0].load == 10.0);
+    EXPECT(close(asperity::estimate(GROUND, 10.0).friction_coefficient, found[0].friction_coefficient, 1e-7));
+    EXPECT(begins(asperity::estimate_text(GROUND, loads).c_str(), "mu(10 N) = 0.194, 95 % band 0.167 to 0.221\n"));
+    const Error error = thrown_by([&] { (void)asperity::estimate("measured = 0.16", 1.0); });
+    EXPECT(error.status() == ASPERITY_INVALID_PARAMETER && begins(error.what(), "line 1: measured = 0.16: must be points"));
+    EXPECT(begins(thrown_by([&] { (void)asperity::estimate_text("", loads); }).what(), "line 1: "));
 }
 
 // A table of the text belongs to the library: copies, and what comes after, have it too.
@@ -456,7 +477,7 @@ void a_model_that_was_moved_from_says_so() {
         [&] { first.tangential_stiffness_at_load(loads); },
         [&] { first.tangential_at_load(1.0, 1.0); },
         [&] { first.state_at_load(1.0); },
-        [&] { first.state_at_separation(1.0); },
+        [&] { first.state_at_gap(1.0); },
         [&] { first.sensitivities_at_load(1.0); },
         [&] { first.check_loads(1.0, 2.0); },
         [&] { first.warning_loads(ASPERITY_WARNING_FEW); },
@@ -513,7 +534,7 @@ void friction_is_that_of_the_reference() {
 
 void states_are_those_of_the_reference() {
     const Model model(Params::paper());
-    const asperity::State state = model.state_at_separation(model.params().height_std());
+    const asperity::State state = model.state_at_gap(model.params().height_std());
     EXPECT(close(state.load, REFERENCE_LOAD, 1e-7));
     EXPECT(close(state.friction_force, REFERENCE_FORCE, 1e-7));
     EXPECT(close(state.real_area, 318699.2525830931, 1e-7));
@@ -527,7 +548,7 @@ void states_are_those_of_the_reference() {
     EXPECT((soft.state_at_load(state.load).warnings & ASPERITY_WARNING_PLASTIC) != 0);
 
     const asperity::State same = model.state_at_load(state.load);
-    EXPECT(close(same.separation, state.separation, 1e-9));
+    EXPECT(close(same.gap, state.gap, 1e-9));
     EXPECT(close(same.friction_force, state.friction_force, 1e-9));
 }
 
@@ -603,7 +624,7 @@ void friction_is_defined_at_every_load() {
     EXPECT(model.friction_force_and_slope_at_load(2.0 * pull_off).value == 0.0);
     EXPECT(thrown_by([&] { model.state_at_load(2.0 * pull_off); }).status() == ASPERITY_SEPARATED);
     EXPECT(thrown_by([&] { model.state_at_load(INF); }).status() == ASPERITY_INVALID_LOAD);
-    EXPECT(thrown_by([&] { model.state_at_separation(NOT_A_NUMBER); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.state_at_gap(NOT_A_NUMBER); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void pressure_is_load_per_area_of_the_summits() {
@@ -735,19 +756,19 @@ void a_contact_remembers() {
 void a_gap_has_a_load() {
     const Model model(Params::paper());
     const asperity::State state = model.state_at_load(REFERENCE_LOAD);
-    const asperity::ValueAndSlope load = model.load_and_slope_at_separation(state.separation);
-    EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dseparation, 1e-7));
-    EXPECT(model.load_at_separation(state.separation) == load.value);
-    const std::vector<double> separations{state.separation, 1e6, 0.0};
-    const std::vector<double> loads = model.load_at_separation(separations);
+    const asperity::ValueAndSlope load = model.load_and_slope_at_gap(state.gap);
+    EXPECT(close(load.value, REFERENCE_LOAD, 1e-9) && close(load.slope, state.dload_dgap, 1e-7));
+    EXPECT(model.load_at_gap(state.gap) == load.value);
+    const std::vector<double> gaps{state.gap, 1e6, 0.0};
+    const std::vector<double> loads = model.load_at_gap(gaps);
     EXPECT(loads[0] == load.value && loads[1] == 0.0 && loads[2] > loads[0]);
     std::vector<double> into(3), slopes(3);
-    EXPECT(model.load_at_separation(separations, into, slopes) == ASPERITY_SEPARATED && into == loads);
+    EXPECT(model.load_at_gap(gaps, into, slopes) == ASPERITY_SEPARATED && into == loads);
     EXPECT(slopes[0] == load.slope && slopes[1] == 0.0);
     EXPECT(model.load_table().row_count > 0);
     const std::vector<double> wrong{1e6, NAN};
-    EXPECT(thrown_by([&] { model.load_at_separation(wrong); }).status() == ASPERITY_INVALID_PARAMETER);
-    EXPECT(thrown_by([&] { model.load_at_separation(std::vector<double>{INF}); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.load_at_gap(wrong); }).status() == ASPERITY_INVALID_PARAMETER);
+    EXPECT(thrown_by([&] { model.load_at_gap(std::vector<double>{INF}); }).status() == ASPERITY_INVALID_PARAMETER);
 }
 
 void batches_have_the_answers_of_one_contact() {
@@ -971,6 +992,7 @@ int main(int, char **arguments) {
     dimensionless_groups_come_back_from_the_model();
     parameters_are_set_and_read_by_name();
     a_surface_is_a_text();
+    an_estimate_needs_a_text_alone();
     a_text_may_have_a_table();
     a_surface_file_is_read(std::string(arguments[0]) + ".toml");
     a_surface_in_other_units_has_the_same_friction();

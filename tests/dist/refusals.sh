@@ -60,6 +60,10 @@ sed -i 's|^} asperity_state;|  double another; /* 232, 8 */\n&|; $i void asperit
 git commit --quiet --all --message "the interface grows"
 python3 packaging/release.py --check "$version" >/dev/null || fail "make release refuses a field at the end and another function"
 abi="tests/abi/abi-1.h has changed since v0.0.1, and may only grow:"
+# Another compiler than that of releases.
+printf '#!/bin/sh\necho rustc 1.0.0\n' >"$copy/target/bin/rustc"
+chmod +x "$copy/target/bin/rustc"
+refuses "and this is 1.0.0: RUSTUP_TOOLCHAIN=" env PATH="$copy/target/bin:$PATH" make release VERSION="$version"
 sed -i '/ weibull_shape;/d' tests/abi/abi-1.h
 git commit --quiet --all --message "a field goes"
 refuses "$abi asperity_params" make release VERSION="$version"

@@ -118,10 +118,10 @@ static void list_gaps(const char *name, const asperity_model *model, const answe
 
     CHECK(asperity_load_table_of(model, &t) == ASPERITY_OK, "surface %s", name);
     for (int i = 0; i < LOADS; i++)
-        separation[i] = of->exact[0].separation + (1 - 0.04 * i) * fabs(of->exact[0].separation);
-    asperity_loads_at_separations(model, LOADS, separation, load, slope);
+        separation[i] = of->exact[0].gap + (1 - 0.04 * i) * fabs(of->exact[0].gap);
+    asperity_loads_at_gaps(model, LOADS, separation, load, slope);
     for (int i = 0; i < LOADS; i++) {
-        const double one = asperity_load_at_separation(model, separation[i]);
+        const double one = asperity_load_at_gap(model, separation[i]);
         CHECK(SAME(one, load[i]), "%s: %a alone, %a in a batch", name, one, load[i]);
     }
     line(name, "load table", t.rows, (size_t)t.total_count * 8 * sizeof *t.rows);
@@ -197,7 +197,7 @@ static void list_exact(const char *name, const asperity_model *model, const answ
         const asperity_state *at = &of->exact[2 * i];
         const double displacement = (0.2 + i) * at->friction_force / at->tangential_stiffness;
         apart[i].struct_size = sizeof apart[i];
-        CHECK(asperity_state_at_separation(model, at->separation + (0.1 + i) * fabs(at->separation), &apart[i]) ==
+        CHECK(asperity_state_at_gap(model, at->gap + (0.1 + i) * fabs(at->gap), &apart[i]) ==
                   ASPERITY_OK, "surface %s", name);
         CHECK(asperity_tangential_at_load(model, at->load, displacement, &tangential[0][i], &tangential[1][i]) ==
                   ASPERITY_OK, "surface %s", name);

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# The same example in C, C++, Fortran and Python prints the same table, to the last digit.
+# The same example in C, C++, Fortran and Python prints the same table, to the last digit; and the same text has the same estimate in
+# these languages, at the command line and in JavaScript.
 #
-# usage: tests/examples/run.sh      needs cargo, cc, g++, gfortran, python3 with venv; fetches NumPy from PyPI
+# usage: tests/examples/run.sh      needs cargo, cc, g++, gfortran, python3 with venv; fetches NumPy from PyPI. JavaScript is compared
+#                                   where js/build.sh has built it
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -60,3 +62,26 @@ compare() {
 
 compare 33 2e-4 0.1 2
 compare 7 3e-6 0.2 4
+
+# One text, one estimate.
+cc -std=c11 -Wall -Wextra -Wpedantic -Werror -Iinclude tests/examples/estimate.c -o "$build/estimate_c" "${link[@]}"
+g++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iinclude tests/examples/estimate.cpp -o "$build/estimate_cpp" "${link[@]}"
+gfortran -std=f2018 -Wall -Wextra -J "$build/modules" fortran/asperity.f90 tests/examples/estimate.f90 -o "$build/estimate_fortran" \
+    "${link[@]}"
+surface=tests/examples/ground.toml
+env LD_PRELOAD="$build/traps_on.so" "$build/estimate_c" <"$surface" >"$build/estimate.txt"
+languages="C"
+same() {
+    local language=$1
+    shift
+    "$@" <"$surface" | diff "$build/estimate.txt" - ||
+        { echo "tests/examples/run.sh: the estimate of $language differs from that of C" >&2; exit 1; }
+    languages="$languages, $language"
+}
+same C++ env LD_PRELOAD="$build/traps_on.so" "$build/estimate_cpp"
+same Fortran env LD_PRELOAD="$build/traps_on.so" "$build/estimate_fortran"
+same Python "$python" tests/examples/estimate.py
+[ ! -f js/dist/asperity.wasm ] || same JavaScript node tests/examples/estimate.mjs
+"$python" -m asperity friction --surface "$surface" --load 0 1 100 | diff <(grep -v '^[0-9]' "$build/estimate.txt") - ||
+    { echo "tests/examples/run.sh: the command line differs from C" >&2; exit 1; }
+echo "one text, one estimate: $languages and the command line"

@@ -12,7 +12,7 @@
 #   make miri            every C function in Miri, by two rules of aliasing,
 #                        an hour for each on a slow processor          needs a nightly Rust with miri
 #   make processors      the same bits on emulated machines               needs what `tests/setup.sh dist` installs
-#   make supply-chain    licences, bans, sources                          needs cargo-deny
+#   make supply-chain    known faults of crates, licences, bans, sources   needs cargo-deny and the network
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
 #   make mutants         changes to the source that no test notices       SHARD (k/n), MUTANTS (a regular expression of
@@ -79,7 +79,7 @@ processors:
 	$(LOW) tests/dist/same_bits.sh all
 
 supply-chain:
-	$(CARGO) deny --locked check licenses bans sources
+	$(CARGO) deny --locked check advisories licenses bans sources
 	tests/harden/supply_chain.sh
 
 oldest-rust:

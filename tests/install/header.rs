@@ -8,7 +8,8 @@ const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
 /// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions
 /// follow.
-const GROUPS: [(&str, &[&str]); 6] = [
+const GROUPS: [(&str, &[&str]); 7] = [
+    ("One call: friction with its band, from a text.", &["estimate"]),
     (
         "Make: parameters from what you know of the surfaces, then a model.",
         &[
@@ -63,8 +64,8 @@ pub fn generated(root: &Path) -> String {
     in_c89(&header)
 }
 
-/// Without comments of later dialects, and in few lines: comments begin and end on lines of their text, arguments fill lines,
-/// constants follow each other.
+/// Without comments of later dialects, and in few lines: comments begin and end on lines of their text, those of a field stand
+/// before it where there is room, arguments fill lines, constants follow each other.
 fn in_c89(header: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     for line in header.lines() {
@@ -73,6 +74,9 @@ fn in_c89(header: &str) -> String {
         match lines.last_mut() {
             Some(last) if last.ends_with("/**") && text.starts_with("* ") => *last += &text[1..],
             Some(last) if text == "*/" && last.len() + 3 <= WIDTH => *last += " */",
+            Some(last) if is_whole(last) && text.ends_with(';') && last.len() + 1 + text.len() <= WIDTH => {
+                *last = format!("{last} {text}");
+            }
             Some(last) if is_argument && last.ends_with(',') => match last.len() + text.len() < WIDTH {
                 true => *last = format!("{last} {text}"),
                 false => lines.push(format!("    {text}")),
@@ -85,6 +89,11 @@ fn in_c89(header: &str) -> String {
         }
     }
     lines.join("\n") + "\n"
+}
+
+/// Whether a line is the whole comment of a field.
+fn is_whole(line: &str) -> bool {
+    line.starts_with("  /** ") && line.ends_with(" */")
 }
 
 #[test]

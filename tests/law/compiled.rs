@@ -2,7 +2,7 @@
 
 use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
-use crate::common::surfaces::{dimensionless, model};
+use crate::common::surfaces::{crowded, dimensionless, model};
 use asperity::{Error, HeightFamily, Model, Params};
 
 const SEED: u64 = 0x5eed_1a40;
@@ -48,12 +48,15 @@ fn random_heights(random: &mut SplitMix) -> HeightFamily {
     }
 }
 
-/// The models of the random surfaces; one that is refused must be so for a documented reason.
+/// The models of the random surfaces, of which every other knows its nominal area; one that is refused must be so for a documented
+/// reason.
 pub fn random_models(seed: u64, count: usize) -> Vec<Model> {
     let mut random = SplitMix(seed);
     let mut models = Vec::new();
     for set in 0..count {
+        let share = 1e-4 * 1e5_f64.powf(set as f64 / count as f64);
         let params = random_params(&mut random);
+        let params = if set % 2 == 0 { params } else { crowded(params, share) };
         match Model::new(&params) {
             Ok(model) => models.push(model),
             Err(Error::OutOfRange { .. } | Error::NotConverged { .. }) => {}

@@ -35,7 +35,7 @@ fn models() -> Vec<Model> {
 fn slopes(model: &Model, separation: f64) -> [f64; 2] {
     let step = STEP * model.params().height_std.max(0.1 * separation.abs());
     let at = |steps: f64| {
-        let state = model.state_at_separation(separation + steps * step).expect("a state");
+        let state = model.state_at_gap(separation + steps * step).expect("a state");
         (state.contact_radius_sum, state.load)
     };
     let rise = |steps: f64| {
@@ -65,7 +65,7 @@ fn the_sum_of_contact_radii_and_its_slope_are_those_of_exact_states() {
             failures.claim(error < VALUE, || format!("load {load:e}: off by {error:e}; {:?}", model.params()));
             worst = worst.max(error);
             compared += 1;
-            let [exact, coarse] = slopes(&model, state.separation);
+            let [exact, coarse] = slopes(&model, state.gap);
             if (coarse / exact - 1.0).abs() > SMOOTH {
                 kinked += 1;
                 continue;

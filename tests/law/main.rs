@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod beyond_table;
 mod compiled;
 mod contact_radius_sum;
-mod load_at_separation;
+mod load_at_gap;

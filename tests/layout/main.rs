@@ -4,6 +4,8 @@
 //! Answers depend on arguments alone: no file asks the system for anything but memory, but for the one that reads a surface
 //! file.
 
+mod workflows;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 

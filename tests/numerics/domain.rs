@@ -204,7 +204,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
                 continue;
             }
         };
-        let separation = state.separation / params.height_std;
+        let separation = state.gap / params.height_std;
         let exact = surface.at_separation(separation);
         if !exact.converged {
             answer.unresolved += 1;
@@ -222,7 +222,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         }
     }
     if pull_off < 0.0 {
-        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.separation);
+        let end = model.state_at_load(pull_off).map_or(f64::NAN, |state| state.gap);
         answer.note("minimum", pull_off, rise_before_pull_off(&model, end, params.height_std));
         answer.note("minimum", pull_off, fall_beyond(surface, end / params.height_std));
     } else if let Some(load) = pulling(&model, params.height_std) {
@@ -275,7 +275,7 @@ fn parts_in_steps(surface: &Surface, minimum: f64) -> bool {
 fn pulling(model: &Model, sigma: f64) -> Option<f64> {
     (-40..200)
         .map(|i| 0.25 * f64::from(i) * sigma)
-        .filter_map(|separation| Some(model.state_at_separation(separation).ok()?.load))
+        .filter_map(|separation| Some(model.state_at_gap(separation).ok()?.load))
         .find(|load| *load < -NOTHING)
 }
 
@@ -288,7 +288,7 @@ fn rise_before_pull_off(model: &Model, end: f64, sigma: f64) -> f64 {
     let mut rise = 0.0_f64;
     for i in 0..=40 {
         let d = from + (end - from) * f64::from(i) / 40.0;
-        let Ok(state) = model.state_at_separation(d) else { return f64::INFINITY };
+        let Ok(state) = model.state_at_gap(d) else { return f64::INFINITY };
         rise = rise.max((state.load - last) / -pull_off);
         last = state.load;
     }
@@ -382,7 +382,7 @@ fn friction_is_summed_from_kink_to_kink_where_contact_radii_rise_and_fall() {
     let model = Model::new(&params).expect("a model");
     for step in -5..=5 {
         let separation = 0.955 + 1e-3 * f64::from(step);
-        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let state = model.state_at_gap(separation * params.height_std).expect("a state");
         assert!(state.fraction_above_slip_radius_2 > 0.01 && state.fraction_between_slip_radii > 0.9, "{state:?}");
         for (name, error) in errors(&surface, &state, separation, &surface.at_separation(separation)) {
             assert!(error < 1e-10, "{name} off by {error:.1e} at {separation}");
@@ -411,7 +411,7 @@ fn attraction_is_summed_where_the_circle_is_smallest() {
         let model = Model::new(&params).expect("a model");
         for step in 0..30 {
             let separation = separations.start + (separations.end - separations.start) * f64::from(step) / 30.0;
-            let state = model.state_at_separation(separation * params.height_std).expect("a state");
+            let state = model.state_at_gap(separation * params.height_std).expect("a state");
             let exact = surface.at_separation(separation);
             let attraction = exact.log_scale.exp() * exact.load_attracted;
             let error = (state.attraction_load / attraction - 1.0).abs();

@@ -18,7 +18,7 @@ fn surface(alpha: f64, beta: f64, gamma: f64, b_over_h: f64, shape: f64) -> Para
 fn the_pull_off_point_is_found_where_contact_reaches_far_beyond_the_heights() {
     let model = Model::new(&surface(6.915821e-4, 9.201681, 9.995e-4, 0.608147, 13.3389)).expect("a model");
     let summary = model.summary();
-    let state = model.state_at_separation(0.0).expect("a state");
+    let state = model.state_at_gap(0.0).expect("a state");
     assert!(state.load < 0.0 && summary.pull_off_load < state.load, "{summary:?}");
     assert!(summary.min_table_load >= summary.pull_off_load, "{summary:?}");
 }
@@ -36,7 +36,7 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
     for x in [1e-7, 1e-6, 3e-6, 1e-5, 3e-5, 9e-5] {
         let load = pull_off * (1.0 - x);
         let state = model.state_at_load(load).expect("a state");
-        let there = model.state_at_separation(state.separation).expect("a state");
+        let there = model.state_at_gap(state.gap).expect("a state");
         assert!((there.load / load - 1.0).abs() < 1e-12, "x {x:e}: load {load:e}, at its separation {:e}", there.load);
     }
 }
@@ -91,7 +91,7 @@ fn a_pull_off_load_that_is_no_number_is_none() {
     let params = Params { attraction: true, ..surface(2.34e-2, 3.159e5, 1.4726e-4, 0.08055, 128.0) };
     let model = Model::new(&params).expect("a model");
     assert_eq!(model.summary().pull_off_load, 0.0);
-    let state = model.state_at_separation(4.0 * params.height_std).expect("a state");
+    let state = model.state_at_gap(4.0 * params.height_std).expect("a state");
     let exact = model.state_at_load(state.load).expect("a state");
     assert!((exact.friction_force / state.friction_force - 1.0).abs() < 1e-11, "{exact:?}, {state:?}");
 }
@@ -229,10 +229,10 @@ fn the_last_bit_of_the_heights_is_no_panel_to_cut() {
         ..surface(9.222395660932716e-4, 48152.316878953374, 6.0884284861439574e-5, 1.550888465802803, 1.0)
     };
     let model = Model::new(&params).expect("a model");
-    let end = model.state_at_load(model.summary().pull_off_load).expect("a state").separation;
+    let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
     for i in 0..=80 {
         let separation = end - 0.1 * f64::from(i) * params.height_std;
-        model.state_at_separation(separation).expect("a state");
+        model.state_at_gap(separation).expect("a state");
     }
 }
 
@@ -265,10 +265,10 @@ fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
         (params.heights, params.attraction) = (heights, true);
         (params.radius_amplitude, params.radius_rate) = (amplitude, rate);
         let model = Model::new(&params).expect("a model");
-        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").separation;
+        let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
         let load = |steps: i32| {
             let separation = end - 0.01 * f64::from(steps) * params.height_std;
-            model.state_at_separation(separation).expect("a state").load
+            model.state_at_gap(separation).expect("a state").load
         };
         let mut last = load(0);
         for steps in 1..1200 {
@@ -329,7 +329,7 @@ fn friction_rises_with_load_in_the_last_bits_of_the_pull_off_load() {
             // Of so large a slope few digits are known; of a surface that hardly adheres the table ends far above.
             let reaches = model.summary().min_table_load < 0.0;
             assert!(!reaches || (slope / state.dforce_dload - 1.0).abs() < 1e-3, "{slope:e}, {state:?}");
-            assert!(state.dload_dseparation <= 0.0, "{state:?}");
+            assert!(state.dload_dgap <= 0.0, "{state:?}");
         }
     }
 }

@@ -21,7 +21,7 @@ fn agree(surface: &Surface, separations: &[f64]) -> Vec<f64> {
     let params = params_of(surface);
     let model = Model::new(&params).unwrap_or_else(|error| panic!("{surface:?}: {error}"));
     let compare = |&separation: &f64| {
-        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let state = model.state_at_gap(separation * params.height_std).expect("a state");
         let exact = surface.at_separation(separation);
         assert!(exact.converged, "{surface:?} at {separation}");
         let scale = exact.log_scale.exp();
@@ -201,12 +201,12 @@ fn separation_nears_that_of_pull_off_as_the_root_of_the_load() {
     ] {
         let model = Model::new(&params).expect("a model");
         let pull_off = model.summary().pull_off_load;
-        let end = model.state_at_load(pull_off).expect("a state").separation;
+        let end = model.state_at_load(pull_off).expect("a state").gap;
         let quotient = |x: f64| {
             let load = pull_off * (1.0 - x);
             let state = model.state_at_load(load).expect("a state");
             // The difference of loads that are so near is exact.
-            (end - state.separation) / ((load - pull_off) / -pull_off).sqrt()
+            (end - state.gap) / ((load - pull_off) / -pull_off).sqrt()
         };
         let limit = quotient(1e-9);
         for x in [1e-14, 1e-13, 1e-12, 1e-11, 1e-10] {
@@ -258,7 +258,15 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
     let slip = Params::paper().slip;
     // The second with a fold beyond the first regime.
     for (gamma, beta) in [(0.002, 2000.0), (0.02, 1e5)] {
-        let groups = Groups { alpha: 0.02, beta, gamma, b_over_h: 0.5, hardness: f64::INFINITY, yields: false };
+        let groups = Groups {
+            alpha: 0.02,
+            beta,
+            gamma,
+            b_over_h: 0.5,
+            hardness: f64::INFINITY,
+            yields: false,
+            nominal_area: 0.0,
+        };
         for attract in [true, false] {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
                 Population::new(&groups, Slip::new(slip, 0.0, SlipOnset::Partial), heights, radius, attract)

@@ -28,7 +28,7 @@ fn hertzian_contacts_are_those_of_closed_forms() {
     let model = model(&params);
     let length = (params.height_std * params.summit_radius).sqrt();
     for d in [-1.0, 0.5, 2.0, 4.0] {
-        let state = model.state_at_separation(d * params.height_std).expect("a state");
+        let state = model.state_at_gap(d * params.height_std).expect("a state");
         let what = format!("at {d}");
         let fraction = above(d);
         assert_near(state.fraction_in_contact, fraction, 1e-10, &what);
@@ -183,7 +183,7 @@ fn contacts_are_those_of_a_sum_over_heights() {
         let model = model(&params);
         for d in [0.0, 1.5] {
             let separation = d * params.height_std;
-            let state = model.state_at_separation(separation).expect("a state");
+            let state = model.state_at_gap(separation).expect("a state");
             let [count, mean, largest, below, above, pressure] = brute_force(&params, separation);
             let what = |quantity: &str| format!("{quantity}, {name} at {d}");
             assert_near(state.fraction_in_contact, count, 1e-3, &what("fraction in contact"));
@@ -243,7 +243,7 @@ fn the_largest_of_one_contact_or_fewer_is_the_mean() {
 fn more_summits_have_a_larger_largest_contact() {
     let largest = [1e2, 1e4, 1e6, 1e12, 1e30].map(|asperity_count| {
         let params = Params { asperity_count, ..Params::paper() };
-        model(&params).state_at_separation(params.height_std).expect("a state").max_contact_radius
+        model(&params).state_at_gap(params.height_std).expect("a state").max_contact_radius
     });
     assert!(largest.windows(2).all(|pair| pair[1] > pair[0]), "{largest:?}");
 }
@@ -266,10 +266,10 @@ fn the_largest_contact_is_exceeded_by_one_in_n_plus_1() {
         for d in [-0.5, 1.5] {
             let mut params = Params { heights: heights.clone(), asperity_count: 1e3, ..Params::paper() };
             let separation = d * params.height_std;
-            let first = model(&params).state_at_separation(separation).expect("a state");
+            let first = model(&params).state_at_gap(separation).expect("a state");
             params.slip.radius_2 = first.max_contact_radius / params.burgers_vector;
             params.slip.stress_2 = params.slip.stress_1;
-            let state = model(&params).state_at_separation(separation).expect("a state");
+            let state = model(&params).state_at_gap(separation).expect("a state");
             assert!(state.contacting > 1.0, "{heights:?}: {state:?}");
             let what = format!("{heights:?} at {d}");
             assert_near(state.fraction_above_slip_radius_2, 1.0 / (state.contacting + 1.0), 1e-9, &what);
@@ -283,7 +283,7 @@ fn nothing_touches_far_away() {
     let model = model(&params);
     // In sigma: heights of which some are counted, none but the last, none.
     for separation in [63.2, 63.35, 64.0, 1e5] {
-        let state = model.state_at_separation(separation * params.height_std).expect("a state");
+        let state = model.state_at_gap(separation * params.height_std).expect("a state");
         assert_eq!((state.contacting, state.mean_contact_radius, state.max_contact_radius), (0.0, 0.0, 0.0));
         assert_eq!((state.load, state.friction_force, state.fraction_in_contact), (0.0, 0.0, 0.0));
         assert!(state.plasticity_index > 0.0);
@@ -300,7 +300,7 @@ fn the_elastic_assumption_fails_where_contacts_yield() {
     let separation = -3.0 * params.height_std;
     let at_hardness = |hardness: f64| {
         let model = model(&Params { hardness, ..params.clone() });
-        model.state_at_separation(separation).expect("a state")
+        model.state_at_gap(separation).expect("a state")
     };
     let elastic = at_hardness(0.0);
     assert_eq!(
@@ -319,7 +319,7 @@ fn the_elastic_assumption_fails_where_contacts_yield() {
     // At light load the mean pressure is below the limit, the index warns nevertheless.
     for (hardness, warnings) in [(rough * (1.0 + 1e-9), 0), (rough * (1.0 - 1e-9), WARNING_PLASTIC)] {
         let model = model(&Params { hardness, ..params.clone() });
-        let state = model.state_at_separation(6.0 * params.height_std).expect("a state");
+        let state = model.state_at_gap(6.0 * params.height_std).expect("a state");
         assert!(state.mean_asperity_pressure < 0.4 * hardness);
         assert_eq!(state.warnings & WARNING_PLASTIC, warnings, "plasticity index {}", state.plasticity_index);
     }

@@ -73,14 +73,14 @@ fn reference_values_are_reproduced() {
         let model = model(&params);
         for row in &case.rows {
             let context = format!("{:?} at {}", case.params, row.separation);
-            let state = model.state_at_separation(row.separation * params.height_std).expect("a state");
+            let state = model.state_at_gap(row.separation * params.height_std).expect("a state");
             let friction = row.friction * params.effective_shear_modulus;
             assert_near(state.load, row.load, 1e-10, &context);
             assert_near(state.friction_force, friction, 1e-10, &context);
             // The rows' slopes are differences.
             let slope = row.dfriction_dload * params.effective_shear_modulus;
             assert_near(state.dforce_dload, slope, 1e-6, &context);
-            if state.dload_dseparation < 0.0 && state.load > 0.0 {
+            if state.dload_dgap < 0.0 && state.load > 0.0 {
                 let (compiled, compiled_slope) = model.friction_force_and_slope(row.load);
                 assert_near(compiled, friction, 1e-9, &context);
                 assert_near(compiled_slope, slope, 1e-6, &context);

@@ -35,7 +35,7 @@ impl Curve {
     fn new(model: &Model, top: f64, bottom: f64) -> Self {
         let step = (top - bottom) / SPRINGS as f64;
         let load: Vec<f64> =
-            (0..=SPRINGS).map(|i| model.state_at_separation(top - step * i as f64).expect("a state").load).collect();
+            (0..=SPRINGS).map(|i| model.state_at_gap(top - step * i as f64).expect("a state").load).collect();
         let stiffness = load.iter().map(|&load| model.tangential_stiffness_at_load(load)).collect();
         Self { top, step, load, stiffness }
     }
@@ -160,7 +160,7 @@ fn each_surface(check: impl Fn(&str, &Params, &Model, &Curve, f64)) {
     for params in surfaces() {
         let model = model(&params);
         let sigma = params.height_std;
-        let touches = |height: f64| model.state_at_separation(height * sigma).is_ok_and(|state| state.load > 0.0);
+        let touches = |height: f64| model.state_at_gap(height * sigma).is_ok_and(|state| state.load > 0.0);
         let highest = (0..10).map(|i| 3.4 - 0.2 * f64::from(i)).find(|&height| touches(height)).expect("a contact");
         let curve = Curve::new(&model, highest * sigma, -sigma);
         let load = curve.load_at(0.8 * sigma);

@@ -9,6 +9,7 @@ mod figures;
 mod film;
 mod foundation;
 mod heights;
+mod mean_planes;
 mod microslip;
 mod published;
 mod reference;

@@ -34,7 +34,7 @@ fn surfaces() -> Vec<Params> {
 
 /// Six decades about the load at which half of the summits touch, and loads that adhesion rules.
 fn loads(model: &Model) -> Vec<f64> {
-    let half = model.state_at_separation(0.0).expect("a state").load;
+    let half = model.state_at_gap(0.0).expect("a state").load;
     let mut loads: Vec<f64> = (-5..=2).map(|decade| 0.3 * half * 10_f64.powi(decade)).collect();
     let pulling = 0.5 * model.summary().pull_off_load;
     // Of a surface that hardly adheres these are lighter than the law's.
@@ -176,7 +176,7 @@ fn tangents_are_those_of_differences() {
     let (mut compared, mut slipped) = (0, 0);
     for params in surfaces() {
         let model = model(&params);
-        let half = model.state_at_separation(0.0).expect("a state").load;
+        let half = model.state_at_gap(0.0).expect("a state").load;
         let mut state = [0.0; MICROSLIP_LENGTH];
         for _ in 0..120 {
             let load = half * random.log_between(1e-5, 1e2);
@@ -224,7 +224,7 @@ fn no_path_exceeds_the_strength_or_gains_from_slip() {
     let mut random = SplitMix(23);
     for params in surfaces() {
         let model = model(&params);
-        let half = model.state_at_separation(0.0).expect("a state").load;
+        let half = model.state_at_gap(0.0).expect("a state").load;
         let mut state = [0.0; MICROSLIP_LENGTH];
         for _ in 0..2000 {
             let load = half * random.log_between(1e-4, 1e2);
@@ -252,7 +252,7 @@ fn the_work_of_a_closed_cycle_is_the_area_of_its_loop() {
     const STEPS: usize = 4000;
     for params in surfaces().into_iter().step_by(3) {
         let model = model(&params);
-        let load = model.state_at_separation(0.0).expect("a state").load;
+        let load = model.state_at_gap(0.0).expect("a state").load;
         let (strength, length) = strength_and_length(&model, load);
         let mut state = [0.0; MICROSLIP_LENGTH];
         step(&model, load, [1.3 * length, 0.0], &mut state);
@@ -273,7 +273,7 @@ fn the_work_of_a_closed_cycle_is_the_area_of_its_loop() {
 fn more_load_adds_stiffness_and_no_force_and_less_takes_away_what_separates() {
     for params in surfaces() {
         let model = model(&params);
-        let load = model.state_at_separation(1.0 * params.height_std).expect("a state").load;
+        let load = model.state_at_gap(1.0 * params.height_std).expect("a state").load;
         let (_, length) = strength_and_length(&model, load);
         let stiffness = |load: f64| model.tangential_stiffness_at_load(load);
         let small = 1e-4 * length;
@@ -306,7 +306,7 @@ fn no_path_gains_energy_and_all_that_is_lost_is_told() {
         for slip_onset in [SlipOnset::Partial, SlipOnset::Whole] {
             let params = Params { slip_onset, ..params.clone() };
             let model = model(&params);
-            let half = model.state_at_separation(0.0).expect("a state").load;
+            let half = model.state_at_gap(0.0).expect("a state").load;
             for _ in 0..6 {
                 let mut state = [0.0; MICROSLIP_LENGTH];
                 let (mut work, mut lost, mut before) = (0.0, 0.0, [0.0; 2]);
@@ -342,9 +342,9 @@ fn no_path_gains_energy_and_all_that_is_lost_is_told() {
 fn a_path_may_be_taken_in_any_number_of_steps_while_the_load_rises() {
     for params in surfaces() {
         let model = model(&params);
-        let half = model.state_at_separation(0.0).expect("a state").load;
-        let separation = |load: f64| model.state_at_load(load).expect("a state").separation / params.height_std;
-        let at = |height: f64| model.state_at_separation(height * params.height_std).expect("a state").load;
+        let half = model.state_at_gap(0.0).expect("a state").load;
+        let separation = |load: f64| model.state_at_load(load).expect("a state").gap / params.height_std;
+        let at = |height: f64| model.state_at_gap(height * params.height_std).expect("a state").load;
         let (high, low) = (separation(0.1 * half), separation(0.3 * half));
         let (_, length) = strength_and_length(&model, at(high));
         let by = 1e-4 * length;

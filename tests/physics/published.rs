@@ -77,7 +77,7 @@ fn weibull_moments_have_the_closed_forms_of_exponential_and_rayleigh() {
 fn groups_of_lambda(lambda: f64) -> Groups {
     let (alpha, beta) = (0.01, 1000.0);
     let gamma = (lambda.powi(3) * 2.0 * PI * alpha / (9.0 * beta)).sqrt();
-    Groups { alpha, beta, gamma, b_over_h: 1.0, hardness: f64::INFINITY, yields: false }
+    Groups { alpha, beta, gamma, b_over_h: 1.0, hardness: f64::INFINITY, yields: false, nominal_area: 0.0 }
 }
 
 /// pi w R' in E* b^2, for a summit of radius g R.
@@ -153,7 +153,15 @@ fn contacts_of_large_lambda_lie_on_the_curve_of_jkr() {
 /// Hertz: a^2 = R u, P = 4/3 E* R^(1/2) u^(3/2); without adhesion on any radius factor g.
 #[test]
 fn without_adhesion_a_contact_is_that_of_hertz() {
-    let groups = Groups { alpha: 0.02, beta: 300.0, gamma: 0.0, b_over_h: 1.0, hardness: f64::INFINITY, yields: false };
+    let groups = Groups {
+        alpha: 0.02,
+        beta: 300.0,
+        gamma: 0.0,
+        b_over_h: 1.0,
+        hardness: f64::INFINITY,
+        yields: false,
+        nominal_area: 0.0,
+    };
     let hertz = Hertz::new(&groups);
     let sigma = groups.alpha * groups.beta;
     for g in [0.05, 1.0, 1.95] {
@@ -189,7 +197,7 @@ fn without_adhesion_load_is_that_of_greenwood_and_williamson() {
     let model = Model::new(&params).expect("a model");
     let (sigma, radius) = (params.height_std, params.summit_radius);
     for (h, integral) in known {
-        let state = model.state_at_separation(h * sigma).expect("a state");
+        let state = model.state_at_gap(h * sigma).expect("a state");
         let expected = 4.0 / 3.0 * params.composite_modulus * radius.sqrt() * sigma.powf(1.5) * integral;
         assert!((state.load / expected - 1.0).abs() < 2e-8, "load {} at h = {h}, not {expected}", state.load);
         // The closed forms for n = 0 and 1: number and area of contacts.

@@ -71,7 +71,7 @@ impl Comparison {
             ("load of attraction", state.attraction_load, row.load_attracted, load_scale),
         ];
         let slopes = [
-            ("dP/dd", state.dload_dseparation * sigma, row.dload_dseparation, row.dload_dseparation.abs()),
+            ("dP/dd", state.dload_dgap * sigma, row.dload_dseparation, row.dload_dseparation.abs()),
             ("dF/dP", state.dforce_dload, row.dfriction_dload, row.dfriction_dload.abs()),
         ];
         self.rows += 1;
@@ -117,7 +117,7 @@ impl Comparison {
 
 fn state_of_row(model: &Model, case: &Case, row: &Row) -> State {
     let sigma = case.params.alpha * case.params.beta;
-    model.state_at_separation(row.separation * sigma).expect("a state")
+    model.state_at_gap(row.separation * sigma).expect("a state")
 }
 
 #[test]

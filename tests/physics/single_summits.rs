@@ -33,7 +33,7 @@ fn single_summits_add_up_to_the_sums_over_all() {
                     *sum += weight * value;
                 }
             }
-            let state = model.state_at_separation(d * params.height_std).expect("a state");
+            let state = model.state_at_gap(d * params.height_std).expect("a state");
             let expected = [state.load, state.friction_force, state.real_area, state.contacting];
             // Pushing and pulling summits cancel in the load.
             let scales = [magnitude, state.friction_force, state.real_area, state.contacting];

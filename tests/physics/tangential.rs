@@ -88,7 +88,7 @@ fn force_rises_from_stiffness_times_displacement_to_the_friction_force() {
 fn equal_summits_stick_and_slip_as_one() {
     let whole = SlipOnset::Whole;
     let model = model(&Params { tangential_modulus: 0.7, slip_onset: whole, ..dimensionless(0.01, 1000.0, 0.0, 1.0) });
-    let state = model.state_at_separation(-1e9 * 10.0).expect("a state");
+    let state = model.state_at_gap(-1e9 * 10.0).expect("a state");
     let [friction, stiffness] = [state.friction_force, state.tangential_stiffness];
     let length = friction / stiffness;
     let at = |part: f64| model.tangential_at_load(state.load, part * length).expect("a force");
@@ -120,7 +120,7 @@ fn a_strength_in_proportion_to_pressure_slips_below_one_overlap() {
     let model = model(&params);
     let Params { composite_modulus: stiff, summit_radius: radius, height_std: sigma, .. } = params;
     for separation in [2.5, 1.0, -0.5].map(|d| d * sigma) {
-        let state = model.state_at_separation(separation).expect("a state");
+        let state = model.state_at_gap(separation).expect("a state");
         for part in [1e-3, 0.03, 0.25, 1.0, 2.0] {
             let displacement = part * state.friction_force / state.tangential_stiffness;
             // kappa 4/3 E* R^(1/2) u^(3/2) is 8 G^ (R u)^(1/2) delta.
@@ -168,7 +168,7 @@ fn partial_slip_with_a_strength_in_proportion_to_pressure_is_the_difference_of_t
             ..dimensionless(0.01, 1000.0, 0.0, 1.0)
         };
         let model = model(&params);
-        let at = |separation: f64| model.state_at_separation(separation).expect("a state");
+        let at = |separation: f64| model.state_at_gap(separation).expect("a state");
         for separation in [2.2, 1.0, -0.5, -4.0].map(|d| d * params.height_std) {
             let state = at(separation);
             // Heights that end below it.
@@ -183,7 +183,7 @@ fn partial_slip_with_a_strength_in_proportion_to_pressure_is_the_difference_of_t
                 // Loads cancel where the displacement is small.
                 let error = (found - exact).abs() / (exact + 1e-4 * kappa * state.load);
                 // dT/d(delta) is that of the load.
-                let slope = -4.0 * modulus / params.composite_modulus * raised.dload_dseparation;
+                let slope = -4.0 * modulus / params.composite_modulus * raised.dload_dgap;
                 let slope_error = (stiffness - slope).abs() / state.tangential_stiffness;
                 worst = worst.max(error).max(slope_error);
                 compared += 1;
@@ -214,7 +214,7 @@ fn partial_slip_in_the_regimes_of_the_slip_law_is_the_sum_over_single_contacts()
         std::f64::consts::PI * a * a * stress * shear
     };
     for separation in [2.5, 0.5, -3.0].map(|d| d * sigma) {
-        let state = model.state_at_separation(separation).expect("a state");
+        let state = model.state_at_gap(separation).expect("a state");
         for part in [0.01, 0.2, 0.6, 1.2] {
             let displacement = part * state.friction_force / state.tangential_stiffness;
             let stuck = |a: f64| 8.0 * 0.7 * a * displacement;

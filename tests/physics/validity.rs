@@ -2,8 +2,9 @@
 
 use crate::common::surfaces::{johnson, model, table};
 use asperity::{
-    Error, HeightFamily, Model, Params, SlipConstants, State, WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD,
-    WARNING_CROWDED, WARNING_FEW, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
+    Error, HeightFamily, Model, Params, SlipConstants, SpectralMoments, State, WARNING_ADHESIVE, WARNING_ATOMIC,
+    WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG,
+    WARNING_UNCALIBRATED,
 };
 
 /// Summits of 10 to a radius of 1000, without adhesion, and all in order where 0.6 % of them touch.
@@ -24,7 +25,12 @@ fn in_order() -> Params {
 }
 
 fn at(params: &Params, separation: f64) -> State {
-    model(params).state_at_separation(separation * params.height_std).expect("a state")
+    model(params).state_at_gap(separation * params.height_std).expect("a state")
+}
+
+/// Where the nominal area counts, for which a gap is another load.
+fn under(params: &Params, load: f64) -> State {
+    model(params).state_at_load(load).expect("a state")
 }
 
 /// Fails unless a warning is all that is set on one side of its bound, and nothing on the other.
@@ -42,7 +48,8 @@ fn each_assumption_has_its_warning() {
     sets_in(WARNING_CROWDED, "summits", &at(&params, 1.2816), &at(&params, 1.2815));
 
     let of_area = |part: f64| Params { nominal_area: state.real_area / part, bandwidth: 2.0, ..in_order() };
-    sets_in(WARNING_CROWDED, "area", &at(&of_area(0.099_999), 2.5), &at(&of_area(0.100_001), 2.5));
+    let [fine, bad] = [0.099_999, 0.100_001].map(|part| under(&of_area(part), state.load));
+    sets_in(WARNING_CROWDED, "area", &fine, &bad);
 
     let of_radius = |factor: f64, radius: f64| Params { burgers_vector: radius * factor, ..in_order() };
     let radius = state.mean_contact_radius;
@@ -115,6 +122,58 @@ fn broad_surfaces_are_warned_of_by_bandwidth_or_by_their_summits() {
     assert_eq!(bits(&Params { bandwidth: 2.0, ..of_density(2.0) }), 0);
 }
 
+/// A slope that is known says how steep the surface is, and the area how crowded: not the asperities that stand for it.
+#[test]
+fn where_the_slope_is_known_it_and_the_area_judge() {
+    let of_slope = |rms_slope: f64| Params { rms_slope, ..in_order() };
+    sets_in(WARNING_STEEP, "slope", &at(&of_slope(0.3), 2.5), &at(&of_slope(0.300_001), 2.5));
+    // Half of them touch, and a/R is above a tenth.
+    let close = |rms_slope: f64| Params { summit_radius: 10.0, hardness: 0.0, ..of_slope(rms_slope) };
+    assert_eq!(at(&close(0.0), 0.0).warnings, WARNING_CROWDED | WARNING_STEEP);
+    assert_eq!(at(&close(0.1), 0.0).warnings, 0);
+    let state = at(&close(0.1), 0.0);
+    let crowded = |share: f64| Params { nominal_area: state.real_area / share, bandwidth: 2.0, ..close(0.1) };
+    let [fine, bad] = [0.099_999, 0.100_001].map(|share| under(&crowded(share), state.load));
+    sets_in(WARNING_CROWDED, "area", &fine, &bad);
+}
+
+/// Eight of the mean length, 2 pi sigma over the slope.
+#[test]
+fn few_waves_on_the_nominal_area_are_warned_of() {
+    let of_waves = |waves: f64| {
+        let side = waves * std::f64::consts::TAU / 0.01;
+        Params { rms_slope: 0.01, nominal_area: side * side, bandwidth: 2.0, ..in_order() }
+    };
+    let bits = |params: &Params| at(params, 2.5).warnings & WARNING_FEW_WAVES;
+    assert_eq!((bits(&of_waves(8.000_01)), bits(&of_waves(7.999_99))), (0, WARNING_FEW_WAVES));
+    // What is not known, and one tip, are not judged.
+    assert_eq!(bits(&Params { rms_slope: 0.0, ..of_waves(4.0) }), 0);
+    assert_eq!(bits(&Params { nominal_area: 0.0, ..of_waves(4.0) }), 0);
+    assert_eq!(bits(&Params { asperity_count: 1.0, ..of_waves(4.0) }), 0);
+}
+
+/// Never broad, whatever the bandwidth; steep, crowded and of few waves by what moments and area say.
+#[test]
+fn the_asperities_of_moments_are_warned_of_by_slope_area_and_waves() {
+    let of = |m2: f64, bandwidth: f64, area: f64| {
+        let mut params = in_order();
+        let moments = SpectralMoments { m0: 4.0, m2, m4: bandwidth * m2 * m2 / 4.0 };
+        params.set_spectral_moments(moments, area).expect("asperities");
+        params.hardness = 0.0;
+        params
+    };
+    for bandwidth in [0.0, 1.5, 10.0, 100.0, 1e5] {
+        let model = model(&of(0.005, bandwidth, 1e8));
+        let part = |x: f64| x * 0.1 * 1e8;
+        assert_eq!(model.check_loads(part(1e-4), part(0.04)), Ok(0), "{bandwidth}");
+        assert_eq!(model.check_loads(part(0.06), part(0.07)), Ok(WARNING_CROWDED), "{bandwidth}");
+    }
+    let steep = model(&of(0.046, 10.0, 1e8)).check_loads(1e4, 1e5).expect("warnings");
+    assert_eq!(steep, WARNING_STEEP);
+    let few = model(&of(0.005, 10.0, 2e5)).check_loads(800.0, 900.0).expect("warnings");
+    assert_eq!(few, WARNING_FEW_WAVES | WARNING_FEW);
+}
+
 /// One summit on its own does not crowd.
 #[test]
 fn a_single_tip_is_not_crowded() {
@@ -129,7 +188,7 @@ fn a_warning_is_told_with_the_loads_between_which_it_holds() {
         let model = model(&params);
         let warned = |load: f64| model.state_at_load(load).expect("a state").warnings;
         let summary = model.summary();
-        for bit in 0..9 {
+        for bit in 0..10 {
             let warning = 1 << bit;
             let Some((lightest, heaviest)) = model.warning_loads(warning).expect("loads") else {
                 for state in states(&model).iter().step_by(50) {
@@ -202,10 +261,10 @@ fn surfaces() -> Vec<(&'static str, Params)> {
 /// Loads spaced evenly in separation, from where one summit in 1e4 touches to where all do.
 fn states(model: &Model) -> Vec<State> {
     let sigma = model.params().height_std;
-    let state = |i: i32| model.state_at_separation((-6.0 + 0.01 * f64::from(i)) * sigma).expect("a state");
+    let state = |i: i32| model.state_at_gap((-6.0 + 0.01 * f64::from(i)) * sigma).expect("a state");
     let pull_off = model.summary().pull_off_load;
     let mut states: Vec<State> = (0..1000).map(state).take_while(|s| s.fraction_in_contact > 1e-4).collect();
-    states.retain(|state| state.load > pull_off.max(-f64::MAX) && state.dload_dseparation < 0.0);
+    states.retain(|state| state.load > pull_off.max(-f64::MAX) && state.dload_dgap < 0.0);
     states.sort_by(|a, b| b.load.total_cmp(&a.load));
     states
 }
@@ -331,7 +390,7 @@ fn loads_that_have_no_state_cannot_be_checked() {
 #[test]
 fn loads_are_told_of_one_known_warning_alone() {
     let model = model(&in_order());
-    for warning in [0, 3, 512, 1 << 63, u64::MAX] {
+    for warning in [0, 3, 1024, 1 << 63, u64::MAX] {
         let told = model.warning_loads(warning).expect_err("no warning").to_string();
         assert!(told.starts_with("warning = ") && told.contains("must be one of the bits WARNING_"), "{told}");
     }

@@ -84,7 +84,7 @@ fn reference_values_are_reproduced() {
         let params = case.params.params();
         let model = model(&params);
         for row in &case.rows {
-            let state = model.state_at_separation(row.separation * params.height_std).expect("a state");
+            let state = model.state_at_gap(row.separation * params.height_std).expect("a state");
             for (name, found, expected, scale) in [
                 ("load", state.load, row.load, row.load),
                 ("friction", state.friction_force, row.friction, row.friction),
@@ -174,7 +174,7 @@ fn without_an_end_of_hardness_summits_are_those_of_hertz() {
             for (a, b) in [
                 (a.friction_force, b.friction_force),
                 (a.real_area, b.real_area),
-                (a.separation, b.separation),
+                (a.gap, b.gap),
                 (a.dforce_dload, b.dforce_dload),
                 (a.tangential_stiffness, b.tangential_stiffness),
                 (hard.friction_at_load(load), elastic.friction_at_load(load)),
@@ -200,7 +200,7 @@ fn soft_summits_carry_the_load_on_an_area_of_load_over_hardness() {
         };
         let model = model(&params);
         for d in [-2.0, 0.0, 1.5] {
-            let state = model.state_at_separation(d * params.height_std).expect("a state");
+            let state = model.state_at_gap(d * params.height_std).expect("a state");
             assert_near(state.real_area * params.hardness, state.load, 1e-12, &format!("area at {d}"));
             assert_near(state.mean_asperity_pressure, params.hardness, 1e-12, &format!("pressure at {d}"));
             assert!(state.fraction_flowing > 1.0 - 1e-6 && state.fraction_elastic < 1e-6, "{state:?}");
@@ -225,7 +225,7 @@ fn elastic_summits_of_a_known_hardness_are_counted_by_the_overlap_of_first_yield
     let [yielding, elastic, unknown] = [yielding, elastic, unknown].map(|params| model(&params));
     for separation in [-5.0, 0.0, 15.0] {
         let [yielding, elastic, unknown] =
-            [&yielding, &elastic, &unknown].map(|model| model.state_at_separation(separation).expect("a state"));
+            [&yielding, &elastic, &unknown].map(|model| model.state_at_gap(separation).expect("a state"));
         assert!(elastic.fraction_elastic > 0.1 && elastic.fraction_elastic < 0.9, "{elastic:?}");
         assert_near(elastic.fraction_elastic, yielding.fraction_elastic, 1e-12, "elastic");
         assert_eq!((elastic.fraction_flowing, unknown.fraction_flowing), (0.0, 0.0));
@@ -382,7 +382,7 @@ fn sums_are_those_of_an_integration_over_heights() {
             let model = model(&params);
             let second = Second::new(params.clone(), heights);
             for d in [-1.5, 0.2, 1.1] {
-                let state = model.state_at_separation(d * params.height_std).expect("a state");
+                let state = model.state_at_gap(d * params.height_std).expect("a state");
                 let displacement = 0.4 * state.friction_force / state.tangential_stiffness;
                 let force = model.tangential_at_load(state.load, displacement).expect("a force").0;
                 let expected = second.at_separation(d, 8.0 * 0.25 * displacement);

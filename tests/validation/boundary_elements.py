@@ -4,11 +4,11 @@ An isotropic Gaussian surface on a periodic square is pressed against a flat by 
 and Molinari, J. Open Source Softw. 5 (2020), 2121) with the solver of Polonsky and Keer (Wear 231 (1999), 206): an
 elastic half-space, no adhesion, summits that press each other down and contacts of any shape. Friction is that of eqs
 (13) to (15), summed over the patches of contact, each taken for a circle of its area. The library answers for the same
-surface, known by its spectral moments or by its summits.
+surface from two of its spectral moments, from McCool's summits of three moments, and from the summits on the map.
 
 usage: boundary_elements.py [FILE.csv]
 
-Computes every surface anew, for an hour or two, and writes boundary_elements.csv.
+Computes every surface anew, for two hours or so on one core, and writes boundary_elements.csv.
 """
 
 from __future__ import annotations
@@ -18,25 +18,28 @@ import math
 import sys
 import warnings
 from dataclasses import astuple, dataclass, fields
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, Iterable, Iterator, Literal, TypeVar
+from typing import Any, Iterable, Iterator, TypeVar
 
 import numpy as np
 import tamaas
 
-from asperity import Model, Params, ValidityWarning
+from asperity import Model, Params, State, ValidityWarning
 from asperity import surface as topography
 
 FILE = Path(__file__).with_name("boundary_elements.csv")
 
 # In the unit of the grid and of E* = G* = 1. Slopes cancel from area and friction at a given load over E* times slope.
 SLOPE = 0.1
-# Nominal pressure over E* and root mean square gradient: real areas of about 0.12, 1.2, 4.5 and 10 % of the nominal.
-PRESSURES = (5e-4, 5e-3, 2e-2, 4.5e-2)
+# Nominal pressure over E* and root mean square gradient: real areas of about 0.12, 1.2, 3.5, 10 and 17 % of the nominal.
+PRESSURES = (5e-4, 5e-3, 1.5e-2, 4.5e-2, 8e-2)
+# The mean gap at a slightly greater pressure tells the stiffness.
+GREATER = 1.1
 # Contacts are then between the slip radii, 28 and 80000 b, where the size of the contacts matters most.
 BURGERS_VECTOR = 0.01
-# Of the solver: the complementarity of gap and pressure. From 1e-5 to 1e-8 no digit of the table changes.
-TOLERANCE = 1e-7
+# Of the solver: the complementarity of gap and pressure. From 1e-5 to 1e-8 no digit of the tables changes.
+TOLERANCE = 1e-6
 # Yastrebov, Anciaux and Molinari, Tribol. Int. 114 (2017), 161: a grid overrates an area by this times perimeter times
 # spacing, as its squares stick out of the true contact.
 OUTLINE = (math.pi - 1 + math.log(2)) / 24
@@ -50,23 +53,73 @@ CONTACT: dict[str, Any] = dict(
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Waves with wavenumbers from `lowest` to `highest` a side, whose power falls as q^(-2 - 2 hurst), on a square of
-    `grid` points a side."""
+    """Waves with wavenumbers from `lowest` to `highest` a side, on a square of `grid` points a side.
+
+    Their power falls as q^(-2 - 2 hurst) above `corner` and is constant below. With two `bands`, the waves between the
+    first and the last octave are left out.
+    """
 
     grid: int
     lowest: float
+    corner: float
     highest: float
     hurst: float
+    bands: int
     seeds: int
 
+    def power(self, q: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        """Of a wave with q waves a side, but for a factor."""
+        inside = (q >= self.lowest) & (q <= self.highest)
+        if self.bands == 2:
+            inside &= (q <= 2 * self.lowest) | (q >= self.highest / 2)
+        return np.where(inside, np.maximum(q, self.corner) ** (-2 - 2 * self.hurst), 0.0)
 
-# The shortest wave has 32 points, or 16 where the spectrum is broad.
-SPECTRA = (
-    Spectrum(1024, 13, 32, -1.0, 6),
-    Spectrum(1024, 6, 32, 0.1, 4),
-    Spectrum(1024, 4, 32, 0.8, 4),
-    Spectrum(1024, 2, 64, 0.8, 3),
+
+def falling(grid: int, lowest: float, highest: float, hurst: float, seeds: int) -> Spectrum:
+    """A spectrum that falls from its longest wave on."""
+    return Spectrum(grid, lowest, lowest, highest, hurst, 1, seeds)
+
+
+# The summits of these can be counted: the shortest wave has 16 points.
+RESOLVED = (
+    falling(512, 13, 32, -1.0, 4),
+    falling(512, 6, 32, 0.1, 4),
+    falling(512, 4, 32, 0.8, 4),
+    falling(1024, 2, 64, 0.8, 2),
 )
+# The shortest wave has 4 points, which is enough for area, friction, gap and stiffness.
+COARSE = (
+    # Narrow.
+    falling(512, 52, 128, -1.0, 2),
+    falling(512, 13, 128, 0.8, 4),
+    # Self-affine.
+    falling(512, 8, 128, 0.8, 4),
+    falling(512, 4, 128, 0.3, 4),
+    falling(512, 4, 128, 0.5, 4),
+    falling(512, 4, 128, 0.8, 4),
+    falling(512, 4, 128, 1.0, 4),
+    falling(512, 2, 128, 0.5, 2),
+    falling(512, 2, 128, 0.8, 4),
+    falling(512, 1, 128, 0.8, 4),
+    # With a plateau.
+    Spectrum(512, 1, 4, 128, 0.8, 1, 4),
+    Spectrum(512, 1, 8, 128, 0.8, 1, 4),
+    Spectrum(512, 2, 8, 128, 0.5, 1, 2),
+    Spectrum(512, 4, 16, 128, 0.8, 1, 4),
+    # In two bands.
+    Spectrum(512, 4, 4, 128, 0.3, 2, 2),
+    Spectrum(512, 4, 4, 128, 0.8, 2, 4),
+    Spectrum(512, 8, 8, 128, 0.8, 2, 2),
+    # On more scales.
+    falling(1024, 4, 256, 0.5, 1),
+    falling(1024, 4, 256, 0.8, 2),
+    falling(1024, 4, 256, 1.0, 2),
+    falling(1024, 1, 256, 0.8, 1),
+    Spectrum(1024, 1, 8, 256, 0.8, 1, 1),
+    falling(2048, 4, 512, 0.8, 2),
+    falling(2048, 4, 512, 1.0, 2),
+)
+SPECTRA = RESOLVED + COARSE
 
 
 @dataclass(frozen=True)
@@ -74,7 +127,7 @@ class Known:
     """One surface at one load: what is known of it, in the unit of the grid, and what boundary elements answer.
 
     Attributes:
-        seed: of the random numbers of the surface, whose spectrum is told by the four before it.
+        seed: of the random numbers of the surface, whose spectrum is told by the columns before it.
         m0, m2, m4: spectral moments.
         density, height_std, radius, amplitude, rate: of the summits on the map; an amplitude of 0 is no trend.
         pressure: nominal pressure over E* and root mean square gradient.
@@ -85,8 +138,10 @@ class Known:
 
     grid: int
     lowest: float
+    corner: float
     highest: float
     hurst: float
+    bands: int
     seed: int
     m0: float
     m2: float
@@ -103,43 +158,96 @@ class Known:
 
     @property
     def bandwidth(self) -> float:
+        """Nayak's, m0 m4/m2^2."""
         return self.m0 * self.m4 / self.m2**2
+
+    @property
+    def waves(self) -> float:
+        """Of the longest waves with full power, how many fit a side."""
+        return self.corner
+
+    @property
+    def kind(self) -> str:
+        """Of the spectrum."""
+        if self.bands == 2:
+            return "two bands"
+        if self.corner > self.lowest:
+            return "plateau"
+        return "narrow" if self.highest < 10 * self.lowest else f"self-affine, H = {self.hurst:g}"
+
+    @property
+    def fitted(self) -> bool:
+        """Whether the constants of src/spectrum.rs were fitted to this surface, by fit_asperities.py."""
+        return self.seed % 2 == 0
+
+    def is_of(self, spectrum: Spectrum) -> bool:
+        """Whether the surface has this spectrum."""
+        return (self.grid, self.lowest, self.corner, self.highest, self.hurst, self.bands) == astuple(spectrum)[:-1]
+
+    def from_moments(self, **law: Any) -> Params:
+        """Parameters from m0 and m2, with the law of contact."""
+        moments = dict(m0=self.m0, m2=self.m2, nominal_area=float(self.grid**2))
+        return Params.from_spectral_moments(**moments, **CONTACT | law)
+
+    def from_mccool(self, bandwidth: float) -> Params:
+        """Parameters of McCool's summits, with m0, m2 and a bandwidth."""
+        moments = dict(m0=self.m0, m2=self.m2, m4=bandwidth * self.m2**2 / self.m0, nominal_area=float(self.grid**2))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
+            return Params.from_spectral_moments(**moments, summits="mccool", **CONTACT)
 
     def from_map(self, **law: Any) -> Params:
         """Parameters from the summits on the map, with the law of contact."""
-        count = self.density * self.grid**2
-        summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=count)
+        summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=self.density * self.grid**2)
         trend = dict(radius_amplitude=self.amplitude, radius_rate=self.rate)
-        return Params.si(**summits, **trend, **CONTACT, **law)
-
-    def from_moments(self, summits: Literal["equal", "nayak"] = "equal", **law: Any) -> Params:
-        """Parameters from the spectral moments, with the law of contact."""
-        moments = dict(m0=self.m0, m2=self.m2, m4=self.m4, nominal_area=float(self.grid**2))
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
-            return Params.from_spectral_moments(**moments, summits=summits, **CONTACT, **law)
+        return Params.si(**summits, **trend, **CONTACT | law)
 
     def predicted(self, params: Params) -> Prediction:
         """The library over the boundary elements."""
+        return self.ratios(state(params, self.load))
+
+    def ratios(self, state: State) -> Prediction:
+        """A state over the boundary elements."""
         nominal = self.grid**2
-        state = Model(params).state_at_load(self.pressure * SLOPE * nominal)
-        area, friction = state.real_area / nominal / self.area, state.friction_force / nominal / self.friction
-        return Prediction(area, friction, state.fraction_in_contact)
+        return Prediction(state.real_area / nominal / self.area, state.friction_force / nominal / self.friction)
+
+    def areas(self, params: Params, pressures: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        """Real over nominal area by the library, at nominal pressures over E* and gradient."""
+        nominal = self.grid**2
+        return np.array([state(params, pressure * SLOPE * nominal).real_area / nominal for pressure in pressures])
+
+    @property
+    def load(self) -> float:
+        """Over E*."""
+        return self.pressure * SLOPE * self.grid**2
 
 
 @dataclass(frozen=True)
 class Row(Known):
-    """An elastic surface."""
+    """An elastic surface.
+
+    Attributes:
+        patch_radius: mean radius of the patches, each taken for a circle and weighted by its area.
+        gap: mean distance of the surfaces.
+        greater_gap: the same at `GREATER` times the pressure.
+    """
+
+    patch_radius: float
+    gap: float
+    greater_gap: float
 
     @property
-    def by_moments(self) -> Prediction:
-        """By the library, from the spectral moments."""
-        return self.predicted(self.from_moments())
+    def by_moments(self) -> Planes:
+        """By the library, from m0 and m2."""
+        params = self.from_moments()
+        here, greater = (state(params, factor * self.load) for factor in (1.0, GREATER))
+        stiffness = (self.gap - self.greater_gap) / (here.gap - greater.gap)
+        return Planes(*astuple(self.ratios(here)), stiffness, (here.gap - self.gap) / math.sqrt(self.m0))
 
     @property
-    def by_nayak(self) -> Prediction:
-        """By the library, from the spectral moments with Nayak's joint distribution of heights and radii."""
-        return self.predicted(self.from_moments("nayak"))
+    def by_mccool(self) -> Prediction:
+        """By the library, from the three moments: McCool's summits."""
+        return self.predicted(self.from_mccool(self.bandwidth))
 
     @property
     def by_map(self) -> Prediction:
@@ -149,11 +257,28 @@ class Row(Known):
 
 @dataclass(frozen=True)
 class Prediction:
-    """Area and friction of the library over those of the boundary elements, and its fraction of summits in contact."""
+    """Area and friction of the library over those of the boundary elements."""
 
     area: float
     friction: float
-    fraction_in_contact: float
+
+
+@dataclass(frozen=True)
+class Planes(Prediction):
+    """Normal stiffness too, and the gap of the library less that of the boundary elements, over root mean square height."""
+
+    stiffness: float
+    gap: float
+
+
+@lru_cache(maxsize=None)
+def model(params: Params) -> Model:
+    return Model(params)
+
+
+def state(params: Params, load: float) -> State:
+    """Of a model that is made once."""
+    return model(params).state_at_load(load)
 
 
 def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topography.SpectralMoments]:
@@ -161,10 +286,8 @@ def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topogr
     n = spectrum.grid
     wave = np.fft.fftfreq(n, 1 / n)
     q = np.hypot(wave[:, None], wave[None, :])
-    inside = (q >= spectrum.lowest) & (q <= spectrum.highest)
-    amplitude = np.where(inside, np.where(inside, q, 1.0) ** (-1 - spectrum.hurst), 0.0)
     noise = np.random.default_rng(seed).standard_normal((n, n))
-    waves = np.fft.fft2(noise) * amplitude
+    waves = np.fft.fft2(noise) * np.sqrt(spectrum.power(q))
     power = np.abs(waves) ** 2
     q *= 2 * math.pi / n
     # Means over all directions: of cos^2 a half, of cos^4 three eighths.
@@ -176,31 +299,41 @@ def surface(spectrum: Spectrum, seed: int) -> tuple[np.ndarray[Any, Any], topogr
     return heights, moments
 
 
-def press(heights: np.ndarray[Any, Any], pressures: tuple[float, ...]) -> Iterator[tuple[float, float, int]]:
-    """Real area, friction force (both over the nominal area) and number of patches at nominal pressures over E*, by
-    boundary elements."""
+def press(heights: np.ndarray[Any, Any], pressures: tuple[float, ...]) -> Iterator[tuple[Any, ...]]:
+    """By boundary elements at nominal pressures over E*: what `patches` says, the mean gap, and the mean gap at a slightly
+    greater pressure."""
     n = heights.shape[0]
     tamaas.set_log_level(tamaas.LogLevel.error)
     model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [float(n)] * 2, [n] * 2)
     model.E, model.nu = 1.0, 0.0
     solver = tamaas.PolonskyKeerRey(model, heights, TOLERANCE)
     solver.max_iter = 10000
-    for pressure in pressures:
+
+    def mean_gap(pressure: float) -> float:
         reached = solver.solve(pressure)
         if not reached <= TOLERANCE:
             raise RuntimeError(f"the solver reaches {reached:g} at a pressure of {pressure:g}, not {TOLERANCE:g}")
-        yield patches(model.traction)
+        # But for a constant, by which it is 0 in contact.
+        gap = np.asarray(model.displacement) - heights
+        return float(gap.mean() - gap[np.asarray(model.traction) > 0].mean())
+
+    for pressure in pressures:
+        gap = mean_gap(pressure)
+        contact = patches(model.traction)
+        yield *contact, gap, mean_gap(GREATER * pressure)
 
 
-def patches(pressure: np.ndarray[Any, Any], hardness: float = math.inf) -> tuple[float, float, int]:
-    """Real area and friction force, over the nominal area, and number of the patches that bear pressure."""
+def patches(pressure: np.ndarray[Any, Any], hardness: float = math.inf) -> tuple[float, float, int, float]:
+    """Real area and friction force, over the nominal area, number of the patches that bear pressure, and their mean radius
+    weighted by area."""
     found = tamaas.FloodFill.getClusters(pressure > 0, False)
     areas = np.array([patch.area - OUTLINE * patch.perimeter for patch in found])
     if math.isfinite(hardness):
         # No patch is smaller than its load over the hardness. The outline is that of elastic contacts, and too much for these.
         loads = np.array([pressure[tuple(np.array(patch.points).T % len(pressure))].sum() for patch in found])
         areas = np.maximum(areas, loads / hardness)
-    return float(areas.sum()) / pressure.size, float(slip_force(areas).sum()) / pressure.size, len(found)
+    friction, radius = slip_force(areas).sum() / pressure.size, np.average(np.sqrt(areas / math.pi), weights=areas)
+    return float(areas.sum()) / pressure.size, float(friction), len(found), float(radius)
 
 
 def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
@@ -210,21 +343,29 @@ def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     return np.asarray(areas * np.clip(radius / 28, 1, 8e4 / 28) ** exponent / 43)
 
 
+def summits(heights: np.ndarray[Any, Any]) -> Any:
+    """Those of a map."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ValidityWarning)  # of coarse maps
+        return topography.summits(heights, 1.0, 1.0, detrend=0)
+
+
 def known(spectrum: Spectrum, seed: int, moments: topography.SpectralMoments, summits: Any) -> tuple[Any, ...]:
     """What a row knows of its surface."""
-    found = Params.from_topography(summits, **CONTACT)
+    trend = summits.radius_trend
+    found = (trend.radius, trend.amplitude, trend.rate) if trend.significant else (summits.radius.value, 0.0, 1.0)
     return (
-        spectrum.grid, spectrum.lowest, spectrum.highest, spectrum.hurst, seed, moments.m0, moments.m2, moments.m4,
-        summits.density.value, found.height_std, found.summit_radius, found.radius_amplitude, found.radius_rate,
+        *astuple(spectrum)[:-1], seed, moments.m0, moments.m2, moments.m4, summits.density.value, summits.height_std.value,
+        *found,
     )  # fmt: skip
 
 
 def compare(spectrum: Spectrum, seed: int, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface at pressures over E* and slope."""
     heights, moments = surface(spectrum, seed)
-    summits = topography.summits(heights, 1.0, 1.0, detrend=0)
+    found = summits(heights)
     for ratio, answer in zip(ratios, press(heights, tuple(ratio * SLOPE for ratio in ratios))):
-        yield Row(*known(spectrum, seed, moments, summits), ratio, *answer)
+        yield Row(*known(spectrum, seed, moments, found), ratio, *answer)
 
 
 AnyRow = TypeVar("AnyRow", bound=Known)
@@ -256,11 +397,16 @@ def frozen(file: Path = FILE) -> list[Row]:
     return read(file, Row)
 
 
+def surfaces() -> list[tuple[Spectrum, int]]:
+    """Spectra and seeds, the small grids first."""
+    all_of_them = [(spectrum, seed) for spectrum in SPECTRA for seed in range(spectrum.seeds)]
+    return sorted(all_of_them, key=lambda one: (one[0].grid, one[1]))
+
+
 def rows() -> Iterator[Row]:
     """All of boundary_elements.csv, anew."""
-    for spectrum in SPECTRA:
-        for seed in range(spectrum.seeds):
-            yield from compare(spectrum, seed)
+    for spectrum, seed in surfaces():
+        yield from compare(spectrum, seed)
 
 
 if __name__ == "__main__":

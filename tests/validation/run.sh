@@ -3,7 +3,7 @@
 # elements (tamaas), limits in closed form, measured friction. docs/validation.md has the figures.
 #
 # usage: tests/validation/run.sh [long]
-#   long    computes the frozen files anew as well and compares them: an hour or two on two cores
+#   long    computes the frozen files anew as well and compares them, and fits the asperities: two hours or so
 # `tests/setup.sh validation` makes the environment. CARGO_TARGET_DIR is honoured. Needs cargo.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -22,8 +22,10 @@ length="${1:-short}"
 
 if [ "$length" = long ]; then
     mkdir -p "$target/validation"
-    "$venv/bin/python" tests/validation/yielding.py "$target/validation/yielding.csv"
-    "$venv/bin/python" tests/validation/compare_frozen.py yielding "$target/validation/yielding.csv"
-    "$venv/bin/python" tests/validation/boundary_elements.py "$target/validation/boundary_elements.csv"
-    "$venv/bin/python" tests/validation/compare_frozen.py elastic "$target/validation/boundary_elements.csv"
+    for pair in yielding:yielding sticky:adhesion elastic:boundary_elements; do
+        name="${pair#*:}"
+        "$venv/bin/python" "tests/validation/$name.py" "$target/validation/$name.csv"
+        "$venv/bin/python" tests/validation/compare_frozen.py "${pair%:*}" "$target/validation/$name.csv"
+    done
+    "$venv/bin/python" tests/validation/fit_asperities.py
 fi

@@ -5,12 +5,15 @@ usage: tables.py        writes the tables into the pages
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+import adhesion
 import boundary_elements
 import yielding
 from asperity.figures import calibrated, contacts, defaults, measured
@@ -19,26 +22,109 @@ from boundary_elements import PRESSURES, AnyRow
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
 
-def population() -> str:
-    """Library over boundary elements, by bandwidth: means over the surfaces, and their standard deviation."""
+def areas() -> str:
+    """Real area over nominal area by load: boundary elements, the library, and theories in closed form."""
     rows = [
-        "| Bandwidth | Surfaces | Real area | Summits in contact | A, from moments | F, from moments "
-        "| A, with Nayak's radii and heights | F, with them | A, from the map | F, from the map |",
-        "|---|---|---|---|---|---|---|---|---|---|",
+        "| x | Boundary elements | Library | Persson, erf(√2 x) | Bush, Gibson and Thomas, √(2π) x |",
+        "|---|---|---|---|---|",
     ]
-    for group in _groups(boundary_elements.frozen()):
+    frozen = [row for row in boundary_elements.frozen() if row.waves >= 4]
+    for pressure in PRESSURES:
+        at_load = [row for row in frozen if row.pressure == pressure]
+        found = [100 * row.area for row in at_load]
+        ours = 100 * np.mean([row.area * row.by_moments.area for row in at_load])
+        persson, bush = 100 * math.erf(math.sqrt(2) * pressure), 100 * math.sqrt(2 * math.pi) * pressure
+        cells = [f"{pressure:g}", f"{np.mean(found):.3g} ± {np.std(found, ddof=1):.1g} %"]
+        rows.append(f"| {' | '.join(cells)} | {ours:.3g} % | {persson:.3g} % | {bush:.3g} % |")
+    return "\n".join(rows)
+
+
+# The loads of the table of spectra.
+SHOWN = (PRESSURES[0], PRESSURES[1], PRESSURES[3])
+
+
+def population() -> str:
+    """Library over boundary elements by spectrum: means over the surfaces."""
+    rows = [
+        "| Bandwidth | Waves a side | Spectrum | Surfaces | Area | Friction | Normal stiffness | Gap, difference over Sq "
+        "| Area, McCool |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    groups = _groups(boundary_elements.frozen())
+    for group in sorted(groups, key=lambda rows: (rows[0].waves < 4, rows[0].bandwidth)):
+        loads = [[row for row in group if row.pressure == pressure] for pressure in SHOWN]
+        ours = [[row.by_moments for row in at_load] for at_load in loads]
+        mccool = [[row.by_mccool for row in at_load] for at_load in loads]
+        cells = [
+            f"{np.mean([row.bandwidth for row in group]):.2g}", f"{group[0].waves:g}", group[0].kind, str(len(loads[0])),
+            *(_means(ours, name) for name in ("area", "friction", "stiffness")), _means(ours, "gap", "+.2f"),
+            _means(mccool, "area"),
+        ]  # fmt: skip
+        rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def _means(answers: list[list[Any]], name: str, form: str = ".2f") -> str:
+    means = (np.mean([getattr(answer, name) for answer in at_load]) for at_load in answers)
+    return ", ".join(f"{mean:{form}}".replace("-", "−") for mean in means)
+
+
+def counted() -> str:
+    """Library over boundary elements from the summits counted on the map, where 16 points resolve the shortest wave."""
+    rows = ["| Bandwidth | Surfaces | Area | Friction |", "|---|---|---|---|"]
+    for spectrum in boundary_elements.RESOLVED:
+        group = [row for row in boundary_elements.frozen() if row.is_of(spectrum)]
+        loads = [[row.by_map for row in group if row.pressure == pressure] for pressure in SHOWN]
+        cells = [f"{np.mean([row.bandwidth for row in group]):.2g}", str(len(loads[0]))]
+        cells += [_means(loads, name) for name in ("area", "friction")]
+        rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def errors() -> str:
+    """Library over boundary elements on the surfaces that the constants were not fitted to, by load."""
+    rows = [
+        "| Waves a side | x | Surfaces | Area | Friction | Normal stiffness | Gap, difference over Sq |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    others = [row for row in boundary_elements.frozen() if not row.fitted]
+    for waves, many in (("4 and more", True), ("1 or 2", False)):
         for pressure in PRESSURES:
-            at_load = [row for row in group if row.pressure == pressure]
-            moments, maps = [row.by_moments for row in at_load], [row.by_map for row in at_load]
-            nayak = [row.by_nayak for row in at_load]
-            cells = [
-                f"{np.mean([row.bandwidth for row in at_load]):.2g}",
-                str(len(at_load)),
-                f"{100 * np.mean([row.area for row in at_load]):.2g} %",
-                f"{100 * np.mean([answer.fraction_in_contact for answer in moments]):.2g} %",
-                *(_spread([getattr(answer, name) for answer in answers])
-                  for answers in (moments, nayak, maps) for name in ("area", "friction")),
-            ]  # fmt: skip
+            found = [row.by_moments for row in others if row.pressure == pressure and (row.waves >= 4) == many]
+            cells = [waves, f"{pressure:g}", str(len(found))]
+            cells += [_spread([getattr(answer, name) for answer in found]) for name in ("area", "friction", "stiffness", "gap")]
+            rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+# The adhesive shares of the load that divide the table.
+SHARES = (0.01, 0.06, 0.15, 0.5, 2.0, math.inf)
+
+
+def sticky() -> str:
+    """Library over boundary elements where surfaces stick, over the same without adhesion at the same mean gap."""
+    frozen = adhesion.frozen()
+    dry = {(row.grid, row.lowest, row.seed, row.dry_pressure): row.by_moments for row in frozen if not row.work}
+    rows = [
+        "| Adhesive share of the load | Bandwidth | States | Area | Friction | Area if adhesion is neglected | Friction, the same |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    groups = _groups(frozen)
+    for least, greatest in zip(SHARES, SHARES[1:]):
+        for group in groups:
+            found = [row for row in group if row.work and least <= row.share < greatest]
+            if not found:
+                continue
+            cells = [f"{least:g} to {greatest:g}" if greatest < math.inf else f"above {least:g}"]
+            cells += [f"{np.mean([row.bandwidth for row in group]):.2g}", str(len(found))]
+            for answer in ("by_moments", "without_adhesion"):
+                for name in ("area", "friction"):
+                    ratios = [
+                        getattr(getattr(row, answer), name)
+                        / getattr(dry[row.grid, row.lowest, row.seed, row.dry_pressure], name)
+                        for row in found
+                    ]
+                    cells.append(f"{min(ratios):.2f} to {max(ratios):.2f}")
             rows.append(f"| {' | '.join(cells)} |")
     return "\n".join(rows)
 
@@ -57,7 +143,7 @@ def yields() -> str:
                 laws = [[getattr(row, law) for row in found] for law in ("by_map", "by_moments", "by_elastic")]
                 cells = [
                     f"{np.mean([row.bandwidth for row in found]):.2g}",
-                    f"{index:g}",
+                    f"{np.mean([row.plasticity_index for row in found]):.2g}",
                     f"{100 * np.mean([row.area for row in found]):.2g} %",
                     f"{100 * np.mean([row.saturated for row in found]):.0f} %",
                     f"{np.mean([row.area_at_the_hardness for row in found]):.2f}",
@@ -72,12 +158,12 @@ def _groups(frozen: list[AnyRow]) -> list[list[AnyRow]]:
     """The frozen rows by spectrum, in the order of the file."""
     groups: dict[tuple[float, ...], list[AnyRow]] = {}
     for row in frozen:
-        groups.setdefault((row.grid, row.lowest, row.highest, row.hurst), []).append(row)
+        groups.setdefault((row.grid, row.lowest, row.corner, row.highest, row.hurst, row.bands), []).append(row)
     return list(groups.values())
 
 
 def _spread(values: list[float]) -> str:
-    return f"{np.mean(values):.2f} ± {np.std(values, ddof=1):.2f}"
+    return f"{np.mean(values):.2f} ± {np.std(values, ddof=1):.2f}".replace("-", "−")
 
 
 # By page and mark.
@@ -85,7 +171,11 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("domain.md", "contacts"): contacts.table,
     ("domain.md", "roughness"): contacts.roughness,
     ("domain.md", "defaults"): defaults.table,
+    ("validation.md", "areas"): areas,
     ("validation.md", "population"): population,
+    ("validation.md", "errors"): errors,
+    ("validation.md", "counted"): counted,
+    ("validation.md", "sticky"): sticky,
     ("validation.md", "yielding"): yields,
     ("validation.md", "calibrated"): calibrated.table,
     ("validation.md", "measurements"): measured.table,

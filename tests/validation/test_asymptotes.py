@@ -25,7 +25,7 @@ EXPONENT = -math.log(1290 / 43) / math.log(1e3)
 def test_friction_of_exponential_heights_is_constant_over_12_decades() -> None:
     """Weibull heights of shape 1 are exponential: friction is Amontons' as long as the lowest summits do not touch."""
     model = Model(Params.si(**SURFACE, work_of_adhesion=0.0, height_distribution="weibull", weibull_shape=1.0))
-    heaviest = model.state_at_separation(0.0)
+    heaviest = model.state_at_gap(0.0)
     loads = heaviest.load * np.geomspace(1e-12, 1, 49)
     states = [model.state_at_load(float(load)) for load in loads]
     ratios = np.array([(s.friction_force / s.load, s.real_area / s.load, s.contacting / s.load) for s in states])
@@ -58,23 +58,24 @@ def test_area_over_load_of_gaussian_heights_far_apart() -> None:
     (15/4 + 5/8 - 3)/t^2: the integrals of x e^(-tx - x^2/2) and x^(3/2) e^(-tx - x^2/2) to second order in 1/t."""
     model = Model(Params.si(**SURFACE, work_of_adhesion=0.0))
     for t in (10.0, 20.0, 34.0):
-        state = model.state_at_separation(t * 0.01)
+        state = model.state_at_gap(t * 0.01)
         ratio = state.real_area / state.load / math.sqrt(math.pi * t / 0.01)
         assert ratio == pytest.approx(1 + 1.375 / t**2, abs=20 / t**4)
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
 @pytest.mark.parametrize("bandwidth", [1.6, 3.0, 10.0, 100.0])
-def test_area_from_moments_leaves_that_of_bush_gibson_and_thomas(bandwidth: float) -> None:
+def test_area_of_mccools_summits_leaves_that_of_bush_gibson_and_thomas(bandwidth: float) -> None:
     """Their A/P goes to (pi/m2)^(1/2)/E* (Wear 35 (1975), 87), that of spheres of one radius grows beyond it: by
     (0.665 t)^(1/2)/(bandwidth - 0.897)^(1/4), with the same next term in t = d/sigma as above."""
     m0, m2 = 1e-4, 0.01
     contact = {name: SURFACE[name] for name in ("composite_modulus", "effective_shear_modulus", "burgers_vector")}
     params = Params.from_spectral_moments(
-        m0=m0, m2=m2, m4=bandwidth * m2**2 / m0, nominal_area=1e6, work_of_adhesion=0.0, adhesion_range=1e-3, **contact
-    )
+        m0=m0, m2=m2, m4=bandwidth * m2**2 / m0, nominal_area=1e6, summits="mccool", work_of_adhesion=0.0,
+        adhesion_range=1e-3, **contact,
+    )  # fmt: skip
     t = 30.0
-    state = Model(params).state_at_separation(t * params.height_std)
+    state = Model(params).state_at_gap(params.summit_mean_height + t * params.height_std)
     ratio = state.real_area / state.load / math.sqrt(math.pi / m2)
     assert ratio == pytest.approx(math.sqrt(0.6647 * t) / (bandwidth - 0.8968) ** 0.25 * (1 + 1.375 / t**2), rel=1e-4)
 

@@ -15,7 +15,7 @@ BY_NAME = {one.name: one for one in COMPARISONS}
 BOUNDS = {
     "ball on a film of MoS₂": (-0.05, 0.0),
     "lubricated pair": (-0.1, -0.05),
-    "heat through metal joints": (0.36, 0.65),
+    "heat through metal joints": (0.57, 0.69),
     "diamond tip on silicon oxide": (-0.38, -0.23),
     "antimony particles on graphite": (0.6, 0.66),
     "amorphous antimony particles on graphite": (-0.5, -0.46),

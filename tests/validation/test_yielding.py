@@ -9,13 +9,13 @@ import tamaas
 
 import boundary_elements
 import yielding
-from boundary_elements import SLOPE, TOLERANCE, Spectrum
-from yielding import INDICES, PRESSURES, Field
+from boundary_elements import SLOPE, falling
+from yielding import INDICES, PRESSURES, TOLERANCE, Field
 
 FROZEN = yielding.frozen()
 # A quarter of the area of the frozen surfaces, for speed.
-SMALL = Spectrum(256, 6.5, 16, -1.0, 1)
-TINY = Spectrum(128, 3.25, 8, -1.0, 1)
+SMALL = falling(256, 6.5, 16, -1.0, 1)
+TINY = falling(128, 3.25, 8, -1.0, 1)
 
 
 def solved(name: str, heights: Field, pressure: float, *hardness: float) -> Field:

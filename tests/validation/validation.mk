@@ -1,5 +1,5 @@
-# make validate: everything behind docs/validation.md, with the boundary elements computed anew: an hour or two on two
-# cores. The short form, tests/validation/run.sh, is part of `make test-all`.
+# make validate: everything behind docs/validation.md, with the boundary elements computed anew: in two hours or
+# so. The short form, tests/validation/run.sh, is part of `make test-all`.
 
 .PHONY: validate
 validate:

@@ -25,20 +25,20 @@ import scipy.fft
 
 import boundary_elements
 from asperity import Params, ValidityWarning
-from asperity import surface as topography
-from boundary_elements import CONTACT, SLOPE, TOLERANCE, Known, Prediction, Spectrum, known, surface
+from boundary_elements import CONTACT, SLOPE, Known, Prediction, Spectrum, known, state, surface
 
 FILE = Path(__file__).with_name("yielding.csv")
 
 Field = np.ndarray[Any, Any]
 
-# (E*/H)(sigma/R)^1/2, of which H follows.
+# (E*/H)(sigma/R)^1/2 of McCool's summits, of which H follows.
 INDICES = (0.5, 1.0, 2.0, 4.0, 8.0)
-# Nominal pressures over E* and root mean square gradient, as of the elastic surfaces but for the heaviest: at an index of
-# 8 a fifth of the nominal area touches at the last one.
-PRESSURES = boundary_elements.PRESSURES[:3]
-# The narrowest and the third of the elastic spectra at half the points a side: the shortest wave has 16.
-SPECTRA = (Spectrum(512, 13, 32, -1.0, 4), Spectrum(512, 4, 32, 0.8, 4))
+# Nominal pressures over E* and root mean square gradient: at an index of 8 a fifth of the nominal area touches at the last one.
+PRESSURES = (5e-4, 5e-3, 2e-2)
+# The shortest wave has 16 points.
+SPECTRA = boundary_elements.RESOLVED[0], boundary_elements.RESOLVED[2]
+# Of the fault of the gap.
+TOLERANCE = 1e-7
 # Some hundred steps are enough; what needs ten times as many does not converge.
 MOST_STEPS = 3000
 
@@ -48,7 +48,7 @@ class Row(Known):
     """One surface of one hardness at one load.
 
     Attributes:
-        index: plasticity index, with sigma and R by the spectral moments.
+        index: plasticity index, with sigma and R of McCool's summits.
         hardness: over E*.
         saturated: part of the real area that bears the hardness.
         steps: of the solver.
@@ -65,8 +65,13 @@ class Row(Known):
         return self.area * self.hardness / (self.pressure * SLOPE)
 
     @property
+    def plasticity_index(self) -> float:
+        """As the library says it, from m0 and m2."""
+        return state(self.from_moments(**self._yielding), self.load).plasticity_index
+
+    @property
     def by_moments(self) -> Prediction:
-        """By the law of summits that yield, from the spectral moments."""
+        """By the law of summits that yield, from m0 and m2."""
         return self.predicted(self.from_moments(**self._yielding))
 
     @property
@@ -148,17 +153,19 @@ def error(pressure: Field, gap: Field, hardness: float) -> float:
 def compare(spectrum: Spectrum, seed: int, index: float, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface of one plasticity index at pressures over E* and slope."""
     heights, moments = surface(spectrum, seed)
-    summits = topography.summits(heights, 1.0, 1.0, detrend=0)
+    summits = boundary_elements.summits(heights)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
-        equal = Params.from_spectral_moments(m0=moments.m0, m2=moments.m2, m4=moments.m4, nominal_area=1.0, **CONTACT)
-    hardness = math.sqrt(equal.height_std / equal.summit_radius) / index
+        mccool = Params.from_spectral_moments(
+            m0=moments.m0, m2=moments.m2, m4=moments.m4, nominal_area=1.0, summits="mccool", **CONTACT
+        )
+    hardness = math.sqrt(mccool.height_std / mccool.summit_radius) / index
     for ratio in ratios:
         pressure, steps = press(heights, hardness, ratio * SLOPE)
-        contact = boundary_elements.patches(pressure, hardness)
+        area, friction, count, _ = boundary_elements.patches(pressure, hardness)
         saturated = np.count_nonzero(pressure >= hardness * (1 - 1e-12)) / np.count_nonzero(pressure)
         yield Row(
-            *known(spectrum, seed, moments, summits), ratio, *contact, index, hardness, float(saturated), steps,
+            *known(spectrum, seed, moments, summits), ratio, area, friction, count, index, hardness, float(saturated), steps,
         )  # fmt: skip
 
 

@@ -74,8 +74,8 @@ contains
     patch = patch_law(surface)
     call asperity_check(asperity_check_loads(patch, lightest * patch_area, heaviest * patch_area, warnings))
     call asperity_free(patch)
-    ! The strength of this interface was not measured, and its bandwidth is assumed: said, and no reason to stop.
-    told = iand(warnings, ior(ASPERITY_WARNING_UNCALIBRATED, ASPERITY_WARNING_BROAD))
+    ! The strength of this interface was not measured: said, and no reason to stop.
+    told = iand(warnings, ASPERITY_WARNING_UNCALIBRATED)
     if (told /= 0) print '(a)', asperity_warning_text(told)
     warnings = iand(warnings, not(told))
     do bit = 0, 62

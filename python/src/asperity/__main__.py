@@ -1,4 +1,5 @@
-"""The command line: `python -m asperity curve` prints friction over a range of loads and draws the curve, `fit` finds
+"""The command line: `python -m asperity friction` prints friction at loads with its band, `curve` prints friction over a range of
+loads and draws the curve, `fit` finds
 parameters from measured friction, `study` computes friction of thousands of surfaces, `export` and `fmu` write tables and
 mock-up units for hosts, `figures` draws the paper's figures.
 
@@ -14,7 +15,8 @@ import sys
 import warnings
 from pathlib import Path
 
-from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _header, _library, _study_command
+from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _friction_command, _header, _library
+from . import _study_command
 from . import _surface_options
 from ._style import saved, style
 
@@ -35,6 +37,7 @@ def _parser() -> argparse.ArgumentParser:
     _surface_options.add(curve)
     _add_loads(curve)
     curve.set_defaults(run=_curve)
+    _friction_command.add(commands)
     _fit_command.add(commands)
     _study_command.add(commands)
     _export_command.add(commands)

@@ -192,36 +192,35 @@ class FrictionLaw:
         return values if slope else values[0]
 
     @overload
-    def load_at_separation(self, separation: float, *, slope: Literal[False] = ...) -> float: ...
+    def load_at_gap(self, gap: float, *, slope: Literal[False] = ...) -> float: ...
     @overload
-    def load_at_separation(self, separation: float, *, slope: Literal[True]) -> tuple[float, float]: ...
+    def load_at_gap(self, gap: float, *, slope: Literal[True]) -> tuple[float, float]: ...
     @overload
-    def load_at_separation(self, separation: Loads, *, slope: Literal[False] = ...) -> Array: ...
+    def load_at_gap(self, gap: Loads, *, slope: Literal[False] = ...) -> Array: ...
     @overload
-    def load_at_separation(self, separation: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
+    def load_at_gap(self, gap: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
     @overload
-    def load_at_separation(self, separation: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
+    def load_at_gap(self, gap: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
     @overload
-    def load_at_separation(self, separation: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
+    def load_at_gap(self, gap: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
 
-    def load_at_separation(self, separation: Any, *, slope: bool = False) -> Any:
-        """Normal load at a separation of the mean planes, or at many, from the compiled law.
+    def load_at_gap(self, gap: Any, *, slope: bool = False) -> Any:
+        """Normal load at a gap between the mean planes, or at many, from the compiled law.
 
         Args:
-            separation: of the mean planes of asperity heights and flat [length], as `state_at_separation` has it: a number, or an
-                array of any shape.
-            slope: whether to return d(load)/d(separation) [force/length] too: minus the normal stiffness.
+            gap: between the mean planes of the surfaces [length], as `state_at_gap` has it: a number, or an array of any shape.
+            slope: whether to return d(load)/d(gap) [force/length] too: minus the normal stiffness.
 
         Returns:
             The load [force], or (load, slope): negative where adhesion pulls, 0 at pull-off and beyond; a float for a number,
             an array of the same shape for an array.
 
         Raises:
-            Error: a separation that is NaN, infinite, or out of range; the message names it.
+            Error: a gap that is NaN, infinite, or out of range; the message names it.
         """
-        one, one_with_slope = LIBRARY.asperity_load_at_separation, LIBRARY.asperity_load_and_slope_at_separation
-        many = LIBRARY.asperity_loads_at_separations
-        return self._evaluate("load", one, one_with_slope, many, separation, slope, "separation")
+        one, one_with_slope = LIBRARY.asperity_load_at_gap, LIBRARY.asperity_load_and_slope_at_gap
+        many = LIBRARY.asperity_loads_at_gaps
+        return self._evaluate("load", one, one_with_slope, many, gap, slope, "gap")
 
     @overload
     def contact_radius_sum_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
@@ -378,21 +377,21 @@ class FrictionLaw:
         return self._states(LIBRARY.asperity_state_at_load, "load", load, progress)
 
     @overload
-    def state_at_separation(self, separation: float) -> State: ...
+    def state_at_gap(self, gap: float) -> State: ...
     @overload
-    def state_at_separation(self, separation: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
+    def state_at_gap(self, gap: Loads | HasLabels, *, progress: Progress = ...) -> States: ...
 
-    def state_at_separation(self, separation: Any, *, progress: Progress = None) -> Any:
-        """The exact state at a separation [length], or at many, also beyond the pull-off point, where no load could hold it.
+    def state_at_gap(self, gap: Any, *, progress: Progress = None) -> Any:
+        """The exact state at a gap [length], or at many, also beyond the pull-off point, where no load could hold it.
 
         Args:
-            separation: of the flat from the mean of the summit heights; may be negative. As the loads of `state_at_load`.
+            gap: between the mean planes of the surfaces; may be negative. As the loads of `state_at_load`.
             progress: as for `state_at_load`.
 
         Raises:
-            Error: a separation that is not finite, or out of range; for arrays with its index.
+            Error: a gap that is not finite, or out of range; for arrays with its index.
         """
-        return self._states(LIBRARY.asperity_state_at_separation, "separation", separation, progress)
+        return self._states(LIBRARY.asperity_state_at_gap, "gap", gap, progress)
 
     def sensitivities(self, load: float) -> Sensitivities:
         """Logarithmic derivatives of the friction force with respect to each parameter, d(ln F)/d(ln p), at a load [force].
@@ -438,7 +437,7 @@ class FrictionLaw:
     @property
     def uncalibrated(self) -> bool:
         """Whether the strength of the interface is the default, not a measured one: `Warnings.UNCALIBRATED` of any state."""
-        return bool(self.state_at_separation(0.0).warnings & Warnings.UNCALIBRATED)
+        return bool(self.state_at_gap(0.0).warnings & Warnings.UNCALIBRATED)
 
     def table(self, dtype: npt.DTypeLike = np.float64) -> _table.Table:
         """The compiled law as arrays, for code that cannot call the library; `asperity.table` has the indexing rule.
@@ -458,7 +457,7 @@ class FrictionLaw:
         raise ValueError(f"dtype = {np.dtype(dtype)}: must be float64 or float32")
 
     def load_table(self) -> _table.Table:
-        """Load against separation as arrays: minus the separation stands in place of a load, and the load in place of F."""
+        """Load against gap as arrays: minus the gap stands in place of a load, and the load in place of F."""
         return _table.of_doubles(self._open(), LIBRARY.asperity_load_table_of)
 
     def warn(self, lightest: float, heaviest: float) -> None:
@@ -480,7 +479,7 @@ class FrictionLaw:
         still attract. `asperity.pads` makes pads of few contacts of them.
 
         Args:
-            overlap: height of a summit less the separation [length]; an array of any shape.
+            overlap: how far a summit would reach beyond the flat [length]; an array of any shape.
             height: of each from the mean of the summit heights [length], on which radii depend where `radius_amplitude` is
                 not 0; without, the mean height.
 
@@ -614,10 +613,10 @@ def _evaluate_array(
 
 
 def _refuse(handle: Handle, load: float, index: tuple[Any, ...] = (), argument: str = "load") -> None:
-    """Raises the library's own message about a load, or a separation, that it answered with NaN."""
+    """Raises the library's own message about a load, or a gap, that it answered with NaN."""
     by_load = argument == "load"
     try:
-        _state(handle, LIBRARY.asperity_state_at_load if by_load else LIBRARY.asperity_state_at_separation, load)
+        _state(handle, LIBRARY.asperity_state_at_load if by_load else LIBRARY.asperity_state_at_gap, load)
     except Error as error:
         if not index:
             raise

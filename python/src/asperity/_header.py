@@ -22,6 +22,10 @@ ASPERITY_OUT_OF_RANGE = 5
 ASPERITY_NOT_CONVERGED = 6
 ASPERITY_OUT_OF_MEMORY = 7
 ASPERITY_INTERNAL = 255
+ASPERITY_STRENGTH_DEFAULT = 0
+ASPERITY_STRENGTH_TABLE = 1
+ASPERITY_STRENGTH_GIVEN = 2
+ASPERITY_STRENGTH_MEASURED = 3
 ASPERITY_HEIGHTS_GAUSSIAN = 0
 ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
@@ -39,6 +43,7 @@ ASPERITY_WARNING_ADHESIVE = 32
 ASPERITY_WARNING_UNCALIBRATED = 64
 ASPERITY_WARNING_BROAD = 128
 ASPERITY_WARNING_STRONG = 256
+ASPERITY_WARNING_FEW_WAVES = 512
 ASPERITY_TABLE_LAYOUT = 1
 
 _double = POINTER(c_double)
@@ -46,6 +51,24 @@ _double = POINTER(c_double)
 
 class asperity_model(Structure):
     """Opaque."""
+
+
+class asperity_estimate(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("load", c_double),
+        ("friction_coefficient", c_double),
+        ("low", c_double),
+        ("high", c_double),
+        ("friction_force", c_double),
+        ("strength_share", c_double),
+        ("roughness_share", c_double),
+        ("measurement_share", c_double),
+        ("misfit", c_double),
+        ("warnings", c_uint64),
+        ("strength_source", c_int32),
+        ("reserved", c_int32),
+    ]
 
 
 class asperity_params(Structure):
@@ -84,6 +107,8 @@ class asperity_params(Structure):
         ("calibration_load", c_double),
         ("calibration_friction_force", c_double),
         ("calibration_error", c_double),
+        ("summit_mean_height", c_double),
+        ("rms_slope", c_double),
     ]
 
 
@@ -145,12 +170,12 @@ class asperity_state(Structure):
     _fields_ = [
         ("struct_size", c_uint64),
         ("load", c_double),
-        ("separation", c_double),
+        ("gap", c_double),
         ("friction_force", c_double),
         ("friction_coefficient", c_double),
         ("dforce_dload", c_double),
         ("dmu_dload", c_double),
-        ("dload_dseparation", c_double),
+        ("dload_dgap", c_double),
         ("real_area", c_double),
         ("contacting", c_double),
         ("attracted", c_double),
@@ -239,6 +264,7 @@ class asperity_table(Structure):
 
 
 _model = POINTER(asperity_model)
+_estimate = POINTER(asperity_estimate)
 _params = POINTER(asperity_params)
 _material = POINTER(asperity_material_data)
 _pair = POINTER(asperity_pair_data)
@@ -251,12 +277,14 @@ _table = POINTER(asperity_table)
 
 # name: (what it returns, what it takes)
 PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
+    "asperity_estimate_at_loads": (c_int32, [c_char_p, c_size_t, c_size_t, _double, _estimate]),
+    "asperity_estimate_text": (c_size_t, [c_char_p, c_size_t, c_size_t, _double, POINTER(c_char), c_size_t]),
     "asperity_params_init": (c_int32, [_params, c_size_t]),
     "asperity_params_set_dimensionless": (c_int32, [_params, c_double, c_double, c_double, c_double, c_double]),
     "asperity_params_set_materials": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_elastic_plastic": (c_int32, [_params, c_double]),
     "asperity_params_set_spectral_moments": (c_int32, [_params, c_double, c_double, c_double, c_double]),
-    "asperity_params_set_nayak_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
+    "asperity_params_set_mccool_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_skew": (c_int32, [_params, c_double]),
     "asperity_params_set_value": (c_int32, [_params, c_char_p, c_double]),
     "asperity_params_set_values": (c_int32, [_params, c_size_t, POINTER(POINTER(c_char)), _double]),
@@ -305,12 +333,12 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_microslip_step": (c_int32, [_model, c_double, _double, _double, _double, _microslip]),
     "asperity_microslip_steps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double, _double]),
     "asperity_microslip_turn": (c_int32, [_double, c_double, c_double]),
-    "asperity_load_at_separation": (c_double, [_model, c_double]),
-    "asperity_load_and_slope_at_separation": (c_double, [_model, c_double, _double]),
-    "asperity_loads_at_separations": (c_int32, [_model, c_size_t, _double, _double, _double]),
+    "asperity_load_at_gap": (c_double, [_model, c_double]),
+    "asperity_load_and_slope_at_gap": (c_double, [_model, c_double, _double]),
+    "asperity_loads_at_gaps": (c_int32, [_model, c_size_t, _double, _double, _double]),
     "asperity_summits_at_overlaps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double]),
     "asperity_state_at_load": (c_int32, [_model, c_double, _state]),
-    "asperity_state_at_separation": (c_int32, [_model, c_double, _state]),
+    "asperity_state_at_gap": (c_int32, [_model, c_double, _state]),
     "asperity_summary_of": (c_int32, [_model, _summary]),
     "asperity_sensitivities_at_load": (c_int32, [_model, c_double, _sensitivities]),
     "asperity_check_loads": (c_int32, [_model, c_double, c_double, POINTER(c_uint64)]),
@@ -357,11 +385,12 @@ UNITS = {
     "nominal_area": "length^2",
     "calibration_load": "force",
     "calibration_friction_force": "force",
+    "summit_mean_height": "length",
     "load": "force",
-    "separation": "length",
+    "gap": "length",
     "friction_force": "force",
     "dmu_dload": "1/force",
-    "dload_dseparation": "force/length",
+    "dload_dgap": "force/length",
     "real_area": "length^2",
     "attraction_load": "force",
     "mean_contact_radius": "length",

@@ -42,8 +42,8 @@ class Block(NamedTuple):
         values: (surfaces, names).
         loads: normal loads [force].
         warnings: whether to find the warnings of each state, exactly.
-        measured: friction forces [force], (surfaces,), that they are calibrated with at the load of the calibration of `params`;
-            0 for those that are not.
+        calibrated: friction forces [force], (surfaces,), that they are calibrated with at the load of the calibration of `params`;
+            None if they are not.
     """
 
     params: Params
@@ -51,7 +51,7 @@ class Block(NamedTuple):
     values: Array
     loads: Array
     warnings: bool = False
-    measured: Array | None = None
+    calibrated: Array | None = None
 
 
 class Answers(NamedTuple):
@@ -116,18 +116,35 @@ def evaluate(block: Block) -> Answers:
     return Answers(found[0], found[1], found[2], warnings, status, reason)
 
 
-def forces(block: Block) -> list[Array | None]:
-    """The friction forces of each surface; None for one that the library refuses, or that refuses a load."""
+class Drawn(NamedTuple):
+    """A surface that was drawn: its friction forces at the loads, and how many times its strength is that before it was
+    calibrated, with d(ln strength)/d(ln force) there."""
+
+    force: Array
+    strength: float = 1.0
+    rate: float = 1.0
+
+
+def forces(block: Block) -> list[Drawn | None]:
+    """The friction of each surface; None for one that the library refuses, or that refuses a load."""
     names = names_of(block.names, block.params)
-    found: list[Array | None] = []
-    measured = np.zeros(len(block.values)) if block.measured is None else block.measured
-    for row, force in zip(block.values, measured.tolist()):
+    load = block.params.calibration_load
+    found: list[Drawn | None] = []
+    for i, row in enumerate(block.values):
         try:
             surface = _surface(block.params, names, row)
-            if force > 0:
-                surface = surface.calibrated_force(block.params.calibration_load, force)
+            if block.calibrated is None:
+                with FrictionLaw(surface) as law:
+                    found.append(Drawn(law.friction_force_at_load(block.loads)))
+                continue
+            force, before = float(block.calibrated[i]), surface
+            surface = before.calibrated_force(load, force)
+            strength = max(surface.slip_stress_1, surface.slip_stress_2) / max(before.slip_stress_1, before.slip_stress_2)
             with FrictionLaw(surface) as law:
-                found.append(law.friction_force_at_load(block.loads))
+                # What pressure adds to friction has no strength.
+                kappa = surface.pressure_coefficient
+                rate = 1 / (1 - kappa * law.state_at_load(load).hertz_load / force) if kappa > 0 else 1.0
+                found.append(Drawn(law.friction_force_at_load(block.loads), strength, rate))
         except Error as error:
             if error.status in _FAILURES:
                 raise

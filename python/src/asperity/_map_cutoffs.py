@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 import numpy.typing as npt
 
-from . import _bandwidth_bias, _caller, _map_warnings
+from . import _caller, _map_warnings
 from ._map_filter import filter
 from ._map_input import checked, length
 from ._progress import LARGE, Progress, teller
@@ -20,7 +20,6 @@ from ._summit_statistics import summits
 from ._summits import Summits
 from .model import Model
 from .params import Params
-from .results import ValidityWarning
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -46,6 +45,8 @@ class Cutoffs:
         friction: friction coefficient.
         contact_radius: mean radius of the contacts [length].
         contacting: number of contacts.
+        rms_slope: root mean square slope of what the filter leaves, on which friction and area depend.
+        area_fraction: real area over nominal area.
         count: summits of the map.
         summits: what was found at each cutoff.
         params: the surfaces made of them.
@@ -59,6 +60,8 @@ class Cutoffs:
     friction: Array
     contact_radius: Array
     contacting: Array
+    rms_slope: Array
+    area_fraction: Array
     count: npt.NDArray[np.intp]
     summits: tuple[Summits, ...]
     params: tuple[Params, ...]
@@ -88,11 +91,11 @@ class Cutoffs:
         return _draw(self, file)
 
     def __str__(self) -> str:
-        lines = ["cutoff  points  summits  contacts  points/contact  mu"]
-        for row in zip(self.cutoff, self.count, self.contacting, self.contact_radius, self.friction):
-            cutoff, count, contacting, radius, friction = row
+        lines = ["cutoff  points  rms slope  contacts  points/contact  area  mu"]
+        for row in zip(self.cutoff, self.rms_slope, self.contacting, self.contact_radius, self.area_fraction, self.friction):
+            cutoff, slope, contacting, radius, area, friction = row
             points, width = cutoff / self.step, 2 * radius / self.step
-            lines.append(f"{cutoff:.3g}  {points:.3g}  {count}  {contacting:.3g}  {width:.2g}  {friction:.4f}")
+            lines.append(f"{cutoff:.3g}  {points:.3g}  {slope:.3g}  {contacting:.3g}  {width:.2g}  {area:.3g}  {friction:.4f}")
         return "\n".join([*lines, self.message])
 
 
@@ -129,7 +132,6 @@ def cutoffs(
 
     Warns:
         MapWarning: a direction of the surface, which no filter takes away; no cutoff that is recommended.
-        ValidityWarning: as `Params.from_topography`, at the recommended cutoff.
     """
     given = checked(height_map, dx, dy)
     step, load = max(given.dx, given.dy), length("load", load)
@@ -149,9 +151,7 @@ def cutoffs(
         left = _summits(lambda: filter(given, float(one)), fewer_may_end=bool(found) and cutoff is None)
         if left is None or (found and left.count < least):
             break
-        with warnings.catch_warnings():  # of surfaces that are only tried
-            warnings.simplefilter("ignore", ValidityWarning)
-            params = Params.from_topography(left, **contact)
+        params = Params.from_topography(left, **contact)
         with Model(params) as model:
             found.append((left, params, model.state_at_load(load)))
     states = [state for _, _, state in found]
@@ -166,6 +166,8 @@ def cutoffs(
         np.array([state.friction_coefficient for state in states]),
         radius,
         np.array([state.contacting for state in states]),
+        np.array([summits.iso.Sdq for summits, _, _ in found]),
+        np.array([state.real_area / params.nominal_area for _, params, state in found]),
         np.array([summits.count for summits, _, _ in found]),
         tuple(summits for summits, _, _ in found),
         tuple(params for _, params, _ in found),
@@ -196,7 +198,6 @@ def _warn(found: Cutoffs) -> None:
     at = found.cutoff.size - 1 if found.recommended is None else int(np.argmax(found.cutoff >= found.recommended))
     for warning in found.summits[at].warnings:
         _caller.warn(warning, _map_warnings.MapWarning)
-    _bandwidth_bias.warn(found.summits[at].moments.bandwidth, "map")
 
 
 def _ascending(cutoff: npt.ArrayLike) -> Array:

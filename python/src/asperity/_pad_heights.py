@@ -19,16 +19,21 @@ _STEP, _CLOSEST = 0.1, 1e-9
 _NONE = 1e-9
 
 
+def counted_from_summits(params: Params) -> Params:
+    """The same summits, of which a gap is what they are apart."""
+    return params.replace(nominal_area=0.0, summit_mean_height=0.0)
+
+
 class TailHeights:
     """The heights of a surface as a function of Q, the fraction of summits above."""
 
     def __init__(self, params: Params) -> None:
         self._sigma, self.count = params.height_std, round(params.asperity_count)
         # Without adhesion the summits in contact are those above the separation.
-        with Model(params.replace(work_of_adhesion=0.0)) as model:
+        with Model(counted_from_summits(params).replace(work_of_adhesion=0.0)) as model:
 
             def logits(heights: Array) -> Array:
-                states = [model.state_at_separation(z * self._sigma) for z in heights]
+                states = [model.state_at_gap(z * self._sigma) for z in heights]
                 return self._logit(np.array([state.fraction_in_contact for state in states]))
 
             farthest = 8.0

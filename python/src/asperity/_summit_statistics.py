@@ -15,7 +15,7 @@ from ._progress import LARGE, Progress, teller
 from ._radius_trend import fit
 from ._summit_search import Found, find, without_polynomial
 from ._summits import Iso25178, SpectralMoments, Summits
-from ._tile_errors import estimates, tiles
+from ._tile_errors import estimates, height_and_slope, tiles
 
 Array = npt.NDArray[np.float64]
 
@@ -97,6 +97,7 @@ def _statistics(found: Found, level: Array, dx: float, dy: float, tell: Callable
     density, height_mean, height_std, skew, kurtosis, radius = estimates(scaled, curvature / unit, tile, areas)
     density = density.scaled(1 / ((ny - 2) * dy * (nx - 2) * dx))
     radius = radius.scaled(1 / unit)
+    rms_height, rms_slope = height_and_slope(level, dx, dy)
     isotropy = max(float(lesser / greater), 0.0)
     tell(0.6, "looking for spikes and noise")
     up = int(np.count_nonzero(spikes(level) & (level > 0)))
@@ -116,6 +117,8 @@ def _statistics(found: Found, level: Array, dx: float, dy: float, tell: Callable
         kurtosis=kurtosis,
         radius=radius,
         radius_trend=fit(scaled, curvature, tile),
+        rms_height=rms_height,
+        rms_slope=rms_slope,
         moments=moments,
         iso=Iso25178(
             Sq=math.sqrt(moments.m0),

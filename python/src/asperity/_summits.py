@@ -79,6 +79,8 @@ class Summits:
         kurtosis: of the summit heights; 3 for Gaussian. At most count, so low for few summits.
         radius: R [length]: one over the mean of the mean curvatures, as of Nayak, McCool and Greenwood-Williamson.
         radius_trend: radius against height, eq (3) of the paper.
+        rms_height: Sq of the map [length].
+        rms_slope: Sdq of the map.
         moments: spectral moments of the map.
         iso: the map in the names of ISO 25178.
         isotropy: lesser over greater principal mean square slope, 1 for isotropic, 0 for grooves. The model, as all
@@ -100,6 +102,8 @@ class Summits:
     kurtosis: Estimate
     radius: Estimate
     radius_trend: RadiusTrend
+    rms_height: Estimate
+    rms_slope: Estimate
     moments: SpectralMoments
     iso: Iso25178
     isotropy: float

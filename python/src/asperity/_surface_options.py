@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import re
-from dataclasses import MISSING, fields
 from typing import Any
 
 from .errors import Error
-from .params import CALIBRATION, Params
+from .params import Params
+from ._surface_text import KEYS, REQUIRED, quoted, text_of, without_line
 
 _GROUPS = {
     "alpha": (0.01, "(sigma/R)^(1/2), surface roughness"),
@@ -17,34 +17,29 @@ _GROUPS = {
     "b_over_h": (1.0, "Burgers vector over range of adhesion"),
     "poisson": (0.3, "Poisson's ratio"),
 }
-_OPTIONAL = tuple(
-    field.name for field in fields(Params) if field.default is not MISSING and field.name not in (*CALIBRATION, "nominal_area")
-)
-_REQUIRED = tuple(field.name for field in fields(Params) if field.default is MISSING)
-# The keys of surface files, by their table.
-_KEYS = {
-    "": ("pair", *_REQUIRED, "summit_density", "nominal_area", *_OPTIONAL, "interface", *CALIBRATION),
-    "materials": ("first", "second", "E1", "nu1", "E2", "nu2"),
-    "roughness": ("m0", "m2", "m4", "Ra", "Rq", "RSm", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits"),
-}
 # Those that replace the dimensionless groups.
-_PHYSICAL = {"pair", *_REQUIRED, "summit_density", *_KEYS["materials"], *_KEYS["roughness"]}
+_PHYSICAL = {"pair", *REQUIRED, "summit_density", *KEYS["materials"], *KEYS["roughness"]}
 _LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)|\[.*")
 
 
-def add(command: argparse.ArgumentParser) -> None:
-    """Adds the options."""
+def add(command: argparse.ArgumentParser, *, has_groups: bool = True) -> None:
+    """Adds the options, with or without the dimensionless groups."""
     command.add_argument(
         "--surface", metavar="FILE.toml", help="the surfaces as a file (docs/surface-file.md), instead of all that follows"
     )
-    dimensionless = command.add_argument_group("the paper's dimensionless groups: b = G = 1, loads are P/(N G b^2)")
-    for name, (default, text) in _GROUPS.items():
-        dimensionless.add_argument(_flag(name), type=float, metavar="X", help=f"{text} ({default:g})")
-    for table, names in _KEYS.items():
+    if has_groups:
+        _add_groups(command)
+    for table, names in KEYS.items():
         says = f"[{table}] of surface files" if table else "keys of surface files, which docs/surface-file.md explains"
         group = command.add_argument_group(says)
         for name in names:
             group.add_argument(_flag(name), metavar="X")
+
+
+def _add_groups(command: argparse.ArgumentParser) -> None:
+    dimensionless = command.add_argument_group("the paper's dimensionless groups: b = G = 1, loads are P/(N G b^2)")
+    for name, (default, text) in _GROUPS.items():
+        dimensionless.add_argument(_flag(name), type=float, metavar="X", help=f"{text} ({default:g})")
 
 
 def _flag(name: str) -> str:
@@ -54,12 +49,7 @@ def _flag(name: str) -> str:
 def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Params:
     """The surfaces that the options name; ends the program if they exclude each other."""
     groups = {name: getattr(options, name) for name in _GROUPS if getattr(options, name) is not None}
-    lines, given = [], []
-    for table, names in _KEYS.items():
-        found = [name for name in names if getattr(options, name) is not None]
-        lines += [f"[{table}]"] if table and found else []
-        lines += [f"{name} = {_literal(getattr(options, name))}" for name in found]
-        given += found
+    given = [name for names in KEYS.values() for name in names if getattr(options, name) is not None]
     if options.surface is not None:
         if beside := [*groups, *given]:
             parser.error(f"--surface is the whole surface: leave out {_flag(beside[0])}, and change the file")
@@ -69,11 +59,17 @@ def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Para
         parser.error(f"{_flag(next(iter(groups)))} is dimensionless, {_flag(physical[0])} physical: choose one")
     start: Any = {name: default for name, (default, _) in _GROUPS.items()} | groups
     try:
-        return Params.from_text("\n".join(lines), start=None if physical else Params.dimensionless(**start))
+        return Params.from_text(text(options), start=None if physical else Params.dimensionless(**start))
     except Error as error:
-        raise Error(re.sub(r"^line \d+: ", "", str(error)), error.status) from None
+        raise without_line(error) from None
+
+
+def text(options: argparse.Namespace) -> str:
+    """What the options give, as a surface file has it."""
+    names = (name for names in KEYS.values() for name in names if getattr(options, name) is not None)
+    return text_of((name, _literal(getattr(options, name))) for name in names)
 
 
 def _literal(text: str) -> str:
     """As TOML has it: words in quotation marks."""
-    return text if _LITERAL.fullmatch(text) else '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    return text if _LITERAL.fullmatch(text) else quoted(text)

@@ -62,11 +62,30 @@ def estimates(height: Array, curvature: Array, tile: npt.NDArray[np.intp], areas
     sums = np.stack([np.bincount(tile, weights=values, minlength=areas.size) for values in powers] + [areas])
     total = sums.sum(axis=1, keepdims=True)
     values = _from_sums(total)[:, 0]
-    # Jackknife: the same without one tile at a time.
-    without = _from_sums(total - sums[:, areas > 0])
+    errors = _jackknife(_from_sums(total - sums[:, areas > 0]))
+    return [Estimate(float(value), float(error)) for value, error in zip(values, errors)]
+
+
+def _jackknife(without: Array) -> Array:
+    """Standard errors of numbers, from what they are without one tile at a time, shape (numbers, tiles)."""
     count = without.shape[1]
     variance = (count - 1) / count * ((without - without.mean(axis=1, keepdims=True)) ** 2).sum(axis=1)
-    return [Estimate(float(value), float(error)) for value, error in zip(values, np.sqrt(variance))]
+    return np.asarray(np.sqrt(variance))
+
+
+def height_and_slope(level: Array, dx: float, dy: float) -> list[Estimate]:
+    """Root mean square height and gradient of a map, each with its standard error."""
+    cuts = [np.arange(_ALONG_A_SIDE + 1) * (length - 1) // _ALONG_A_SIDE for length in level.shape]
+    sums = []
+    for top, bottom in zip(cuts[0], cuts[0][1:]):
+        for left, right in zip(cuts[1], cuts[1][1:]):
+            part = level[top : bottom + 1, left : right + 1]  # one more, for differences
+            slopes = np.square(np.diff(part, axis=1)[:-1] / dx) + np.square(np.diff(part, axis=0)[:, :-1] / dy)
+            sums.append((np.square(part[:-1, :-1]).sum(), slopes.sum(), slopes.size))
+    found = np.array(sums, dtype=np.float64).T
+    total = found.sum(axis=1, keepdims=True)
+    values, without = (np.sqrt(some[:2] / some[2]) for some in (total, total - found[:, found[2] > 0]))
+    return [Estimate(float(value), float(error)) for value, error in zip(values[:, 0], _jackknife(without))]
 
 
 def _from_sums(sums: Array) -> Array:

@@ -2,33 +2,87 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import ctypes
+import numbers
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
+
+from . import _header
+from ._friction_law import as_array
+from ._labelled import like
+from ._library import LIBRARY, text_of
+from .errors import check
+from .results import Warnings
+
+Array = npt.NDArray[np.float64]
+
+_SOURCES = {
+    _header.ASPERITY_STRENGTH_DEFAULT: "default",
+    _header.ASPERITY_STRENGTH_TABLE: "table",
+    _header.ASPERITY_STRENGTH_GIVEN: "given",
+    _header.ASPERITY_STRENGTH_MEASURED: "measured",
+}
+# Of more loads the text has the first and the last.
+_WRITTEN = 8
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Estimate:
     """A friction coefficient, or many, with a band: a number that says how far it can be trusted.
 
-    `float(estimate)` and `numpy.asarray(estimate)` are the coefficient alone.
+    `float(estimate)` and `numpy.asarray(estimate)` are the coefficient alone; `print(estimate)` says all of it.
 
     Attributes:
-        value: F/P: a float for one load, else what the loads came in, with the same shape and labels.
-        low: lower end of the band, like `value`; None where all inputs count as known.
+        value: F/P: a float for one load, else what the loads came in, with the same shape and labels. Infinite from the
+            pull-off load to 0, where F/P has no limit; 0 below.
+        low: lower end of the band, like `value`; None if all inputs count as known.
         high: upper end; None with it.
         coverage: the probability that the coefficient lies between `low` and `high`; None with them.
-        rests_on: what was taken for granted, a line each; first the strength of the interface.
-        narrow: what would make the band narrower, a line each.
+        force: F [N], like `value`.
+        shares: "strength", "roughness" and "measurement" to the share of the variance of ln(F/P) that each causes, like
+            `value`: what would narrow the band.
+        strength: what the strength of the interface rests on: "default", "table" (of interfaces), "given" or "measured".
+        misfit: how far the measured points are off the law, root mean square in their errors; above 2 the law cannot follow
+            their trend.
+        warnings: what of the model fails between the lightest and the heaviest load > 0.
+        surface: the text that the library read.
     """
 
     value: Any
     low: Any
     high: Any
     coverage: float | None
-    rests_on: tuple[str, ...]
-    narrow: tuple[str, ...]
+    force: Any
+    shares: dict[str, Any]
+    strength: str
+    misfit: float
+    warnings: Warnings
+    surface: str
+    _loads: Array = field(default_factory=lambda: np.empty(0))
+
+    @cached_property
+    def text(self) -> str:
+        """The estimate for people, as the library writes it: coefficients, what they rest on, what would narrow the band."""
+        loads = self._loads if self._loads.size <= _WRITTEN else self._loads[[0, -1]]
+        text = self.surface.encode()
+        return text_of(LIBRARY.asperity_estimate_text, text, len(text), loads.size, loads.ctypes.data_as(_header._double)).rstrip()
+
+    @property
+    def rests_on(self) -> tuple[str, ...]:
+        """What was taken for granted, a line each; first the strength of the interface."""
+        return self._lines("rests on: ")
+
+    @property
+    def narrow(self) -> tuple[str, ...]:
+        """What would make the band narrower, a line each."""
+        return self._lines("to narrow it: ")
+
+    def _lines(self, kind: str) -> tuple[str, ...]:
+        return tuple(line.removeprefix(kind) for line in self.text.splitlines() if line.startswith(kind))
 
     def __float__(self) -> float:
         return float(self.value)
@@ -48,7 +102,34 @@ class Estimate:
         return ", ".join(shown)
 
     def __repr__(self) -> str:
-        band = "no band: all inputs count as known" if self.coverage is None else f"{100 * self.coverage:g} % band"
-        shown = f"{self:.3g}" if np.size(self.value) <= 8 else f"friction coefficients at {np.size(self.value)} loads"
-        lines = [f"{shown}; {band}", *(f"rests on: {line}" for line in self.rests_on)]
-        return "\n".join([*lines, *(f"to narrow it: {line}" for line in self.narrow)])
+        return self.text
+
+
+def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
+    """What the library estimates of the text of a surface, at one load or many."""
+    loads = as_array("load", load)
+    text, flat = surface.encode(), np.ravel(loads)
+    found = (_header.asperity_estimate * max(flat.size, 1))()
+    found[0].struct_size = ctypes.sizeof(_header.asperity_estimate)
+    check(LIBRARY.asperity_estimate_at_loads(text, len(text), flat.size, flat.ctypes.data_as(_header._double), found))
+
+    table = np.ctypeslib.as_array(found)[: flat.size]
+
+    def column(name: str) -> Any:
+        values = np.ascontiguousarray(table[name]).reshape(loads.shape)
+        return float(values) if isinstance(load, numbers.Real) else like(load, values, name)
+
+    known = bool((table["low"] == table["high"]).all())
+    return Estimate(
+        column("friction_coefficient"),
+        None if known else column("low"),
+        None if known else column("high"),
+        None if known else coverage,
+        column("friction_force"),
+        {name: column(f"{name}_share") for name in ("strength", "roughness", "measurement")},
+        _SOURCES[found[0].strength_source],
+        found[0].misfit,
+        Warnings(found[0].warnings),
+        surface,
+        flat,
+    )

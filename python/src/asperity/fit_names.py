@@ -21,9 +21,11 @@
 | beta | | (R sigma)^(1/2)/b > 0: height_std and summit_radius, their ratio fixed |
 | gamma | | w/(E* b) > 0: work_of_adhesion |
 | b_over_h | | b/h > 0: adhesion_range |
+| Sq | | [length] > 0, of parameters made from m0 and m2: the surface stretched in height, its slope fixed |
+| Sdq | | > 0, of parameters made from m0 and m2: the slope of the surface, its height fixed |
 
 All of them but skew and radius_amplitude are positive and searched in their logarithm. A group keeps its value in the
-result also where E* or b are free. Two names that vary the same field exclude each other, alpha and beta excepted.
+result also where E* or b are free. Two names that vary the same field exclude each other, alpha and beta, Sq and Sdq excepted.
 """
 
 from __future__ import annotations
@@ -121,7 +123,7 @@ def free_names(given: Sequence[str], params: Params) -> tuple[FreeName, ...]:
     for i, one in enumerate(names):
         for other in names[:i]:
             both = set(one.varies) & set(other.varies)
-            if both and {one.field, other.field} != {"alpha", "beta"}:
+            if both and {one.field, other.field} not in ({"alpha", "beta"}, {"Sq", "Sdq"}):
                 listed = " and ".join(sorted(both))
                 raise ValueError(f"free names {other.given} and {one.given} both vary {listed}: choose one of them")
     return names
@@ -142,6 +144,8 @@ def _look_up(name: Any, params: Params) -> FreeName:
         raise ValueError(f"name {name!r}: must be one of {allowed}")
     if params.height_distribution == "johnson" and field == "skew":
         return FreeName(name, field, (field,), _get_field(field), _put_field(field), (-3.0, 3.0))
+    if field in ("Sq", "Sdq") and not (params.rms_slope > 0 and params.summit_mean_height > 0 and params.bandwidth == 0):
+        raise ValueError(f"name {name!r}: is of parameters made from m0 and m2, as by Params.from_spectral_moments")
     if params.height_distribution != "johnson" and field == "kurtosis":
         raise ValueError("name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
     return FreeName(name, field, *_KINDS[field])
@@ -179,6 +183,36 @@ def _put_beta(params: Params, beta: float) -> Params:
     return params.replace(height_std=alpha * radius, summit_radius=radius / alpha)
 
 
+def _get_rms_height(params: Params) -> float:
+    """The asperities of a surface with m0 = 1 are so many times as high."""
+    return params.summit_mean_height / _of_one().summit_mean_height
+
+
+def _of_one() -> Params:
+    return Params.from_spectral_moments(m0=1, m2=0.5, nominal_area=1, composite_modulus=1, effective_shear_modulus=1,
+                                        work_of_adhesion=0, adhesion_range=1, burgers_vector=1)
+
+
+def _put_rms_height(params: Params, height: float) -> Params:
+    return _stretched(params, height / _get_rms_height(params), 1.0)
+
+
+def _put_rms_slope(params: Params, slope: float) -> Params:
+    return _stretched(params, 1.0, slope / params.rms_slope)
+
+
+def _stretched(params: Params, height: float, slope: float) -> Params:
+    """Of a surface this many times as high and as steep, by dimensions: m0 and m2 are all that its asperities follow from."""
+    along = height / slope
+    return params.replace(
+        height_std=params.height_std * height,
+        summit_mean_height=params.summit_mean_height * height,
+        summit_radius=params.summit_radius * along / slope,
+        asperity_count=params.asperity_count / along**2,
+        rms_slope=params.rms_slope * slope,
+    )
+
+
 def _put_slip_stress(params: Params, stress: float) -> Params:
     scale = stress / params.slip_stress_1
     return params.replace(slip_stress_1=stress, slip_stress_2=scale * params.slip_stress_2)
@@ -207,11 +241,12 @@ _SYMBOLS = {
 _DIMENSIONS = {
     **dict.fromkeys(("composite_modulus", "effective_shear_modulus"), "stress"),
     "work_of_adhesion": "force/length",
-    **dict.fromkeys(("adhesion_range", "burgers_vector", "height_std", "summit_radius"), "length"),
+    **dict.fromkeys(("adhesion_range", "burgers_vector", "height_std", "summit_radius", "Sq"), "length"),
 }
 _SLIP = ("slip_radius_1", "slip_stress_1", "slip_radius_2", "slip_stress_2")
 _FIELDS = (*_SYMBOLS.values(), *_SLIP)
 _ROUGHNESS = ("height_std", "summit_radius")
+_MOMENTS = (*_ROUGHNESS, "asperity_count", "summit_mean_height", "rms_slope")
 
 _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
     **{name: ((name,), _get_field(name), _put_field(name), _POSITIVE) for name in _FIELDS},
@@ -227,6 +262,8 @@ _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
         lambda params, gamma: params.replace(work_of_adhesion=gamma * _stress(params)),
         _POSITIVE,
     ),
+    "Sq": (_MOMENTS, _get_rms_height, _put_rms_height, _POSITIVE),
+    "Sdq": (_MOMENTS, _get_field("rms_slope"), _put_rms_slope, _POSITIVE),
     "b_over_h": (
         ("adhesion_range",),
         lambda params: params.burgers_vector / params.adhesion_range,
@@ -238,4 +275,4 @@ _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
 KNOWN = (*_KINDS, *_SYMBOLS)
 # What sets the strength of the interface.
 STRENGTHS = ("slip_stress", "slip_stress_1", "slip_stress_2")
-_GROUPS = ("slip_stress", "alpha", "beta", "gamma", "b_over_h")
+_GROUPS = ("slip_stress", "alpha", "beta", "gamma", "b_over_h", "Sq", "Sdq")

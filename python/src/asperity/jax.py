@@ -31,7 +31,7 @@ try:
 except ImportError as error:
     raise ImportError(f"asperity.jax needs JAX ({error}): pip install 'asperity[jax]'") from None
 
-__all__ = ["friction", "friction_force", "load_at_separation"]
+__all__ = ["friction", "friction_force", "load_at_gap"]
 
 Law = Callable[[Any], Any]
 
@@ -49,8 +49,8 @@ def friction_force(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
     return _Law(_table(model, dtype)).derivative(0)
 
 
-def load_at_separation(model: Model) -> Law:
-    """Load [force] as a function of separation [length], a scalar or an array of any shape; 0 at pull-off and beyond.
+def load_at_gap(model: Model) -> Law:
+    """Load [force] as a function of gap [length], a scalar or an array of any shape; 0 at pull-off and beyond.
 
     In float64, with the derivatives of the table: minus the first one is the normal stiffness.
 
@@ -59,7 +59,7 @@ def load_at_separation(model: Model) -> Law:
     """
     _check_doubles()
     law = _Law(model.load_table()).derivative(0)
-    return lambda separation: law(-jnp.asarray(separation, np.float64))
+    return lambda gap: law(-jnp.asarray(gap, np.float64))
 
 
 def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:

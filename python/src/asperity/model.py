@@ -19,10 +19,10 @@ class Model(FrictionLaw):
     """The friction law of two surfaces: friction coefficient and force as functions of the normal load.
 
     >>> params = asperity.Params.from_iso25178(
-    ...     Sq=5e-9, Sdq=0.08, Sds=2e13, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
+    ...     Sq=5e-9, Sdq=0.08, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
     >>> model = asperity.Model(params)
-    >>> print(f"{model.friction_at_load(1e-3):.3f}, {model.friction_force_at_load(1e-3):.3e} N")
-    0.454, 4.545e-04 N
+    >>> print(f"{model.friction_at_load(1e-3):.1f}, {model.friction_force_at_load(1e-3):.0e} N")
+    0.4, 4e-04 N
 
     Making a model takes milliseconds: make it once, and call it for each load or array of loads. Threads may share a model,
     and their calls run in parallel, since they do not hold the interpreter lock. A model pickles and copies through its

@@ -23,7 +23,7 @@ import numpy.typing as npt
 
 from . import _blocks, _checks
 from ._pad_equilibrium import Counts, Mask, OneSummitLaw, descend
-from ._pad_heights import TailHeights
+from ._pad_heights import TailHeights, counted_from_summits
 from ._pad_results import Pads
 from ._progress import Progress, teller
 from .model import Model
@@ -97,7 +97,7 @@ def pads(
     apart = np.zeros((count, load.size), dtype=bool)
     random = np.random.default_rng(seed)
     heights = TailHeights(params)
-    with Model(params) as model:
+    with Model(counted_from_summits(params)) as model:
         model_force = model.friction_force_at_load(load)
         law = _law(params, heights.highest)
         heaviest, whole = float(load.max()), heights.count <= _DRAWN_WHOLE
@@ -142,7 +142,7 @@ def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: floa
     """A separation at which the load of any pad is above the heaviest one, in all likelihood."""
     separation, step = heights.exceeded_by(_FIRST_CONTACTS), model.params.height_std / 16
     while True:
-        state = model.state_at_separation(separation)
+        state = model.state_at_gap(separation)
         summits = state.contacting + state.attracted
         one = law.least + (state.load - state.attraction_load) / max(state.contacting, 1.0)
         if state.load - max(heaviest, 0.0) > _DEVIATIONS * one * math.sqrt(summits):

@@ -10,7 +10,7 @@ import re
 from dataclasses import MISSING, dataclass, fields
 from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
-from . import _bandwidth_bias, _header, _output, _units
+from . import _header, _output, _units
 from ._library import LIBRARY, last_error, text_of
 from .errors import Error, Status, check, nearest
 
@@ -46,6 +46,8 @@ if TYPE_CHECKING:
         calibration_load: float
         calibration_friction_force: float
         calibration_error: float
+        summit_mean_height: float
+        rms_slope: float
         # end of options
         calibration_friction_coefficient: float
 
@@ -67,10 +69,9 @@ if TYPE_CHECKING:
 Numbers = Union[float, Sequence[float]]
 # What a field means for the heights, where no height_distribution is given with it. A skew alone is one of Weibull's.
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
-_HEIGHTS = {"height_distribution", "skew", *_CHOOSES}
 
 # What the ways to make parameters take beside fields.
-_NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Ra", "Rq", "RSm")
+_NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Ra", "Rq", "RSm", "Rdq")
 # Heights from a peak to a valley.
 _PEAKS = ("Rz", "Rt", "Rmax", "Sz")
 # One measured point: the load, and either of the others.
@@ -78,10 +79,14 @@ CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibrat
 # What an interface by its name sets, and a measured point with it.
 STRENGTH = ("slip_stress_1", "slip_stress_2", "pressure_coefficient")
 
-# What a roughness sets; Nayak's summits, or the shape of the heights, more.
-_SUMMITS = ("height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth")
+# What a roughness sets, and with the shape of its heights.
+_SUMMITS = (
+    "height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "radius_amplitude", "radius_rate",
+    "summit_mean_height", "rms_slope",
+)  # fmt: skip
 _SHAPE = ("skew", "kurtosis")
-_NAYAK = (*_SHAPE, "radius_amplitude", "radius_rate")
+# What of it says how sharp the summits are, which a bandwidth may say instead.
+_CURVATURES = ("m4", "Ssc", "Sds")
 
 
 def _initialised() -> _header.asperity_params:
@@ -144,8 +149,11 @@ class Params:
         tangential_modulus: G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that
             stick; 0, the default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and
             for one rigid body.
-        nominal_area: Nominal area of contact [length^2], >= 0, with which warnings compare the real area; 0, the
-            default, means not known.
+        nominal_area: Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare
+            the real area A with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces
+            and normal to them, and the sum of contact radii are those of lone contacts over psi = (1 -
+            (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the summits approach by. A/A_0 counts as 0.5 at
+            most.
         contact_law: Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
         slip_onset: How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not
             depend on it, the tangential force before gross slip does.
@@ -153,12 +161,16 @@ class Params:
             strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H
             is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary
             films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
-        bandwidth: Nayak's bandwidth m0 m4/m2^2 of the surface [-], at least 1.5, with which warnings judge whether
-            summits act independently; 0, the default, means not known. The library then takes it from `nominal_area`,
-            if that is known.
+        bandwidth: Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which
+            warnings judge whether they act independently; 0, the default, means not known. The library then takes it
+            from `nominal_area`, if that is known.
         calibration_load: Load of the measurement that set the strength of the interface [force]; 0 if there was none.
         calibration_friction_force: Friction force measured at that load [force], >= 0; 0, the default: not calibrated.
         calibration_error: Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
+        summit_mean_height: Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the
+            default, means not known.
+        rms_slope: Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default,
+            means not known.
     """
 
     # generated by packaging/declarations: fields
@@ -194,6 +206,8 @@ class Params:
     calibration_load: float = _DEFAULT.calibration_load
     calibration_friction_force: float = _DEFAULT.calibration_friction_force
     calibration_error: float = _DEFAULT.calibration_error
+    summit_mean_height: float = _DEFAULT.summit_mean_height
+    rms_slope: float = _DEFAULT.rms_slope
     # end of fields
 
     def __post_init__(self) -> None:
@@ -335,58 +349,53 @@ class Params:
         m0: Numbers | None = None,
         Ra: Numbers | None = None,
         m2: Numbers,
-        m4: Numbers,
+        m4: Numbers | None = None,
         nominal_area: float,
-        summits: Literal["equal", "nayak"] = "equal",
+        summits: Literal["moments", "mccool"] = "moments",
         **contact: Unpack[Contact],
     ) -> Params:
-        """Parameters from the spectral moments of profiles of an isotropic Gaussian surface, in SI units.
+        """Parameters from the mean squares of height and slope of an isotropic surface, rough on however many scales. SI units.
 
-        Summit density, radius and height deviation are those of Nayak (1971), with the variance of Bush, Gibson and
-        Keogh (1976), as McCool (1987) collects them. Of two rough surfaces give each number as a list of two: moments add.
+        >>> params = asperity.Params.from_spectral_moments(
+        ...     m0=25e-18, m2=0.0032, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
+
+        Area, patches and stiffness of a contact follow from m0 and m2 (docs/validation.md). Of two rough surfaces give each
+        number as a list of two: moments add.
 
         Args:
             m0: variance of the heights [m^2] > 0; or
             Ra: mean deviation of Gaussian heights [m] > 0.
             m2: variance of the slopes dz/dx > 0.
-            m4: variance of the curvatures d2z/dx2 [1/m^2] > 0; the bandwidth m0 m4/m2^2 is at least 1.5.
+            m4: variance of the curvatures d2z/dx2 [1/m^2] > 0, where it is known: it hardly matters. The bandwidth m0 m4/m2^2
+                is at least 1.5.
             nominal_area: [m^2] > 0.
-            summits: "equal" for one radius and the heights that `contact` tells, Gaussian without; "nayak" for Johnson's
-                heights and radii that fall with height, both from Nayak's joint distribution of height and curvature,
-                which the bandwidth determines; `contact` must not tell heights or radii then.
-            **contact: materials, adhesion and options, as `si` takes them.
+            summits: "moments" for the asperities that follow boundary elements; "mccool" for the surface's own maxima, all with
+                one radius, to compare with literature: these need m4 or a `bandwidth`, and are right for narrow spectra alone.
+            **contact: materials, adhesion and options, as `si` takes them. Of these `bandwidth` may replace m4.
 
         Raises:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or names that exclude each other.
-
-        Warns:
-            ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
         return cls._of_roughness({"m0": m0, "Ra": Ra, "m2": m2, "m4": m4}, nominal_area, summits, contact)
 
     @classmethod
     def _of_roughness(
-        cls, given: dict[str, Any], nominal_area: float, summits: Literal["equal", "nayak"], contact: Any
+        cls, given: dict[str, Any], nominal_area: float, summits: Literal["moments", "mccool"], contact: Any
     ) -> Params:
         """Of what [roughness] of a surface file has."""
         refuse_peaks(contact)
         top = {"nominal_area": nominal_area}
-        if "RSm" in given and "bandwidth" in contact:
-            top["bandwidth"] = contact.pop("bandwidth")
         roughness = {name: value for name, value in given.items() if value is not None}
+        if "bandwidth" in contact and not roughness.keys() & set(_CURVATURES):
+            top["bandwidth"] = contact.pop("bandwidth")
         struct: Any = _initialised()
         try:
             _set_text(struct, f'{_lines(top)}[roughness]\nsummits = "{summits}"\n{_lines(roughness)}')
         except Error as error:
             raise Error(re.sub(r"^line \d+: (\[roughness\] )?", "", str(error)), error.status) from None
-        names = (*_SUMMITS, *(_NAYAK if summits == "nayak" else _SHAPE if "Sku" in roughness else ()))
-        twice = sorted(({*names} | _HEIGHTS) & contact.keys()) if summits == "nayak" else []
-        if twice:
-            raise TypeError(f'{twice[0]}: summits="nayak" sets heights and radii, leave one out')
-        params = cls.si(**{name: getattr(struct, name) for name in names}, **contact)
-        _bandwidth_bias.warn(struct.bandwidth, summits)
-        return params
+        names = (*_SUMMITS, *(_SHAPE if "Sku" in roughness else ()))
+        return cls.si(**{name: getattr(struct, name) for name in names}, **contact)
 
     @classmethod
     def from_profile(
@@ -394,38 +403,34 @@ class Params:
         *,
         Rq: Numbers | None = None,
         Ra: Numbers | None = None,
-        RSm: Numbers,
+        RSm: Numbers | None = None,
+        Rdq: Numbers | None = None,
         nominal_area: float,
-        summits: Literal["equal", "nayak"] = "equal",
+        summits: Literal["moments", "mccool"] = "moments",
         **contact: Unpack[Contact],
     ) -> Params:
-        """Parameters from Rq or Ra and RSm of a profile of an isotropic Gaussian surface, in SI units: lengths in m.
+        """Parameters from Rq or Ra, and RSm or Rdq, of a profile of an isotropic surface, in SI units: lengths in m.
 
         >>> params = asperity.Params.from_profile(
         ...     Ra=[8e-9, 4e-9], RSm=[1e-6, 2e-6], nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
 
-        m0 = Rq^2 and m2 = (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. Rq and RSm do
-        not determine how sharp the summits are: m4 = bandwidth m2^2/m0. Of two rough surfaces give each number as a list of two:
-        their mean squares add.
+        m0 = Rq^2. m2 = Rdq^2, or (2 pi Rq/RSm)^2, since a Gaussian profile crosses its mean line upwards once in RSm. Of two
+        rough surfaces give each number as a list of two: their mean squares add.
 
         Args:
             Rq: standard deviation of the profile [m] > 0; or
             Ra: its mean deviation [m] > 0, 0.8 Rq of Gaussian heights.
-            RSm: mean width of the profile's elements [m] > 0, with every crossing of the mean line counted.
+            RSm: mean width of the profile's elements [m] > 0, with every crossing of the mean line counted; or
+            Rdq: root mean square slope of the profile > 0.
             nominal_area: [m^2] > 0.
-            summits: "equal" or "nayak", as for `from_spectral_moments`.
-            **contact: materials, adhesion and options, as `si` takes them. Of these `bandwidth` is Nayak's m0 m4/m2^2 >= 1.5;
-                without it the library takes the middle of 3 to 30, the range of most surfaces. `asperity.friction` returns the
-                band of friction that follows from that range.
+            summits: as for `from_spectral_moments`.
+            **contact: as for `from_spectral_moments`.
 
         Raises:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or names that exclude each other.
-
-        Warns:
-            ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
-        return cls._of_roughness({"Rq": Rq, "Ra": Ra, "RSm": RSm}, nominal_area, summits, contact)
+        return cls._of_roughness({"Rq": Rq, "Ra": Ra, "RSm": RSm, "Rdq": Rdq}, nominal_area, summits, contact)
 
     @classmethod
     def from_iso25178(
@@ -439,32 +444,31 @@ class Params:
         Ssk: float | None = None,
         Sku: float | None = None,
         nominal_area: float,
-        summits: Literal["equal", "nayak"] = "equal",
+        summits: Literal["moments", "mccool"] = "moments",
         **contact: Unpack[Contact],
     ) -> Params:
         """Parameters from areal roughness parameters (ISO 25178) of an isotropic surface, in SI units: lengths in m, not in um.
 
         >>> params = asperity.Params.from_iso25178(
-        ...     Sq=5e-9, Sdq=0.08, Sds=2e13, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
-        >>> print(f"{params.asperity_count:.3g} summits of radius {params.summit_radius:.3g} m")
-        2e+05 summits of radius 4.6e-07 m
+        ...     Sq=5e-9, Sdq=0.08, nominal_area=1e-8, **asperity.materials.PAIRS["Si/Si"].contact)
+        >>> print(f"mu(1 mN) = {asperity.Model(params).friction_at_load(1e-3):.1f}")
+        mu(1 mN) = 0.4
 
-        m0 = Sq^2 and m2 = Sdq^2/2. m4 is that of a Gaussian surface whose summits have the curvature `Ssc` or, without it,
-        the density `Sds`. With both, `Sds` gives the number of summits. `Ssk` and `Sku` describe all heights of the
-        surface; here they are taken for those of the summits, which is an approximation. Of two rough surfaces give each number
-        as a list of two: their mean squares add.
+        m0 = Sq^2 and m2 = Sdq^2/2. Of two rough surfaces give each number as a list of two: their mean squares add.
 
         Args:
             Sq: standard deviation of the heights [m] > 0; or
             Ra: mean deviation of Gaussian heights [m] > 0.
             Sdq: root mean square gradient > 0.
-            Ssc: mean curvature of the summits [1/m] > 0.
-            Sds: summits per area [1/m^2] > 0; every local maximum counts, unlike for Spd.
-            Ssk: skew of the heights, together with `Sku`; heights are Gaussian without them.
+            Ssc: mean curvature of the summits [1/m] > 0, where it is known: it hardly matters.
+            Sds: summits per area [1/m^2] > 0, likewise; every local maximum counts, unlike for Spd. McCool's summits are so many
+                if Ssc is given too.
+            Ssk: skew of the heights, together with `Sku`: taken for those of the asperities, which is an approximation. Heights
+                are Gaussian without them.
             Sku: kurtosis of the heights.
             nominal_area: [m^2] > 0.
-            summits: "equal" or "nayak", as for `from_spectral_moments`; "nayak" excludes `Ssk` and `Sku`.
-            **contact: materials, adhesion and options, as `si` takes them.
+            summits: as for `from_spectral_moments`.
+            **contact: as for `from_spectral_moments`.
 
         Raises:
             Error: a value that the library refuses.
@@ -478,48 +482,57 @@ class Params:
         cls,
         summits: Summits,
         *,
+        counted: bool = False,
         heights: Literal["gaussian", "weibull", "johnson", "tabulated"] = "gaussian",
         trend: bool = True,
         nominal_area: float | None = None,
         **contact: Unpack[Contact],
     ) -> Params:
-        """Parameters of the surface in which `asperity.surface.summits` found summits, of a material given here.
+        """Parameters of the surface of a height map, of a material given here; lengths are in the unit of the map.
 
-        Summit heights, radius and density are those of the map; lengths here are in the unit of the map.
+        By default from the mean squares of its heights and slopes, as `from_spectral_moments`. Its summits, one by one, are for
+        a narrow spectrum, with a bandwidth below 6, and for few contacts, where each summit counts.
 
         Args:
-            summits: of the map; of the sum of both maps, if both surfaces are rough.
-            heights: how the summit heights are represented: "gaussian" by their standard deviation, "weibull" by
+            summits: what `asperity.surface.summits` found in the map; in the sum of both maps, if both surfaces are rough.
+            counted: whether heights, radius and density are those of the summits on the map.
+            heights: how the heights of counted summits are represented: "gaussian" by their standard deviation, "weibull" by
                 their skew too, which must be between -1.11 and 2, "johnson" by skew and kurtosis,
                 "tabulated" by their histogram, which ends at the highest summit of the map.
-            trend: whether radius may depend on height: R, epsilon and rho are then those of `summits.radius_trend`,
-                if that is significant. Otherwise epsilon is 0, and R `summits.radius`.
+            trend: whether the radius of counted summits may depend on height: R, epsilon and rho are then those of
+                `summits.radius_trend`, if that is significant. Otherwise epsilon is 0, and R `summits.radius`.
             nominal_area: [length^2] > 0; without, that of the map.
             **contact: materials, adhesion and options, as `si` takes them.
 
         Raises:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or one that the map tells.
-
-        Warns:
-            ValidityWarning: a bandwidth for which friction is off by more than 10 %: the message has the expected bias.
         """
         if not hasattr(summits, "radius_trend"):
             raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
+        area = summits.nominal_area if nominal_area is None else nominal_area
+        moments = summits.moments
+        if not counted:
+            if heights != "gaussian":
+                raise TypeError(f"heights = {heights!r}: is for the summits of a map: give counted=True")
+            # A grid may see a little less than the least that an isotropic surface has.
+            m4 = max(moments.m4, 1.5 * moments.m2**2 / moments.m0)
+            return cls._of_roughness({"m0": moments.m0, "m2": moments.m2, "m4": m4}, area, "moments", contact)
         law = summits.radius_trend
         trending = trend and law.significant
         surface: dict[str, Any] = {
             "height_std": summits.height_std.value,
             "summit_radius": law.radius if trending else summits.radius.value,
             "summit_density": summits.density.value,
-            "nominal_area": summits.nominal_area if nominal_area is None else nominal_area,
+            "nominal_area": area,
             "radius_amplitude": law.amplitude if trending else 0.0,
+            "bandwidth": max(moments.bandwidth, 1.5),
+            "summit_mean_height": max(summits.height_mean.value, 0.0),
+            "rms_slope": summits.iso.Sdq,
         }
         if trending:
             surface["radius_rate"] = law.rate
-        params = cls.si(**surface, **_heights_of(summits, heights), **contact)
-        _bandwidth_bias.warn(summits.moments.bandwidth, "map")
-        return params
+        return cls.si(**surface, **_heights_of(summits, heights), **contact)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:

@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from . import _blocks
 from ._friction_law import FrictionLaw
-from ._many_surfaces import Block, forces
+from ._many_surfaces import Block, Drawn, forces
 from ._progress import Progress, teller
 from ._sparkline import is_wide
 from ._style import BLACK, saved, style
@@ -38,6 +38,8 @@ Array = npt.NDArray[np.float64]
 _LABELS = {"mu": "friction coefficient $F/P$", "force": "friction force $F$"}
 # Surfaces drawn in vain for each one asked for, at most: more are refused where the spread leaves the domain.
 _REFUSED = 2
+# And drawn at all, for each one that the measurement leaves.
+_UNLIKELY = 100
 # A relative deviation of 2 is a factor of 7 either way, and with 95 % one of 50: what is known less is not known.
 _WIDEST = 2.0
 # No parameter is known to a millionth: 5e-10 is an error in metres.
@@ -53,6 +55,8 @@ STRENGTH_DEVIATION = math.log(STRENGTH_FACTOR) / NormalDist().inv_cdf(0.975)
 # What bands say that they rest on.
 NOT_MEASURED = f"strength of the interface: not measured, a factor {STRENGTH_FACTOR:g} either way"
 AS_GIVEN = "strength of the interface: as given"
+# The name of the strength that a measurement sets.
+_STRENGTH = "slip_stress"
 # A calibrated model has the friction of the measurement to rounding; one whose surface was changed afterwards has not.
 _SAME = 1e-8
 
@@ -148,10 +152,11 @@ def uncertainty(
     A default strength of the interface (`Model.uncalibrated`) is taken as known to a factor of 10 either way, with a
     probability of 95 %: `slip_stress` then has a spread of 1.17 in its logarithm, unless `spread` names it.
 
-    One measured point narrows the band by Bayes' rule, linearised: calibrate the parameters with it (`Params.calibrated`). The
-    parameters are correlated afterwards, so that all of them together are known better than each. At the load of the measurement
-    the band is that of the measurement, whatever the spread: each surface drawn is calibrated with a friction force within its
-    error.
+    One measured point narrows the band by Bayes' rule: calibrate the parameters with it (`Params.calibrated`). The parameters are
+    correlated afterwards, so that all of them together are known better than each. The linear band has the rule linearised; samples
+    have it as it is: surfaces are drawn as they were known before the measurement, each is calibrated with a friction force within
+    its error, and kept with the probability that the strength then has. If `spread` takes the strength as known, surfaces are kept
+    with the probability that they give to the measurement.
 
     Surfaces that were changed after they were calibrated keep the strength. It then counts as known to the error of the
     measurement, independently of the roughness here: the roughness of the surface that was measured counts as known.
@@ -195,7 +200,7 @@ def uncertainty(
     with FrictionLaw(surfaces(x)) as law:
         force = law.friction_force_at_load(load)
         slopes = log_slopes(surfaces, x, low, high, law, load)
-        at_measured = np.zeros(x.shape)
+        before = covariance
         if measured:
             at_measured = log_slopes(surfaces, x, low, high, law, np.array([params.calibration_load]))[0]
             covariance = _narrowed(covariance, at_measured, params.calibration_error)
@@ -205,21 +210,44 @@ def uncertainty(
     if samples:
         random = np.random.default_rng(seed)
         varied = tuple(name.given for name in names)
+        strengths = (i for i, name in enumerate(names) if measured and name.field == _STRENGTH and before[i, i] > 0)
+        strength = next(strengths, None)
+        with_measured = np.append(load, params.calibration_load) if measured else load
 
         def draw() -> Array | None:
-            at = random.multivariate_normal(x, covariance)
+            at = random.multivariate_normal(x, before)
+            by_measurement, luck = random.normal(0, params.calibration_error), random.random()
+            if strength is not None:
+                at[strength] = x[strength]
             if not ((low <= at) & (at <= high)).all():
                 return None
-            force_there = params.calibration_friction_force * math.exp(at_measured @ (at - x)) if measured else 0.0
-            return np.array([*(name.value(float(a), float(v)) for name, a, v in zip(names, at, values)), force_there])
+            row = [name.value(float(a), float(v)) for name, a, v in zip(names, at, values)]
+            return np.array([*row, params.calibration_friction_force * math.exp(by_measurement), luck])
 
-        def evaluated(rows: list[Array]) -> list[Array | None]:
+        def is_kept(one: Drawn, luck: float) -> bool:
+            """Whether a surface is left by the measurement."""
+            if strength is not None:
+                # Half, so that next to no rate is larger.
+                part = 0.5 * one.rate / rate if rate > 1 else 1.0
+                return luck < part * math.exp(-0.5 * math.log(one.strength) ** 2 / before[strength, strength])
+            off = math.log(one.force[-1] / params.calibration_friction_force) / params.calibration_error if measured else 0.0
+            return luck < math.exp(-0.5 * off**2)
+
+        def evaluated(rows: list[Array]) -> tuple[list[Array], int]:
             table = np.array(rows)
-            cuts = range(0, len(rows), _BLOCK)
-            blocks = [(i, Block(params, varied, table[i : i + _BLOCK, :-1], load, False, table[i : i + _BLOCK, -1])) for i in cuts]
+            at = with_measured if strength is None else load
+            parts = [(i, table[i : i + _BLOCK]) for i in range(0, len(rows), _BLOCK)]
+            forced = [None if strength is None else part[:, -2] for _, part in parts]
+            blocks = [(i, Block(params, varied, part[:, :-2], at, False, force)) for (i, part), force in zip(parts, forced)]
             by_first = dict(_blocks.completed(forces, blocks, executor))
-            return [one for first, _ in blocks for one in by_first[first]]
+            answers = [one for first, _ in blocks for one in by_first[first]]
+            kept = [one.force[: load.size] for one, row in zip(answers, rows) if one is not None and is_kept(one, float(row[-1]))]
+            return kept, answers.count(None)
 
+        rate = 1.0
+        if strength is not None and params.pressure_coefficient > 0:
+            (as_it_is,) = forces(Block(params, (), np.empty((1, 0)), load, False, np.array([params.calibration_friction_force])))
+            rate = 1.0 if as_it_is is None else as_it_is.rate
         found, refused = _draw(draw, evaluated, samples, teller(progress, samples > _MANY, "asperity.uncertainty"))
         drawn = found / unit
         band = np.quantile(drawn, [0.5 - 0.5 * coverage, 0.5 + 0.5 * coverage], axis=0)
@@ -333,7 +361,7 @@ def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:
 
 def _draw(
     draw: Callable[[], Array | None],
-    evaluated: Callable[[list[Array]], list[Array | None]],
+    evaluated: Callable[[list[Array]], tuple[list[Array], int]],
     samples: int,
     tell: Callable[[float, str], None],
 ) -> tuple[Array, int]:
@@ -342,15 +370,21 @@ def _draw(
     No more are drawn at a time than are still wanted, so that the surfaces are the same however many are evaluated together.
     """
     found: list[Array] = []
-    refused = 0
+    refused = tried = 0
     while len(found) < samples:
         tell(len(found) / samples, "surfaces drawn")
         wanted = min(samples - len(found), _TOGETHER)
         rows = [row for row in (draw() for _ in range(wanted)) if row is not None]
-        whole = [one for one in evaluated(rows) if one is not None]
-        found += whole
-        refused += wanted - len(whole)
+        kept, not_evaluated = evaluated(rows) if rows else ([], 0)
+        found += kept
+        tried += wanted
+        refused += wanted - len(rows) + not_evaluated
         if refused > _REFUSED * samples:
-            raise ValueError(f"spread: {refused} of {refused + len(found)} surfaces drawn are refused; make it smaller")
+            raise ValueError(f"spread: {refused} of {tried} surfaces drawn are refused; make it smaller")
+        if tried > _UNLIKELY * samples:
+            raise ValueError(
+                f"spread: of {tried} surfaces drawn {len(found)} have the friction that was measured; make it smaller, or leave the "
+                "strength of the interface free"
+            )
     tell(1.0, "surfaces drawn")
     return np.array(found), refused

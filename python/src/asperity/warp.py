@@ -30,7 +30,7 @@ try:
 except ImportError as error:
     raise ImportError(f"asperity.warp needs Warp ({error}): pip install 'asperity[warp]'") from None
 
-__all__ = ["Law32", "Law64", "friction", "friction_force", "law", "load_at_separation", "load_law"]
+__all__ = ["Law32", "Law64", "friction", "friction_force", "law", "load_at_gap", "load_law"]
 
 
 @wp.struct
@@ -87,7 +87,7 @@ def law(model: Model, dtype: npt.DTypeLike = np.float64, device: Any = None) -> 
 
 
 def load_law(model: Model, device: Any = None) -> Any:
-    """Load against separation of a model for kernels: a `Law64` for `load_at_separation` alone.
+    """Load against gap of a model for kernels: a `Law64` for `load_at_gap` alone.
 
     Args:
         model: the law; later changes of the model do not change what is returned.
@@ -210,14 +210,14 @@ def _adjoint(law: Law64, load: wp.float64, adjoint: wp.float64) -> None:
 
 
 @wp.func
-def load_at_separation(law: Law64, separation: wp.float64) -> wp.float64:
-    """Load [force] at a separation [length], by a law of `load_law`; 0 at pull-off and beyond."""
-    return _evaluated(law, -separation)[0]
+def load_at_gap(law: Law64, gap: wp.float64) -> wp.float64:
+    """Load [force] at a gap [length], by a law of `load_law`; 0 at pull-off and beyond."""
+    return _evaluated(law, -gap)[0]
 
 
-@wp.func_grad(load_at_separation)
-def _adjoint_of_load(law: Law64, separation: wp.float64, adjoint: wp.float64) -> None:
-    wp.adjoint[separation] += -adjoint * _evaluated(law, -separation)[1]
+@wp.func_grad(load_at_gap)
+def _adjoint_of_load(law: Law64, gap: wp.float64, adjoint: wp.float64) -> None:
+    wp.adjoint[gap] += -adjoint * _evaluated(law, -gap)[1]
 
 
 @wp.func

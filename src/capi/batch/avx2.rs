@@ -1,10 +1,11 @@
 //! Four lanes: AVX2.
 
-use super::lanes::{self, inlined, Lanes};
+use super::lanes::{self, inlined, Lanes, Limits, Other};
 use super::{Arrays, FirstInvalid, Quantity};
 use crate::law::Row;
 use crate::model::Model;
 use std::arch::x86_64::*;
+use std::mem::MaybeUninit;
 use std::ptr;
 
 /// Evaluates all full vectors; returns how many elements they are.
@@ -18,6 +19,19 @@ unsafe impl Lanes for __m256d {
     /// All bits of a lane set, or none.
     type Mask = __m256d;
     type Bits = __m256i;
+
+    #[target_feature(enable = "avx2")]
+    #[inline(never)]
+    unsafe fn answer_others<const SLOPE: bool>(
+        model: &Model,
+        quantity: Quantity,
+        limits: &Limits,
+        arrays: Arrays,
+        others: &mut [MaybeUninit<Other<Self>>],
+        first_invalid: &mut FirstInvalid,
+    ) {
+        lanes::answer_others::<Self, SLOPE>(model, quantity, limits, arrays, others, first_invalid);
+    }
 
     inlined! {
         fn read(at: *const f64) -> Self { _mm256_loadu_pd(at) }

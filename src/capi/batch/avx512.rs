@@ -1,10 +1,11 @@
 //! Eight lanes: AVX-512 F and DQ.
 
-use super::lanes::{self, inlined, Lanes};
+use super::lanes::{self, inlined, Lanes, Limits, Other};
 use super::{Arrays, FirstInvalid, Quantity};
 use crate::law::Row;
 use crate::model::Model;
 use std::arch::x86_64::*;
+use std::mem::MaybeUninit;
 use std::ptr;
 
 /// Evaluates all full vectors; returns how many elements they are.
@@ -17,6 +18,19 @@ unsafe impl Lanes for __m512d {
     const COUNT: usize = 8;
     type Mask = __mmask8;
     type Bits = __m512i;
+
+    #[target_feature(enable = "avx512f,avx512dq")]
+    #[inline(never)]
+    unsafe fn answer_others<const SLOPE: bool>(
+        model: &Model,
+        quantity: Quantity,
+        limits: &Limits,
+        arrays: Arrays,
+        others: &mut [MaybeUninit<Other<Self>>],
+        first_invalid: &mut FirstInvalid,
+    ) {
+        lanes::answer_others::<Self, SLOPE>(model, quantity, limits, arrays, others, first_invalid);
+    }
 
     inlined! {
         fn read(at: *const f64) -> Self { _mm512_loadu_pd(at) }

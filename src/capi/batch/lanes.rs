@@ -46,6 +46,15 @@ pub unsafe trait Lanes: Copy {
     unsafe fn from_bits(bits: Self::Bits) -> Self;
     /// Coefficients `from` to `from` + 3 of the row of each lane, at an offset in bytes, transposed: a vector each.
     unsafe fn half_rows(rows: *const Row, offset: &Self::Bits, from: usize) -> [Self; 4];
+    /// [`answer_others`], in a function of its own with the instructions of the implementation.
+    unsafe fn answer_others<const SLOPE: bool>(
+        model: &Model,
+        quantity: Quantity,
+        limits: &Limits,
+        arrays: Arrays,
+        others: &mut [MaybeUninit<Other<Self>>],
+        first_invalid: &mut FirstInvalid,
+    );
 
     unsafe fn and_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
     unsafe fn add_bits(a: Self::Bits, b: Self::Bits) -> Self::Bits;
@@ -115,8 +124,10 @@ struct Found<L: Lanes> {
 
 /// A vector that is not answered by rows alone.
 #[derive(Clone, Copy)]
-struct Other<L: Lanes> {
-    vector: usize,
+pub struct Other<L: Lanes> {
+    found: Found<L>,
+    /// Its first element.
+    i: usize,
     /// What its rows give, if all lanes have one.
     values: Option<(L, L)>,
     /// Whether links lead any lane to a row.
@@ -124,7 +135,7 @@ struct Other<L: Lanes> {
 }
 
 /// What vectors of loads are to be compared with.
-struct Limits<'a> {
+pub struct Limits<'a> {
     table: &'a Table,
     known: Known,
     cap: f64,
@@ -144,7 +155,7 @@ struct Answers<L: Lanes> {
     apart: L::Mask,
 }
 
-/// What is known beside the table. Zero is a separation like others, and there is no load where the surfaces are apart.
+/// What is known beside the table. Zero is a gap like others, and there is no load where the surfaces are apart.
 fn known(model: &Model, quantity: Quantity) -> Known {
     let unknown = (f64::NAN, f64::NAN);
     match quantity {
@@ -181,7 +192,7 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
 ) -> usize {
     let table = quantity.table(model);
     let cap = model.params().max_friction_coefficient;
-    // A load by separation goes on as a power of the separation, which is left to the scalar call.
+    // A load by gap goes on as a power of the gap, which is left to the scalar call.
     let beyond = (quantity != Quantity::Load).then(|| model.continuations(quantity.tabulated()));
     let limits = Limits { table, known: known(model, quantity), cap, inverse_cap: model.inverse_cap(), beyond };
     let vectors = arrays.n / L::COUNT;
@@ -197,56 +208,72 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
         }
         let mut count = 0;
         for (vector, found) in block[..in_block].iter().enumerate() {
-            let by_rows = by_rows::<L, COEFFICIENT, SLOPE>(&limits, found.assume_init_ref(), arrays, element(vector));
-            if let Err(values) = by_rows {
-                others[count].write(Other { vector, values, is_linked: false });
+            let (found, i) = (found.assume_init_ref(), element(vector));
+            if let Err(values) = by_rows::<L, SLOPE>(&limits, COEFFICIENT, found, arrays, i) {
+                others[count].write(Other { found: *found, i, values, is_linked: false });
                 count += 1;
             }
         }
-        // All links before the first of their parts is read, as above.
-        for other in &mut others[..count] {
-            let other = other.assume_init_mut();
-            if other.values.is_none() {
-                let found = block[other.vector].assume_init_mut();
-                other.is_linked = follow_links::<L>(table, found, found.t);
-            }
-        }
-        'others: for other in &others[..count] {
-            let &Other { vector, mut values, mut is_linked } = other.assume_init_ref();
-            let (found, i) = (block[vector].assume_init_mut(), element(vector));
-            while is_linked {
-                match by_rows::<L, COEFFICIENT, SLOPE>(&limits, found, arrays, i) {
-                    Ok(()) => continue 'others,
-                    Err(of_parts) => values = of_parts,
-                }
-                // Parts may be links too.
-                is_linked = values.is_none() && follow_links::<L>(table, found, find::<L>(table, found.load).t);
-            }
-            let (value, rate) = match values {
-                Some(values) => values,
-                None if L::lanes_of(found.t.is_nan()) == L::ALL => (found.t, found.t),
-                None => polynomial::<L, SLOPE>(&L::rows(table.rows.as_ptr(), &found.offset), found.t),
-            };
-            let (value, rate) = match limits.beyond {
-                Some(beyond) if L::lanes_of(found.t.is_nan()) != 0 => {
-                    or_beyond::<L, SLOPE>(table, beyond, found, (value, rate))
-                }
-                _ => (value, rate),
-            };
-            let loads = L::read(arrays.load.add(i));
-            let answers = beside_rows::<L, COEFFICIENT, SLOPE>(&limits, loads, value, rate);
-            write_and_ask::<L, SLOPE>(&answers, model, quantity, arrays, i, first_invalid);
+        if count != 0 {
+            L::answer_others::<SLOPE>(model, quantity, &limits, arrays, &mut others[..count], first_invalid);
         }
         begin += in_block;
     }
     vectors * L::COUNT
 }
 
+/// Answers what rows alone do not: compiled once for all quantities, as it takes 5 kB.
+#[inline(always)]
+pub unsafe fn answer_others<L: Lanes, const SLOPE: bool>(
+    model: &Model,
+    quantity: Quantity,
+    limits: &Limits,
+    arrays: Arrays,
+    others: &mut [MaybeUninit<Other<L>>],
+    first_invalid: &mut FirstInvalid,
+) {
+    let (table, is_coefficient) = (limits.table, quantity == Quantity::Coefficient);
+    // All links before the first of their parts is read, as above.
+    for other in &mut *others {
+        let other = other.assume_init_mut();
+        if other.values.is_none() {
+            let t = other.found.t;
+            other.is_linked = follow_links::<L>(table, &mut other.found, t);
+        }
+    }
+    'others: for other in others {
+        let Other { found, i, values, is_linked } = other.assume_init_mut();
+        while *is_linked {
+            match by_rows::<L, SLOPE>(limits, is_coefficient, found, arrays, *i) {
+                Ok(()) => continue 'others,
+                Err(of_parts) => *values = of_parts,
+            }
+            // Parts may be links too.
+            *is_linked = values.is_none() && follow_links::<L>(table, found, find::<L>(table, found.load).t);
+        }
+        let (value, rate) = match *values {
+            Some(values) => values,
+            None if L::lanes_of(found.t.is_nan()) == L::ALL => (found.t, found.t),
+            None => polynomial::<L, SLOPE>(&L::rows(table.rows.as_ptr(), &found.offset), found.t),
+        };
+        let (value, rate) = match limits.beyond {
+            Some(beyond) if L::lanes_of(found.t.is_nan()) != 0 => {
+                or_beyond::<L, SLOPE>(table, beyond, found, (value, rate))
+            }
+            _ => (value, rate),
+        };
+        let loads = L::read(arrays.load.add(*i));
+        let answers = beside_rows::<L, SLOPE>(limits, is_coefficient, loads, value, rate);
+        write_and_ask::<L, SLOPE>(&answers, model, quantity, arrays, *i, first_invalid);
+    }
+}
+
 /// Writes the answers to the elements from the i-th on, if rows have all of them and none is capped or needs care; otherwise
 /// gives what the rows have, if there is one for each.
 #[inline(always)]
-unsafe fn by_rows<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
+unsafe fn by_rows<L: Lanes, const SLOPE: bool>(
     limits: &Limits,
+    is_coefficient: bool,
     found: &Found<L>,
     arrays: Arrays,
     i: usize,
@@ -259,11 +286,11 @@ unsafe fn by_rows<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
         return Err(None);
     }
     let (mut value, rate) = polynomial::<L, SLOPE>(&c, found.t);
-    if COEFFICIENT && L::lanes_of(open::<L, SLOPE>(limits, load, value)) != L::ALL {
+    if is_coefficient && L::lanes_of(open::<L, SLOPE>(limits, load, value)) != L::ALL {
         return Err(Some((value, rate)));
     }
     let mut slope = if SLOPE { by_load::<L>(limits.table, load, rate) } else { rate };
-    if COEFFICIENT {
+    if is_coefficient {
         value = value.div(load);
         slope = if SLOPE { slope.sub(value).div(load) } else { slope };
     }
@@ -360,8 +387,9 @@ unsafe fn by_load<L: Lanes>(table: &Table, load: L, rate: L) -> L {
 
 /// What no row answers by itself: capped coefficients, loads at zero and below pull-off.
 #[inline(always)]
-unsafe fn beside_rows<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
+unsafe fn beside_rows<L: Lanes, const SLOPE: bool>(
     limits: &Limits,
+    is_coefficient: bool,
     loads: L,
     value: L,
     rate: L,
@@ -374,7 +402,7 @@ unsafe fn beside_rows<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
     let unknown = value.is_nan();
     // Where the rows do not answer the rate is NaN, so that no product raises a flag whatever the binade is.
     let slope = if SLOPE { by_load::<L>(limits.table, load, rate) } else { zero };
-    if COEFFICIENT {
+    if is_coefficient {
         let ordinary = open::<L, SLOPE>(limits, load, value);
         let uncapped = value.mul(L::splat(limits.inverse_cap)).lt(load);
         // From pull-off to zero also where the force is not known.

@@ -28,7 +28,7 @@ pub enum Quantity {
     Force,
     /// Tangential stiffness.
     Stiffness,
-    /// Load; its argument is minus the separation, in place of a load.
+    /// Load; its argument is minus the gap, in place of a load.
     Load,
 }
 
@@ -95,7 +95,7 @@ impl Quantity {
     /// Whether there is a contact at an argument.
     fn validate(self, model: &Model, load: f64) -> Result<(), Error> {
         match self {
-            Self::Load => model.validate_separation(-load),
+            Self::Load => model.validate_gap(-load),
             _ => model.validate_load(load),
         }
     }
@@ -190,7 +190,7 @@ unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut FirstInvalid) -> us
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::by_separation;
+    use crate::model::by_gap;
     use crate::params::Params;
 
     type Path = unsafe fn(&Model, Quantity, Arrays, &mut FirstInvalid) -> usize;
@@ -253,9 +253,9 @@ mod tests {
     fn each_quantity_is_that_of_the_model_within_its_table_and_beyond() {
         let model = Model::new(&Params::paper()).expect("a model");
         for depth in [0.0, 1e3, 1e5, 1e7, 1e12] {
-            let separation = -depth * model.params().height_std;
-            let (load, slope) = Quantity::Load.at(&model, -separation);
-            assert_eq!((load, by_separation(slope)), model.load_and_slope_at(separation), "{depth:e}");
+            let gap = -depth * model.params().height_std;
+            let (load, slope) = Quantity::Load.at(&model, -gap);
+            assert_eq!((load, by_gap(slope)), model.load_and_slope_at_gap(gap), "{depth:e}");
         }
         for times in [1e-3, 2.0, 1e6, 1e12] {
             let load = times * model.summary().max_table_load;
@@ -276,7 +276,7 @@ mod tests {
         for params in [Params::paper(), Params { work_of_adhesion: 0.0, ..Params::paper() }, skewed] {
             let model = Model::new(&params).expect("a model");
             let mut loads = loads(&model);
-            // As minus the separation: among the heights, in compression, at the ends of the table.
+            // As minus the gap: among the heights, in compression, at the ends of the table.
             let sigma = params.height_std;
             loads.extend((0..500).map(|i| sigma * (f64::from(i) / 50.0 - 6.0)));
             loads.extend([1e5, 1e9, 1e12, 1e60].map(|depth| depth * sigma));

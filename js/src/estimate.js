@@ -1,0 +1,84 @@
+// Friction from the text of a surface in one call, with its band.
+import { CONSTANTS, LAYOUTS } from "./header.js";
+import { AsperityError } from "./library.js";
+
+const STRUCT = "asperity_estimate";
+/** @type {Record<number, Estimate["strength_source"]>} */
+const SOURCES = {
+  [CONSTANTS.STRENGTH_DEFAULT]: "default",
+  [CONSTANTS.STRENGTH_TABLE]: "table",
+  [CONSTANTS.STRENGTH_GIVEN]: "given",
+  [CONSTANTS.STRENGTH_MEASURED]: "measured",
+};
+
+/**
+ * Friction at one load, with its band. SI units.
+ * @typedef {object} Estimate
+ * @property {number} load [N]
+ * @property {number} friction_coefficient F/P; infinite from the pull-off load to 0, 0 below
+ * @property {number} low lower end of the band
+ * @property {number} high upper end
+ * @property {number} friction_force F [N]
+ * @property {number} strength_share share of the variance of ln(F/P) from the strength of the interface
+ * @property {number} roughness_share share from the roughness
+ * @property {number} measurement_share share from the errors of the measured points
+ * @property {number} misfit how far the measured points are off the law, root mean square in their errors
+ * @property {number} warnings bits, which `warningsOf` puts into words
+ * @property {"default" | "table" | "given" | "measured"} strength_source what the strength of the interface rests on
+ */
+
+/**
+ * Friction at a load or at many, with bands, from the text of a surface alone: docs/surface-file.md has its keys.
+ * @template {number | ArrayLike<number>} T
+ * @param {import("./library.js").Library} library
+ * @param {string} text
+ * @param {T} load [N]
+ * @returns {T extends number ? Estimate : Estimate[]}
+ * @throws {AsperityError} with the line and the key, or the element
+ */
+export function estimate(library, text, load) {
+  const size = LAYOUTS[STRUCT].size;
+  const { at, length, loads, count, end } = laid(library, text, load, (count) => count * size);
+  library.write(end, STRUCT, "struct_size", size);
+  library.run("estimate_at_loads", at, length, count, loads, end);
+  const found = Array.from({ length: count }, (_, i) => {
+    const { reserved, strength_source, ...numbers } = library.read(end + i * size, STRUCT);
+    return { ...numbers, strength_source: SOURCES[strength_source] };
+  });
+  return /** @type {any} */ (typeof load === "number" ? found[0] : found);
+}
+
+/**
+ * The same for people: coefficients with their bands, what they rest on, and what would narrow the bands.
+ * @param {import("./library.js").Library} library
+ * @param {string} text
+ * @param {number | ArrayLike<number>} load [N]
+ * @returns {string}
+ */
+export function estimateText(library, text, load) {
+  const LONGEST = 256;
+  const { at, length, loads, count, end } = laid(library, text, load, (count) => LONGEST * (count + 16));
+  const written = library.call("estimate_text", at, length, count, loads, end, LONGEST * (count + 16));
+  if (!written) throw new AsperityError(library.lastError(), CONSTANTS.INVALID_PARAMETER);
+  return library.string(end);
+}
+
+/**
+ * Lays a text and loads into the memory, with room behind them.
+ * @param {import("./library.js").Library} library
+ * @param {string} text
+ * @param {number | ArrayLike<number>} load
+ * @param {(count: number) => number} room
+ */
+function laid(library, text, load, room) {
+  if (typeof text !== "string") throw new TypeError(`text = ${String(text)}: must be a string`);
+  const numbers = Float64Array.from(typeof load === "number" ? [load] : load);
+  const bytes = new TextEncoder().encode(text).subarray(0, 2 ** 20 + 1);
+  const behind = 8 * Math.ceil(bytes.length / 8);
+  const at = library.room(Math.max(1, behind + 8 * numbers.length + room(numbers.length)));
+  const [loads, end] = [at + behind, at + behind + 8 * numbers.length];
+  const data = library.data();
+  new Uint8Array(data.buffer).set(bytes, at);
+  numbers.forEach((number, i) => data.setFloat64(loads + 8 * i, number, true));
+  return { at, length: bytes.length, loads, count: numbers.length, end };
+}

@@ -1,0 +1,71 @@
+//! What is known of surfaces and interfaces of which little was measured, as data: the roughness of processes, and how far
+//! defaults may be off.
+//!
+//! Ra by process has a source. For slopes of machined surfaces none was found that names its sampling length, so that these are
+//! assumptions with a wide band (docs/domain.md).
+
+use crate::elementary::log;
+
+/// Of a normal distribution, 95 % lie within so many standard deviations.
+pub const REACH_95: f64 = 1.959_963_984_540_054;
+
+/// A default strength of an interface and a true one are within this factor either way with a probability of 95 %, which is
+/// what is called an order of magnitude (docs/domain.md).
+pub const DEFAULT_FACTOR: f64 = 10.0;
+/// The same of a strength from a row of the table of interfaces: the spread of dry, oxidised and clean steel in it, 2.9.
+pub const ROW_FACTOR: f64 = 3.0;
+/// The same of the slopes of machined surfaces.
+pub const SLOPE_FACTOR: f64 = 4.0;
+/// The nominal pressure [Pa] that is taken for a friction coefficient of the table of interfaces without a load, ...
+pub const ROW_PRESSURE: f64 = 1e6;
+/// ... and the largest where its load, which is one of other specimens, is known.
+pub const LARGEST_ROW_PRESSURE: f64 = 1e8;
+/// Of a surface without a nominal area, summits per area times their radius and standard deviation of height (Greenwood and
+/// Williamson, Proc. R. Soc. A 295, 1966).
+pub const SUMMIT_PRODUCT: f64 = 0.05;
+
+/// The standard deviation of a logarithm of which 95 % lie within a factor either way.
+pub fn deviation(factor: f64) -> f64 {
+    log(factor) / REACH_95
+}
+
+/// A way to machine metal, and the range of Ra [m] that it leaves.
+#[derive(Debug, PartialEq)]
+pub struct Process {
+    pub name: &'static str,
+    pub mean_deviation: [f64; 2],
+}
+
+macro_rules! processes {
+    ($($name:literal: $least:literal to $most:literal;)*) => {
+        &[$(Process { name: $name, mean_deviation: [$least, $most] }),*]
+    };
+}
+
+/// CalQlata, Surface Finish (machining); Machinery's Handbook (25th edition, p. 708) has the same as a chart (quoted).
+pub static PROCESSES: &[Process] = processes! {
+    "superfinished": 0.05e-6 to 0.2e-6;
+    "lapped": 0.05e-6 to 0.4e-6;
+    "honed": 0.1e-6 to 0.8e-6;
+    "ground": 0.1e-6 to 1.6e-6;
+    "turned": 0.4e-6 to 6.3e-6;
+    "bored": 0.4e-6 to 6.3e-6;
+    "milled": 0.8e-6 to 6.3e-6;
+};
+
+impl Process {
+    pub fn find(name: &str) -> Option<&'static Self> {
+        PROCESSES.iter().find(|process| process.name == name)
+    }
+
+    /// The middle of the range, and the factor from it to either end, within which 95 % are taken to be.
+    pub fn middle_and_factor(&self) -> (f64, f64) {
+        let [least, most] = self.mean_deviation;
+        ((least * most).sqrt(), (most / least).sqrt())
+    }
+}
+
+/// The root mean square slope along a profile of a machined surface whose profile has this Rq [m]: assumed, to `SLOPE_FACTOR`.
+pub fn machined_slope(height: f64) -> f64 {
+    0.14 * (height / 1e-6).sqrt()
+}

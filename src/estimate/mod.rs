@@ -1,0 +1,318 @@
+//! Friction at loads from what little is known of a surface, as its text says, with the band that this leaves.
+//!
+//! What is not known is taken as log-normal: the strength of the interface, and the height and slope of a surface of which only the
+//! process is known. A model is made for each of a few roughnesses (`cases`), at most five; friction is linear in the strength, so
+//! that no more are needed. Measured points narrow the strength in each case, and change the probabilities of the cases, by Bayes'
+//! rule (`strength`). `known` has what is usual as data, `words` writes an estimate for people.
+
+mod cases;
+pub mod known;
+mod normal;
+mod strength;
+mod words;
+
+use crate::by_name::{describe, of_points, Described};
+use crate::elementary::{exp, log};
+use crate::error::{Error, LOAD};
+use crate::float_bits::finite;
+use crate::model::calibration::Calibrated;
+use crate::model::points::{slice, slices, Seen, Slice};
+use crate::model::Model;
+use crate::params::{ContactLawKind, Params};
+pub use strength::Rests;
+use strength::Strength;
+pub use words::write;
+
+/// An answer for one load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Answer {
+    /// [N]
+    pub load: f64,
+    /// F/P: infinite from the pull-off load to 0, 0 below.
+    pub friction_coefficient: f64,
+    /// Ends of the band.
+    pub low: f64,
+    pub high: f64,
+    /// F [N].
+    pub friction_force: f64,
+    /// Shares of the variance of ln(F/P) that follow from the strength of the interface, the roughness and the measurement.
+    pub strength_share: f64,
+    pub roughness_share: f64,
+    pub measurement_share: f64,
+}
+
+/// All that a text tells of friction.
+pub struct Estimate {
+    described: Described,
+    strength: Strength,
+    cases: Vec<Case>,
+    /// The middle case with a pressure coefficient of 1, where the load does not say what that makes.
+    pressed: Option<Model>,
+    /// With the strength that the estimate has.
+    params: Params,
+    /// Standard deviations to either end of a band.
+    reach: f64,
+    /// Whether the points set the pressure coefficient.
+    tells_pressure: bool,
+    /// By how much the points are off the curve, in their errors.
+    pub misfit: f64,
+    /// E* (sigma/R)^(1/2)/H of the middle case.
+    plasticity_index: f64,
+    /// Whether the law of summits that yield was chosen for that.
+    yields: bool,
+}
+
+/// One of the surfaces that may be.
+struct Case {
+    model: Model,
+    /// What is left open of the strength, with probabilities.
+    slices: Vec<(f64, Slice)>,
+    probability: f64,
+}
+
+/// Above this plasticity index summits yield.
+const PLASTIC_INDEX: f64 = 1.0;
+
+impl Estimate {
+    /// Reads a text and makes the models of its cases, for these loads.
+    ///
+    /// # Errors
+    /// Those of the text, with line and key, and those of models.
+    pub fn new(bytes: &[u8], loads: &[f64]) -> Result<Self, Error> {
+        let described = describe(bytes, cases::MIDDLE)?;
+        let reach = normal::reach(described.coverage);
+        if described.params.slip.stress_1 == 0.0 && described.params.slip.stress_2 == 0.0 {
+            let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
+            return Err(Error::Meaningless(says.into()));
+        }
+        let plasticity_index = plasticity_index(&described.params);
+        let yields = plasticity_index > PLASTIC_INDEX && !described.has_law;
+        let rests = Rests::of(&described);
+        let strength = Strength::new(rests.clone(), &described);
+        let prepare = |params: Params| -> Result<Params, Error> {
+            let mut params = params;
+            if yields {
+                params.contact_law = ContactLawKind::ElasticPlastic;
+                params.work_of_adhesion = 0.0;
+            }
+            rests.set(&mut params)?;
+            Ok(params)
+        };
+        let mut params = prepare(described.params.clone())?;
+        let points = described.points.iter().map(|point| point.load);
+        let range = range(loads.iter().copied().chain(points).chain(strength.loads()), params.work_of_adhesion > 0.0);
+        let of_pressure = |params: &Params, pressure_coefficient: f64| {
+            Model::between(&Params { pressure_coefficient, ..params.clone() }, range)
+        };
+        let without_pressure = |params: &Params| of_pressure(params, 0.0);
+        let middle = without_pressure(&params)?;
+        let given = params.pressure_coefficient;
+        let calibrated = match described.points.is_empty() {
+            true => {
+                strength.take(&mut params, &middle)?;
+                Calibrated { seen: Vec::new(), misfit: 0.0, tells_pressure: false }
+            }
+            false => params
+                .calibrate_points(&described.points, described.pressure_is_free, Some(&middle))
+                .map_err(|error| of_points(bytes, error))?,
+        };
+        let Calibrated { mut seen, misfit, tells_pressure } = calibrated;
+        // A trend that the law cannot follow is not within the errors that were given.
+        seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
+        let mut found = Vec::new();
+        for (at, probability) in cases::of(described.machined.as_ref()) {
+            let model = match found.is_empty() {
+                true => middle.clone(),
+                false => without_pressure(&prepare(describe(bytes, at)?.params)?)?,
+            };
+            let prior = strength.prior(&model)?;
+            let mut here = Vec::with_capacity(seen.len());
+            for (one, point) in seen.iter().zip(&described.points) {
+                let force = model.friction_force_at_load(point.load);
+                if !finite(force) || force <= 0.0 {
+                    return Err(of_points(bytes, Model::not_evaluated(point.load)));
+                }
+                here.push(Seen { force, ..*one });
+            }
+            let of_case = match (here.is_empty(), tells_pressure) {
+                (true, _) => {
+                    vec![Slice { kappa: given, mean: prior.mean, variance: strength.variance(), log_weight: 0.0 }]
+                }
+                (false, false) => vec![slice(&here, prior, given)],
+                (false, true) => slices(&here, prior),
+            };
+            found.push((model, of_case, probability));
+        }
+        let pressing = params.pressure_coefficient > 0.0 || tells_pressure;
+        let pressed = match pressing && params.work_of_adhesion > 0.0 {
+            true => Some(of_pressure(middle.params(), 1.0)?),
+            false => None,
+        };
+        let cases = weighted(found);
+        Ok(Self {
+            described,
+            strength,
+            cases,
+            pressed,
+            params,
+            reach,
+            tells_pressure,
+            misfit,
+            plasticity_index,
+            yields,
+        })
+    }
+
+    /// Friction at a load.
+    ///
+    /// # Errors
+    /// [`Error::InvalidLoad`] of one that is not finite, [`Error::OutOfRange`] of one that is too heavy or too light.
+    pub fn at_load(&self, load: f64) -> Result<Answer, Error> {
+        if !finite(load) {
+            return Err(Error::InvalidLoad { name: LOAD, value: load });
+        }
+        let middle = &self.cases[0].model;
+        let (force, pressed) = (self.positive(middle, load)?, self.pressed(load)?);
+        let factor = self.params.slip.stress_1 / middle.params().slip.stress_1;
+        let friction_force = factor * force + self.params.pressure_coefficient * pressed;
+        let mut answer = Answer {
+            load,
+            friction_coefficient: friction_force / load,
+            low: 0.0,
+            high: 0.0,
+            friction_force,
+            strength_share: 0.0,
+            roughness_share: 0.0,
+            measurement_share: 0.0,
+        };
+        if load <= 0.0 {
+            // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
+            let apart = middle.validate_load(load).is_err();
+            answer.friction_coefficient = if apart { 0.0 } else { f64::INFINITY };
+            (answer.low, answer.high) = (answer.friction_coefficient, answer.friction_coefficient);
+            return Ok(answer);
+        }
+        let (mut mean, mut square) = (0.0, 0.0);
+        let (mut by_strength, mut within, mut between) = (0.0, 0.0, 0.0);
+        let mut means = Vec::with_capacity(self.cases.len());
+        let base = log(answer.friction_coefficient);
+        for case in &self.cases {
+            let force = self.positive(&case.model, load)?;
+            let mut of_case = 0.0;
+            for &(weight, Slice { kappa, mean: log_c, variance, .. }) in &case.slices {
+                let part = exp(log_c) * force;
+                let whole = part + kappa * pressed;
+                let slope = part / whole;
+                let off = log(whole / load) - base;
+                of_case += weight * off;
+                square += case.probability * weight * off * off;
+                within += case.probability * weight * slope * slope * variance;
+                by_strength += case.probability * weight * slope * slope * variance * self.strength.share(variance);
+            }
+            mean += case.probability * of_case;
+            means.push(of_case);
+        }
+        for (case, of_case) in self.cases.iter().zip(means) {
+            between += case.probability * (of_case - mean) * (of_case - mean);
+        }
+        let variance = within + (square - mean * mean).max(between);
+        let reach = self.reach * variance.sqrt();
+        (answer.low, answer.high) = (exp(base + mean - reach), exp(base + mean + reach));
+        if variance > 0.0 {
+            answer.strength_share = by_strength / variance;
+            answer.roughness_share = between / variance;
+            answer.measurement_share = (1.0 - answer.strength_share - answer.roughness_share).max(0.0);
+        } else {
+            (answer.low, answer.high) = (answer.friction_coefficient, answer.friction_coefficient);
+        }
+        Ok(answer)
+    }
+
+    /// Bits of what the model assumes and a state between these loads lacks: of those that press.
+    ///
+    /// # Errors
+    /// Those of [`Model::check_loads`].
+    pub fn warnings(&self, loads: &[f64]) -> Result<u64, Error> {
+        let pressing = || loads.iter().copied().filter(|&load| load > 0.0);
+        match (pressing().reduce(f64::min), pressing().reduce(f64::max)) {
+            (Some(lightest), Some(heaviest)) => {
+                let middle = &self.cases[0].model;
+                middle.check_loads_with(&self.params, lightest, heaviest)
+            }
+            _ => Ok(0),
+        }
+    }
+
+    /// What the strength rests on.
+    pub fn rests(&self) -> &Rests {
+        &self.strength.rests
+    }
+
+    /// Whether friction was measured on these surfaces.
+    pub fn is_measured(&self) -> bool {
+        self.strength.is_measured
+    }
+
+    /// The load of Hertz' contacts, which a pressure coefficient takes its part of.
+    fn pressed(&self, load: f64) -> Result<f64, Error> {
+        match &self.pressed {
+            None => Ok(load.max(0.0)),
+            Some(pressed) => {
+                let middle = &self.cases[0].model;
+                Ok((self.positive(pressed, load)? - self.positive(middle, load)?).max(0.0))
+            }
+        }
+    }
+
+    /// Friction force of a case, which must be a number > 0 where the load presses.
+    fn positive(&self, model: &Model, load: f64) -> Result<f64, Error> {
+        let force = model.friction_force_at_load(load);
+        if !finite(force) || (force <= 0.0 && load > 0.0) {
+            model.validate_load(load)?;
+            return Err(Error::out_of_range(
+                LOAD,
+                load,
+                "must be heavier: the friction force is too small for a number",
+            ));
+        }
+        Ok(force)
+    }
+}
+
+/// Gives each case and slice its probability, of the weights of slices and the probabilities before.
+fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Case> {
+    let weights = || found.iter().flat_map(|(_, slices, _)| slices).map(|slice| slice.log_weight);
+    let largest = weights().fold(f64::NEG_INFINITY, f64::max);
+    let of = |slices: &[Slice]| slices.iter().map(|slice| exp(slice.log_weight - largest)).sum::<f64>();
+    // Slices of different cases are differently far apart.
+    let apart = |slices: &[Slice]| slices.get(1).map_or(1.0, |second| second.kappa - slices[0].kappa);
+    let total: f64 = found.iter().map(|(_, slices, probability)| probability * of(slices) * apart(slices)).sum();
+    found
+        .into_iter()
+        .map(|(model, slices, probability)| {
+            let sum = of(&slices);
+            let probability = probability * sum * apart(&slices) / total;
+            let slices = slices.into_iter().map(|slice| (exp(slice.log_weight - largest) / sum, slice)).collect();
+            Case { model, slices, probability }
+        })
+        .collect()
+}
+
+/// The lightest and the heaviest of loads that press, and of those that adhesion bears.
+fn range(loads: impl Iterator<Item = f64>, adheres: bool) -> [f64; 2] {
+    let [mut lightest, mut heaviest] = [f64::INFINITY, f64::MIN_POSITIVE];
+    for load in loads.filter(|&load| finite(load) && (load > 0.0 || adheres)) {
+        (lightest, heaviest) = (lightest.min(load), heaviest.max(load));
+    }
+    [lightest.min(heaviest), heaviest]
+}
+
+fn plasticity_index(params: &Params) -> f64 {
+    match params.hardness > 0.0 {
+        true => params.composite_modulus * (params.height_std / params.summit_radius).sqrt() / params.hardness,
+        false => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,309 @@
+//! What an estimate says, and how often it is right.
+
+use super::known::{deviation, DEFAULT_FACTOR, PROCESSES, SLOPE_FACTOR};
+use super::{write, Answer, Estimate};
+use crate::by_name::{describe, Case};
+use crate::model::Model;
+use crate::params::{ContactLawKind, Params};
+
+/// Nothing is measured on this pair of the table of interfaces.
+const GROUND: &str = "pair = \"stainless/stainless\"\nnominal_area = 1e-4\n";
+const STEEL: &str = "pair = \"steel/steel\"\nnominal_area = 1e-4\n";
+const SILICON: &str = "pair = \"Si/Si\"\nnominal_area = 1e-8\n";
+const ROUGH: &str = "[roughness]\nprocess = \"ground\"\nRa = 0.8e-6\n";
+const SMOOTH: &str = "[roughness]\nSq = 5e-9\nSdq = 0.08\n";
+
+fn estimate(text: &str, loads: &[f64]) -> (Estimate, Vec<Answer>) {
+    let estimate = Estimate::new(text.as_bytes(), loads).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let answers = loads.iter().map(|&load| estimate.at_load(load).expect("an answer")).collect();
+    (estimate, answers)
+}
+
+fn answer(text: &str, load: f64) -> Answer {
+    estimate(text, &[load]).1[0]
+}
+
+fn written(text: &str, loads: &[f64]) -> String {
+    let (estimate, answers) = estimate(text, loads);
+    let mut out = String::new();
+    write(&estimate, &answers, estimate.warnings(loads).expect("warnings"), &mut out).expect("a text");
+    out
+}
+
+fn refused(text: &str) -> String {
+    match Estimate::new(text.as_bytes(), &[1.0]) {
+        Ok(_) => panic!("taken: {text}"),
+        Err(error) => error.to_string(),
+    }
+}
+
+#[track_caller]
+fn assert_near(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() < tolerance, "{found}, not {expected}");
+}
+
+#[test]
+fn ground_steel_at_another_load_than_the_measured_one() {
+    let found = answer(&format!("{STEEL}measured = [1000, 0.16]\n{ROUGH}"), 10.0);
+    assert!((found.friction_coefficient - 0.194).abs() < 5e-4, "{found:?}");
+    assert!(found.low > 0.16 && found.low < found.friction_coefficient && found.high < 0.23, "{found:?}");
+    assert!(found.roughness_share > 0.3 && found.measurement_share > 0.3 && found.strength_share < 0.01, "{found:?}");
+}
+
+/// With what is said to be unknown drawn as it is said to be, 95 % of the bands have the friction of the surface drawn.
+#[test]
+fn bands_have_the_coverage_that_they_say() {
+    const REPEATS: u32 = 1000;
+    const LOADS: [f64; 2] = [10.0, 1000.0];
+    let mut random = 20261126_u64;
+    let mut uniform = || {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((random >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    };
+    let mut normal = || (-2.0 * uniform().ln()).sqrt() * (2.0 * std::f64::consts::PI * uniform()).cos();
+    let text = format!("{GROUND}{ROUGH}");
+    let unmeasured = answer(&text, LOADS[0]);
+    let (mut without, mut with) = (0, 0);
+    for _ in 0..REPEATS {
+        let case = Case { height: 1.0, slope: (deviation(SLOPE_FACTOR) * normal()).exp() };
+        let mut params = describe(text.as_bytes(), case).expect("a surface").params;
+        params.contact_law = ContactLawKind::ElasticPlastic;
+        params.work_of_adhesion = 0.0;
+        // Of a stronger one the slip stress would be above the shear modulus of the bodies.
+        let factor = (deviation(DEFAULT_FACTOR) * normal()).exp().min(20.0);
+        params.slip.stress_1 *= factor;
+        params.slip.stress_2 *= factor;
+        let model = Model::between(&params, LOADS).expect("a model");
+        let [truth, there] = LOADS.map(|load| model.friction_force_at_load(load) / load);
+        without += u32::from(unmeasured.low < truth && truth < unmeasured.high);
+        let seen = there * (0.05 * normal()).exp();
+        let found = answer(&format!("{GROUND}measured = [{}, {seen}]\n{ROUGH}", LOADS[1]), LOADS[0]);
+        with += u32::from(found.low < truth && truth < found.high);
+    }
+    println!("covered: {without} and {with} of {REPEATS}");
+    assert!((930..=970).contains(&without), "{without}");
+    assert!((930..=970).contains(&with), "{with}");
+}
+
+/// The parameters that a text makes have the friction of its estimate, with one point or several.
+#[test]
+fn an_estimate_is_the_friction_of_the_parameters() {
+    let law = "contact_law = \"elastic-plastic\"\n";
+    for points in ["[1000, 0.16]", "[[1000, 0.16]]", "[[1000, 0.16], [10, 0.18, 0.02]]", "[[1000, 0.16], [1000, 0.18]]"]
+    {
+        let text = format!("{STEEL}{law}measured = {points}\n{ROUGH}");
+        let model = Model::new(&Params::from_toml(&text).expect("a surface")).expect("a model");
+        for found in estimate(&text, &[1.0, 10.0, 1e4]).1 {
+            assert_near(found.friction_coefficient, model.friction_at_load(found.load), 1e-7);
+        }
+    }
+    // One point is that of a calibration, met exactly.
+    let point = format!("{SILICON}measured = [1e-3, 0.4, 0.05]\n{SMOOTH}");
+    let calibration = format!("{SILICON}calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n{SMOOTH}");
+    assert_eq!(answer(&point, 1e-2), answer(&calibration, 1e-2));
+    assert_near(answer(&point, 1e-3).friction_coefficient, 0.4, 1e-8);
+    assert_eq!(Params::from_toml(&point).expect("a surface"), Params::from_toml(&calibration).expect("a surface"));
+}
+
+/// A default strength is a factor of 10 either way, whatever else; a strength that is given is known.
+#[test]
+fn a_default_strength_is_an_order_of_magnitude() {
+    let text = format!("{SILICON}{SMOOTH}");
+    let found = answer(&text, 1e-3);
+    assert_near(found.low, found.friction_coefficient / 10.0, 1e-7);
+    assert_near(found.high, found.friction_coefficient * 10.0, 1e-7);
+    assert_eq!((found.strength_share, found.roughness_share, found.measurement_share), (1.0, 0.0, 0.0));
+    let shown = written(&text, &[1e-3]);
+    assert!(shown.starts_with("mu(0.001 N) = 0.43") && shown.contains(" to an order of magnitude, 0.043"), "{shown}");
+    let half = answer(&format!("coverage = 0.5\n{text}"), 1e-3);
+    assert_near(half.high, half.friction_coefficient * 10.0_f64.powf(0.674_489_75 / 1.959_963_98), 1e-7);
+    let given = answer(&format!("slip_stress_1 = 0.02\n{text}"), 1e-3);
+    assert_eq!((given.low, given.high), (given.friction_coefficient, given.friction_coefficient));
+    assert!(written(&format!("slip_stress_1 = 0.02\n{text}"), &[1e-3]).contains("no band: all inputs count as known"));
+}
+
+#[test]
+fn what_was_measured_on_the_pair_is_the_first_line() {
+    let text = written(&format!("{STEEL}{ROUGH}"), &[10.0]);
+    let first = text.lines().next().expect("a line");
+    for row in ["steel/steel dry 0.57 at 12 N", "clean 0.78", "oxidised 0.27"] {
+        assert!(first.contains(row), "{text}");
+    }
+    assert!(!first.contains("grease") && !first.contains("ZDDP") && text.contains("from the 3 rows"), "{text}");
+    let found = answer(&format!("{STEEL}{ROUGH}"), 10.0);
+    assert!(found.low > 0.1 && found.low < 0.27 && found.high > 0.78 && found.high < 2.0, "{found:?}");
+    // That which is named stands alone, at its load.
+    let dry = format!("interface = \"steel/steel dry\"\n{STEEL}{ROUGH}");
+    assert_near(answer(&dry, 12.0).friction_coefficient, 0.57, 1e-7);
+    assert!(written(&dry, &[12.0])
+        .starts_with("measured on other specimens: steel/steel dry 0.57 at 12 N\nmu(12 N) = 0.57, "));
+    // Those of a shear strength are a strength.
+    let film = format!("interface = \"MoS2 film in dry air\"\n{STEEL}{ROUGH}");
+    let params = Params::from_toml(&film).expect("a surface");
+    assert!(params.pressure_coefficient == 0.001 && params.slip.stress_1 == params.slip.stress_2);
+    assert!(written(&film, &[12.0]).contains("shear strength 24.8 MPa"));
+    // A measurement here is worth more than any of them.
+    assert!(!written(&format!("{STEEL}measured = [10, 0.1]\n{ROUGH}"), &[10.0]).contains("other specimens"));
+}
+
+#[test]
+fn at_no_load_the_limit_is_said_and_no_cap() {
+    let loads = [1e-3, 0.0, -1e-12, -1.0];
+    let rubber =
+        "composite_modulus = 1e6\neffective_shear_modulus = 1e6\nwork_of_adhesion = 0.05\nadhesion_range = 0.5e-9\n\
+                  burgers_vector = 10e-9\nheight_std = 10e-9\nsummit_radius = 1e-6\nasperity_count = 1e6\n";
+    let found = estimate(rubber, &loads).1;
+    assert!(found[1].friction_coefficient == f64::INFINITY && found[1].friction_force > 0.0, "{found:?}");
+    assert!(found[2].high == f64::INFINITY && found[3].friction_coefficient == 0.0, "{found:?}");
+    let text = written(rubber, &loads);
+    assert!(text.contains("mu(0 N) has no limit: adhesion gives a friction force of"), "{text}");
+    assert!(text.contains("mu(-1 N) = 0: the surfaces are apart"), "{text}");
+    let text = written(&format!("{STEEL}{ROUGH}"), &[0.0, -1.0]);
+    assert!(text.contains("mu(0 N) has no limit: it grows as the load goes to 0"), "{text}");
+    let light = answer(&format!("{SILICON}max_friction_coefficient = 0.1\n{SMOOTH}"), 1e-3);
+    assert!(light.friction_coefficient > 0.4, "capped: {light:?}");
+}
+
+/// Surfaces that stick part long before their summits do not touch.
+#[test]
+fn surfaces_that_adhere_strongly_are_estimated() {
+    let text =
+        "pair = \"PDMS/PDMS\"\nburgers_vector = 50e-9\nnominal_area = 1e-4\n[roughness]\nSq = 5e-7\nSdq = 0.08\n";
+    let model = Model::new(&Params::from_toml(text).expect("a surface")).expect("a model");
+    for found in estimate(text, &[1e-3, 1e-2, 10.0]).1 {
+        assert_near(found.friction_coefficient, model.friction_force_at_load(found.load) / found.load, 1e-7);
+    }
+}
+
+#[test]
+fn metal_that_yields_takes_the_law_that_knows_it() {
+    let yields = "asperities yield, plasticity index";
+    assert!(written(&format!("{STEEL}{ROUGH}"), &[10.0]).contains(yields));
+    for own in ["contact_law = \"maugis\"\n", "work_of_adhesion = 0.1\n"] {
+        assert!(!written(&format!("{own}{STEEL}{ROUGH}"), &[10.0]).contains(yields), "{own}");
+    }
+    assert!(!written(&format!("{SILICON}{SMOOTH}"), &[1e-3]).contains(yields));
+}
+
+#[test]
+fn what_is_known_of_a_process_makes_the_band_narrower() {
+    let points = "measured = [1000, 0.16]\n";
+    let width = |rough: &str| {
+        let found = answer(&format!("{GROUND}{points}[roughness]\n{rough}"), 1.0);
+        found.high / found.low
+    };
+    let nothing = width("process = \"ground\"\n");
+    let height = width("process = \"ground\"\nRa = 0.8e-6\n");
+    let both = width("process = \"ground\"\nRa = 0.8e-6\nRSm = 80e-6\n");
+    assert!(nothing > height && height > both, "{nothing} {height} {both}");
+    assert_eq!(both, width("Ra = 0.8e-6\nRSm = 80e-6\n"));
+    for process in PROCESSES {
+        let text = format!("{GROUND}[roughness]\nprocess = \"{}\"\n", process.name);
+        let (found, _) = estimate(&text, &[10.0]);
+        assert!(found.cases.len() == 5 && written(&text, &[10.0]).contains(process.name), "{text}");
+    }
+    let text = written(&format!("{GROUND}[roughness]\nprocess = \"ground\"\nRa = 10e-6\n"), &[10.0]);
+    assert!(text.contains("check: Ra = 10 um: ground surfaces have 0.1 to 1.6 um: is it of this process"), "{text}");
+    // Two rough surfaces: their mean squares add.
+    let two = answer(&format!("{GROUND}[roughness]\nprocess = \"ground\"\nRa = [0.8e-6, 0.4e-6]\n"), 10.0);
+    assert!(two.friction_coefficient > 0.0);
+}
+
+/// Points at loads far apart tell how much of friction goes with pressure; at one load they do not.
+#[test]
+fn several_points_tell_the_pressure_coefficient_where_they_reach_over_loads() {
+    let text = |points: &str| format!("{STEEL}contact_law = \"elastic-plastic\"\nmeasured = {points}\n{ROUGH}");
+    let kappa = |points: &str| Params::from_toml(&text(points)).expect("a surface").pressure_coefficient;
+    // Amontons' law, but for what of the strength is left.
+    let constant = kappa("[[1000, 0.16], [10, 0.16], [0.1, 0.16]]");
+    assert!(constant > 0.1 && constant < 0.16, "{constant}");
+    assert_eq!(kappa("[[1000, 0.16], [1000, 0.18], [1000, 0.15]]"), 0.0);
+    assert_eq!(kappa("[[1000, 0.16]]"), 0.0);
+    // Points made with a pressure coefficient lead to it.
+    let made = format!("pressure_coefficient = 0.08\n{}", text("[1000, 0.16]"));
+    let model = Model::new(&Params::from_toml(&made).expect("a surface")).expect("a model");
+    let at = |load: f64| format!("[{load}, {}, 0.001]", model.friction_at_load(load));
+    let points = format!("[{}, {}, {}]", at(1e3), at(10.0), at(0.1));
+    assert!((kappa(&points) - 0.08).abs() < 2e-3, "{}", kappa(&points));
+    let found = answer(&text(&points), 1.0);
+    assert_near(found.friction_coefficient, model.friction_at_load(1.0), 2e-3);
+    assert!(found.low < model.friction_at_load(1.0) && model.friction_at_load(1.0) < found.high, "{found:?}");
+    // One that is given stays.
+    let given = format!("pressure_coefficient = 0.01\n{}", text(&points));
+    assert_eq!(Params::from_toml(&given).expect("a surface").pressure_coefficient, 0.01);
+}
+
+#[test]
+fn a_trend_that_the_law_cannot_follow_is_told() {
+    let rising = format!("{STEEL}measured = [[1, 0.1], [30, 0.2], [1000, 0.4]]\n{ROUGH}");
+    let (found, answers) = estimate(&rising, &[30.0]);
+    assert!(found.misfit > 5.0, "{}", found.misfit);
+    assert!(answers[0].high / answers[0].low > 1.3, "{answers:?}");
+    assert!(written(&rising, &[30.0]).contains("off the law, which cannot follow their trend"));
+    let falling = format!("{STEEL}measured = [[1, 0.2], [30, 0.18], [1000, 0.16]]\n{ROUGH}");
+    let (found, _) = estimate(&falling, &[30.0]);
+    assert!(found.misfit < 1.0 && !written(&falling, &[30.0]).contains("check"), "{}", found.misfit);
+    // A point more is a narrower band, in whichever order they come.
+    let one = answer(&format!("{STEEL}measured = [1000, 0.16]\n{ROUGH}"), 1000.0);
+    let two = answer(&format!("{STEEL}measured = [[1000, 0.16], [1000, 0.16]]\n{ROUGH}"), 1000.0);
+    assert_near((two.high / two.low).ln() * 2.0_f64.sqrt(), (one.high / one.low).ln(), 1e-2);
+    let [first, other] = ["[[1000, 0.16], [10, 0.18]]", "[[10, 0.18], [1000, 0.16]]"]
+        .map(|points| answer(&format!("{STEEL}measured = {points}\n{ROUGH}"), 1.0));
+    assert_near(first.low, other.low, 1e-9);
+    assert_near(first.friction_coefficient, other.friction_coefficient, 1e-9);
+}
+
+#[test]
+fn what_cannot_be_read_is_refused_where_it_is() {
+    for (text, says) in [
+        ("measured = 0.16\n", "line 1: measured = 0.16: must be points [load, coefficient] or"),
+        ("measured = []\n", "line 1: measured = [...]: must be points"),
+        ("measured = [1000]\n", "line 1: measured: point 1: must be [load, coefficient] or"),
+        ("measured = [[1000, 0.16], [10]]\n", "line 1: measured: point 2: must be [load, coefficient] or"),
+        (
+            "measured = [[1000, 160]]\n",
+            "line 1: measured: point 1: calibration_friction_coefficient = 160: must be > 0",
+        ),
+        ("measured = [[-1, 0.16]]\n", "line 1: measured: point 1: calibration_load = -1: must be > 0"),
+        ("measured = [[1000, 0.16, 5]]\n", "line 1: measured: point 1: error = 5: must be > 0 and at most 1"),
+        ("measured = [[1000, 0.16], 3]\n", "line 1: measured: must be an array of numbers, or of arrays of numbers"),
+        ("measured = [[[1]]]\n", "line 1: measured: must be an array of numbers, or of arrays of numbers"),
+        ("coverage = 95\n", "line 1: coverage = 95: must be between 0 and 1: is it in per cent?"),
+        ("coverage = 0\n", "line 1: coverage = 0: must be between 0 and 1"),
+        (
+            "measured = [1, 0.1]\ncalibration_load = 1\ncalibration_friction_force = 1\n",
+            "line 1: measured: calibration_load",
+        ),
+        (
+            "mu = 0.3\n",
+            "line 1: mu: no such key; give calibration_friction_coefficient with calibration_load, in a text also",
+        ),
+        (
+            "slip_stress_1 = 0\nslip_stress_2 = 0\npressure_coefficient = 0.1\n",
+            "slip_stress_1: must be > 0 for an estimate",
+        ),
+    ] {
+        let found = refused(&format!("{text}{STEEL}{ROUGH}"));
+        assert!(found.starts_with(says), "{found}\nnot\n{says}");
+    }
+    for (rough, says) in [
+        (
+            "process = \"grund\"",
+            "[roughness] process = \"grund\": must be one of superfinished, lapped, honed, ground,",
+        ),
+        ("process = 3", "[roughness] process = 3: must be one of superfinished"),
+        ("process = \"ground\"\nSq = 1e-6\nSdq = 0.1", "[roughness] process: is not for areal parameters, as Sq is"),
+        ("Ra = 0.8e-6", "[roughness] Ra: give with it RSm or Rdq, or process, or Sdq, or m2"),
+        (
+            "process = \"ground\"\nRa = 0.8",
+            "line 5: [roughness] Ra = 0.8: of a machined surface must be at most 1e-3 m: is it in um?",
+        ),
+    ] {
+        let found = refused(&format!("{STEEL}[roughness]\n{rough}\n"));
+        assert!(found.contains(says), "{found}\nnot\n{says}");
+    }
+    let (found, _) = estimate(&format!("{STEEL}{ROUGH}"), &[1.0]);
+    for load in [f64::NAN, f64::INFINITY, 1e300] {
+        assert!(found.at_load(load).is_err(), "{load}");
+    }
+}

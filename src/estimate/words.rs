@@ -1,0 +1,238 @@
+//! An estimate for people: the number, its band, what it rests on, what would narrow it.
+
+use super::known::SLOPE_FACTOR;
+use super::{Answer, Estimate, Rests};
+use crate::materials::Interface;
+use crate::model::validity::WARNINGS;
+use crate::nearest::text;
+use std::fmt::{Display, Formatter, Result, Write};
+
+/// Shares of the variance below this are not worth a measurement.
+const WORTHWHILE: f64 = 0.01;
+/// Points this many of their errors off the curve, root mean square, are not of its law.
+pub const OFF: f64 = 2.0;
+/// More points are told by their number.
+const SHOWN: usize = 3;
+/// In the order of their bits.
+const NAMES: [&str; WARNINGS] =
+    ["PLASTIC", "CROWDED", "STEEP", "ATOMIC", "FEW", "ADHESIVE", "UNCALIBRATED", "BROAD", "STRONG", "FEW_WAVES"];
+
+/// Writes it, a line for each load and for each thing to know.
+pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut dyn Write) -> Result {
+    let of_rows = match estimate.rests() {
+        Rests::Rows(rows) if !estimate.strength.is_measured => &rows[..],
+        _ => &[],
+    };
+    if !of_rows.is_empty() {
+        writeln!(out, "measured on other specimens: {}", Rows(of_rows))?;
+    }
+    for answer in answers {
+        write_answer(estimate, answer, out)?;
+    }
+    write_strength(estimate, out)?;
+    write_roughness(estimate, out)?;
+    if estimate.yields {
+        let index = Figures(estimate.plasticity_index);
+        writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
+    }
+    if warnings != 0 {
+        let names = NAMES.iter().enumerate().filter(|(bit, _)| warnings >> bit & 1 == 1).map(|(_, name)| *name);
+        writeln!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "))?;
+    }
+    write_remedies(estimate, answers, out)
+}
+
+fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
+    let Answer { load, friction_coefficient: mu, low, high, friction_force: force, .. } = *answer;
+    let [at, mu, low, high] = [load, mu, low, high].map(Figures);
+    if answer.friction_coefficient == 0.0 {
+        return writeln!(out, "mu({at} N) = 0: the surfaces are apart");
+    }
+    if load <= 0.0 {
+        return match force > 0.0 {
+            true => writeln!(out, "mu({at} N) has no limit: adhesion gives a friction force of {} N", Figures(force)),
+            false => writeln!(out, "mu({at} N) has no limit: it grows as the load goes to 0, where friction is 0"),
+        };
+    }
+    if answer.low == answer.high {
+        return writeln!(out, "mu({at} N) = {mu}, no band: all inputs count as known");
+    }
+    match (estimate.rests(), estimate.strength.is_measured) {
+        (Rests::Default, false) => writeln!(out, "mu({at} N) = {mu} to an order of magnitude, {low} to {high}"),
+        _ => writeln!(out, "mu({at} N) = {mu}, {} % band {low} to {high}", Percent(estimate.described.coverage)),
+    }
+}
+
+fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
+    let factor = Figures(estimate.strength.factor());
+    write!(out, "rests on: strength of the interface: ")?;
+    if !estimate.strength.is_measured {
+        return match estimate.rests() {
+            Rests::Default => {
+                writeln!(out, "a default, not measured: an order of magnitude, a factor of {factor} either way")
+            }
+            Rests::Rows(rows) => writeln!(out, "from {}, to a factor of {factor} either way", Names(rows)),
+            Rests::Pair => writeln!(out, "the slip stress of the table of pairs, to a factor of {factor} either way"),
+            Rests::Given => writeln!(out, "as given"),
+        };
+    }
+    let points = &estimate.described.points;
+    write!(out, "measured here, ")?;
+    match &points[..] {
+        _ if points.len() > SHOWN => {
+            let loads = || points.iter().map(|point| point.load);
+            let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
+            let [lightest, heaviest] = ends.map(Figures);
+            writeln!(out, "{} points from {lightest} N to {heaviest} N", points.len())?;
+        }
+        some => {
+            for (i, point) in some.iter().enumerate() {
+                let before = if i > 0 { ", " } else { "" };
+                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
+                match point.load > 0.0 {
+                    true => write!(out, "{before}{ratio} at {load} N")?,
+                    false => write!(out, "{before}{force} N at {load} N")?,
+                }
+                write!(out, " to {} %", Percent(point.error))?;
+            }
+            writeln!(out)?;
+        }
+    }
+    if points.len() > 1 && estimate.described.pressure_is_free {
+        let kappa = estimate.params.pressure_coefficient;
+        match estimate.tells_pressure {
+            true => writeln!(out, "rests on: pressure coefficient {}, from the measured points", Figures(kappa))?,
+            false => writeln!(out, "rests on: pressure coefficient 0: the measured points do not tell it")?,
+        }
+    }
+    if estimate.misfit > OFF {
+        writeln!(
+            out,
+            "check: the measured points are {} of their errors off the law, which cannot follow their trend: the band is wider \
+             for it; is the load in N, is there wear or a lubricant?",
+            Figures(estimate.misfit)
+        )?;
+    }
+    Ok(())
+}
+
+fn write_roughness(estimate: &Estimate, out: &mut dyn Write) -> Result {
+    let Some(machined) = &estimate.described.machined else { return Ok(()) };
+    let (name, [least, most]) = (machined.process.name, machined.process.mean_deviation.map(|ra| Figures(ra * 1e6)));
+    if !machined.has_height {
+        writeln!(out, "rests on: Ra of {name} surfaces: {least} to {most} um")?;
+    }
+    if let Some(ra) = machined.unusual {
+        let ra = Figures(ra * 1e6);
+        writeln!(
+            out,
+            "check: Ra = {ra} um: {name} surfaces have {least} to {most} um: is it of this process, and in m?"
+        )?;
+    }
+    if !machined.has_slope {
+        let slope = Figures(machined.slope);
+        writeln!(
+            out,
+            "rests on: slope of the profile: {slope} to a factor of {}, assumed of machined surfaces",
+            Figures(SLOPE_FACTOR)
+        )?;
+    }
+    Ok(())
+}
+
+fn write_remedies(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+    // Without a band the shares are 0.
+    let count = answers.iter().filter(|answer| answer.low < answer.high).count().max(1) as f64;
+    let mean = |share: fn(&Answer) -> f64| answers.iter().map(share).sum::<f64>() / count;
+    let (strength, roughness, measurement) = (
+        mean(|answer| answer.strength_share),
+        mean(|answer| answer.roughness_share),
+        mean(|answer| answer.measurement_share),
+    );
+    let mut remedies = Vec::new();
+    if !estimate.strength.is_measured {
+        remedies.push((strength, "one measured friction coefficient: measured = [[load, coefficient]]"));
+    }
+    if let Some(machined) = &estimate.described.machined {
+        remedies.push((
+            roughness,
+            match (machined.has_height, machined.has_slope) {
+                (true, _) => "the mean width of the elements of the profile: RSm",
+                (false, true) => "the height of the profile: Ra or Rq",
+                (false, false) => "the profile: Ra or Rq, and RSm",
+            },
+        ));
+    }
+    remedies.push((measurement, "more measured points, or more exact ones"));
+    remedies.sort_by(|one, other| other.0.total_cmp(&one.0));
+    for (share, remedy) in remedies.into_iter().filter(|(share, _)| *share >= WORTHWHILE) {
+        writeln!(out, "to narrow it: {remedy} ({:.0} % of the variance)", 100.0 * share)?;
+    }
+    Ok(())
+}
+
+/// What rows tell: "steel/steel dry 0.57 at 12 N".
+struct Rows<'a>(&'a [&'static Interface]);
+
+impl Display for Rows<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        for (i, row) in self.0.iter().enumerate() {
+            let before = if i > 0 { "; " } else { "" };
+            write!(f, "{before}{} ", text(row.name))?;
+            match row.friction_coefficient > 0.0 {
+                true => write!(f, "{}", Figures(row.friction_coefficient))?,
+                false => write!(f, "shear strength {} MPa", Figures(row.shear_strength * 1e-6))?,
+            }
+            if row.load > 0.0 {
+                write!(f, " at {} N", Figures(row.load))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Which rows.
+struct Names<'a>(&'a [&'static Interface]);
+
+impl Display for Names<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let rows = self.0;
+        match rows {
+            [row] => write!(f, "{} of the table of interfaces", text(row.name)),
+            _ => write!(f, "the {} rows of these bodies in the table of interfaces", rows.len()),
+        }
+    }
+}
+
+/// A part of one in per cent.
+struct Percent(f64);
+
+impl Display for Percent {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let percent = format!("{:.4}", 100.0 * self.0);
+        f.write_str(percent.trim_end_matches('0').trim_end_matches('.'))
+    }
+}
+
+/// A number in three figures, as people write it.
+struct Figures(f64);
+
+impl Display for Figures {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let number = self.0;
+        if number == 0.0 || !number.is_finite() {
+            return write!(f, "{number}");
+        }
+        let scientific = format!("{number:.2e}");
+        let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+        let exponent: i32 = exponent.parse().unwrap_or(0);
+        let short = |digits: &str| match digits.contains('.') {
+            true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+            false => digits.to_owned(),
+        };
+        match exponent {
+            -4..=5 => f.write_str(&short(&format!("{number:.*}", usize::try_from(2 - exponent).unwrap_or(0)))),
+            _ => write!(f, "{}e{exponent}", short(digits)),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! What measured points tell of a strength and of a pressure coefficient.
+//!
+//! Friction is F = c F0 + kappa H, F0 with the slip stresses as they are, H the load of Hertz' contacts. ln c is normal before the
+//! measurement, or quite unknown; kappa >= 0 is fixed, or half-normal where the points tell it better than that. The errors of the
+//! points are those of ln F.
+
+use crate::elementary::{exp, log};
+use crate::float_bits::nan;
+
+/// A friction force measured at a load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// [force]
+    pub load: f64,
+    /// [force]
+    pub force: f64,
+    /// Relative standard error.
+    pub error: f64,
+}
+
+/// A point, with the two parts of the model's force there.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen {
+    /// F0 of these surfaces.
+    pub force: f64,
+    /// H.
+    pub pressed: f64,
+    /// ln F as it was measured.
+    pub measured: f64,
+    /// Of its error.
+    pub error: f64,
+}
+
+/// ln c before the points: its mean, and the inverse of its variance, 0 if nothing is known.
+#[derive(Debug, Clone, Copy)]
+pub struct Prior {
+    pub mean: f64,
+    pub precision: f64,
+}
+
+impl Prior {
+    pub const NONE: Self = Self { mean: 0.0, precision: 0.0 };
+}
+
+/// What is left open of the strength at one pressure coefficient: ln c is normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slice {
+    pub kappa: f64,
+    pub mean: f64,
+    pub variance: f64,
+    /// Of the probability, but for a constant.
+    pub log_weight: f64,
+}
+
+/// Standard deviation of a pressure coefficient (>= 0) that is not known: those of the table of interfaces are 0.001 to 0.14.
+const PRESSURE_DEVIATION: f64 = 0.1;
+/// Of ln c where nothing is known of it but the points: a factor of 10 either way about that of the points without a pressure
+/// coefficient.
+const SOME_PRECISION: f64 = 0.724_5;
+/// Nodes of a pressure coefficient.
+const NODES: u32 = 17;
+/// Slices of less than this part of the largest weight are left out.
+const NEGLIGIBLE: f64 = 10.0;
+/// Narrowings of the range of nodes, each to an eighth at most.
+const ROUNDS: usize = 6;
+/// The largest pressure coefficient that parameters may have.
+const LARGEST: f64 = 1e3;
+
+/// ln(c F0 + kappa H), and d/d(ln c) of it.
+fn model(seen: &Seen, log_c: f64, kappa: f64) -> (f64, f64) {
+    let part = exp(log_c) * seen.force;
+    let force = part + kappa * seen.pressed;
+    (log(force), part / force)
+}
+
+/// Minus the logarithm of the probability, but for constants.
+fn cost(seen: &[Seen], prior: Prior, log_c: f64, kappa: f64) -> f64 {
+    let off = |one: &Seen| (model(one, log_c, kappa).0 - one.measured) / one.error;
+    let of_points: f64 = seen.iter().map(|one| off(one) * off(one)).sum();
+    let (off, pressure) = (log_c - prior.mean, kappa / PRESSURE_DEVIATION);
+    0.5 * (of_points + prior.precision * (off * off) + pressure * pressure)
+}
+
+/// The most probable ln c at a pressure coefficient, by Newton's method after Gauss.
+pub fn slice(seen: &[Seen], prior: Prior, kappa: f64) -> Slice {
+    let start = |one: &Seen| one.measured - log(one.force);
+    let mut log_c = if seen.is_empty() { prior.mean } else { seen.iter().map(start).sum::<f64>() / seen.len() as f64 };
+    let mut precision = prior.precision;
+    for _ in 0..100 {
+        let mut slope = prior.precision * (log_c - prior.mean);
+        precision = prior.precision;
+        for one in seen {
+            let (value, by_log_c) = model(one, log_c, kappa);
+            let weight = 1.0 / (one.error * one.error);
+            slope += weight * by_log_c * (value - one.measured);
+            precision += weight * by_log_c * by_log_c;
+        }
+        let step = slope / precision;
+        if nan(step) || step.abs() <= 1e-14 {
+            break;
+        }
+        log_c -= step.clamp(-1.0, 1.0);
+        log_c = log_c.clamp(-600.0, 600.0);
+    }
+    let variance = 1.0 / precision;
+    let log_weight = 0.5 * log(variance) - cost(seen, prior, log_c, kappa);
+    Slice { kappa, mean: log_c, variance, log_weight }
+}
+
+/// Whether the points tell the pressure coefficient better than it is known without: as they do where they reach over loads.
+pub fn tell_pressure(seen: &[Seen]) -> bool {
+    let log_c = slice(seen, Prior::NONE, 0.0).mean;
+    let by_kappa = |one: &Seen| one.pressed / (exp(log_c) * one.force);
+    let weight = |one: &Seen| 1.0 / (one.error * one.error);
+    let total: f64 = seen.iter().map(weight).sum();
+    let mean = seen.iter().map(|one| weight(one) * by_kappa(one)).sum::<f64>() / total;
+    let precision: f64 = seen.iter().map(|one| weight(one) * (by_kappa(one) - mean) * (by_kappa(one) - mean)).sum();
+    precision * PRESSURE_DEVIATION * PRESSURE_DEVIATION > 1.0
+}
+
+/// The largest pressure coefficient worth a look: that which alone gives some measured force, so many of its errors off.
+fn most(seen: &[Seen], errors: f64) -> f64 {
+    let of = |one: &Seen| exp(one.measured - log(one.pressed) + errors * one.error);
+    seen.iter().filter(|one| one.pressed > 0.0).map(of).fold(LARGEST, f64::min)
+}
+
+/// Slices at pressure coefficients that are evenly apart, where they have weight.
+pub fn slices(seen: &[Seen], prior: Prior) -> Vec<Slice> {
+    let [mut low, mut high] = [0.0, most(seen, 4.0)];
+    let mut found = Vec::new();
+    for _ in 0..ROUNDS {
+        let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(NODES);
+        found = (0..=NODES).map(|i| slice(seen, prior, at(i))).collect();
+        let best = found.iter().map(|slice| slice.log_weight).fold(f64::NEG_INFINITY, f64::max);
+        let has_weight = |slice: &Slice| slice.log_weight > best - NEGLIGIBLE;
+        let first = found.iter().position(has_weight).unwrap_or(0);
+        let last = found.iter().rposition(has_weight).unwrap_or(0);
+        if last - first > NODES as usize / 2 {
+            break;
+        }
+        [low, high] = [found[first.saturating_sub(1)].kappa, found[(last + 1).min(NODES as usize)].kappa];
+    }
+    let last = found.len() - 1;
+    for end in [0, last] {
+        found[end].log_weight -= log(2.0);
+    }
+    found
+}
+
+/// ln c and kappa of the curve nearest to the points, nothing being known of the strength. A kappa that the points tell is the mean
+/// of what they leave open.
+pub fn nearest(seen: &[Seen], kappa: Option<f64>) -> (f64, f64) {
+    let log_c = |kappa: f64| slice(seen, Prior::NONE, kappa).mean;
+    let kappa = kappa.unwrap_or_else(|| {
+        let all = slices(seen, Prior { mean: log_c(0.0), precision: SOME_PRECISION });
+        let best = all.iter().map(|slice| slice.log_weight).fold(f64::NEG_INFINITY, f64::max);
+        let weight = |slice: &Slice| exp(slice.log_weight - best);
+        let mean =
+            all.iter().map(|slice| weight(slice) * slice.kappa).sum::<f64>() / all.iter().map(weight).sum::<f64>();
+        // Some strength is left.
+        mean.min(0.99 * most(seen, 0.0))
+    });
+    (log_c(kappa), kappa)
+}
+
+/// By how much the points are off the curve, root mean square in their errors, for each that the curve was not led through; 0
+/// where none is left.
+pub fn misfit(seen: &[Seen], log_c: f64, kappa: f64, told_pressure: bool) -> f64 {
+    let led = 1 + usize::from(told_pressure && kappa > 0.0);
+    let Some(left) = seen.len().checked_sub(led).filter(|&left| left > 0) else { return 0.0 };
+    let off = |one: &Seen| (model(one, log_c, kappa).0 - one.measured) / one.error;
+    (seen.iter().map(|one| off(one) * off(one)).sum::<f64>() / left as f64).sqrt()
+}

@@ -1,0 +1,149 @@
+//! One call answers from a text: the same as its parts, whole or not at all, in text as in numbers.
+
+use crate::interface::*;
+use std::ptr::{null, null_mut};
+
+const GROUND: &str =
+    "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n[roughness]\nprocess = \"ground\"\n\
+                      Ra = 0.8e-6\n";
+
+fn blank() -> asperity_estimate {
+    // SAFETY: a struct of numbers.
+    let mut one: asperity_estimate = unsafe { std::mem::zeroed() };
+    one.struct_size = size_of::<asperity_estimate>() as u64;
+    one.low = -7.0;
+    one
+}
+
+fn ask(text: &str, loads: &[f64]) -> (i32, Vec<asperity_estimate>) {
+    let mut found = vec![blank(); loads.len()];
+    let (text, length) = (text.as_ptr().cast(), text.len());
+    // SAFETY: as many bytes and elements as is said.
+    let status = unsafe { asperity_estimate_at_loads(text, length, loads.len(), loads.as_ptr(), found.as_mut_ptr()) };
+    (status, found)
+}
+
+#[track_caller]
+fn found(text: &str, loads: &[f64]) -> Vec<asperity_estimate> {
+    let (status, found) = ask(text, loads);
+    assert_eq!(status, OK, "{}", message());
+    found
+}
+
+#[test]
+fn an_estimate_has_its_number_its_band_and_what_makes_it() {
+    let [one] = found(GROUND, &[10.0])[..] else { panic!("one") };
+    assert!((one.friction_coefficient - 0.194).abs() < 5e-4 && one.load == 10.0, "{one:?}");
+    assert_eq!(one.friction_force, one.friction_coefficient * one.load);
+    assert!(0.16 < one.low && one.low < one.friction_coefficient && one.friction_coefficient < one.high, "{one:?}");
+    assert!((one.strength_share + one.roughness_share + one.measurement_share - 1.0).abs() < 1e-12, "{one:?}");
+    assert_eq!((one.strength_source, one.misfit, one.reserved), (ASPERITY_STRENGTH_MEASURED, 0.0, 0));
+    let rough = "nominal_area = 1e-8\n[roughness]\nSq = 5e-9\nSdq = 0.08\n";
+    for (text, source) in [
+        ("pair = \"Si/Si\"\n", ASPERITY_STRENGTH_DEFAULT),
+        ("pair = \"steel/steel\"\n", ASPERITY_STRENGTH_TABLE),
+        ("pair = \"Si/Si\"\nslip_stress_1 = 0.02\n", ASPERITY_STRENGTH_GIVEN),
+    ] {
+        let [one] = found(&format!("{text}{rough}"), &[1e-3])[..] else { panic!("one") };
+        assert_eq!(one.strength_source, source, "{text}");
+        assert_eq!(one.warnings & ASPERITY_WARNING_UNCALIBRATED != 0, source == ASPERITY_STRENGTH_DEFAULT, "{text}");
+    }
+}
+
+/// However many are asked for together, and from as many threads.
+#[test]
+fn loads_are_answered_by_themselves() {
+    let loads = [10.0, 1.0, 1e4, 0.1];
+    let together = found(GROUND, &loads);
+    std::thread::scope(|scope| {
+        for (&load, one) in loads.iter().zip(&together) {
+            scope.spawn(move || {
+                let [alone] = found(GROUND, &[load])[..] else { panic!("one") };
+                for (a, b) in [(alone.friction_coefficient, one.friction_coefficient), (alone.low, one.low)] {
+                    assert!((a / b - 1.0).abs() < 1e-7, "{load}: {a} {b}");
+                }
+            });
+        }
+    });
+    assert_eq!(found(GROUND, &[]).len(), 0);
+}
+
+#[test]
+fn nothing_is_written_where_something_is_refused() {
+    let wrong = GROUND.replace("ground", "grund");
+    for (text, loads, status, says) in [
+        (GROUND, [10.0, f64::NAN], INVALID_LOAD, "element 1: load = NaN: must be finite"),
+        (GROUND, [f64::INFINITY, 1.0], INVALID_LOAD, "element 0: load = inf: must be finite"),
+        (GROUND, [10.0, 1e300], OUT_OF_RANGE, "element 1: load"),
+        (&wrong, [10.0, 1.0], INVALID_PARAMETER, "line 5: [roughness] process = \"grund\": must be one of"),
+        ("hardness = ", [10.0, 1.0], INVALID_PARAMETER, "line 1: "),
+        ("", [10.0, 1.0], INVALID_PARAMETER, "line 1: composite_modulus: must be set"),
+    ] {
+        let (found, estimates) = ask(text, &loads);
+        assert_eq!(found, status, "{}", message());
+        assert!(message().starts_with(says), "{}\nnot\n{says}", message());
+        assert!(estimates.iter().all(|one| one.low == -7.0), "{text}");
+    }
+    let (load, mut one) = (10.0, blank());
+    let (text, length) = (GROUND.as_ptr().cast(), GROUND.len());
+    // SAFETY: NULL is refused.
+    unsafe {
+        assert_eq!(asperity_estimate_at_loads(null(), 3, 1, &load, &mut one), NULL_POINTER);
+        assert_eq!(asperity_estimate_at_loads(text, length, 1, null(), &mut one), NULL_POINTER);
+        assert_eq!(asperity_estimate_at_loads(text, length, 1, &load, null_mut()), NULL_POINTER);
+        assert_eq!(asperity_estimate_text(null(), 3, 1, &load, null_mut(), 0), 0);
+    }
+    for size in [0, 8, 17, 1 << 20, u64::MAX] {
+        one.struct_size = size;
+        // SAFETY: an element of another size is refused.
+        assert_eq!(
+            unsafe { asperity_estimate_at_loads(text, length, 1, &load, &mut one) },
+            INVALID_PARAMETER,
+            "{size}"
+        );
+        assert!(message().starts_with(&format!("struct_size = {size}: must be set to sizeof")), "{}", message());
+    }
+}
+
+/// Elements of a caller who knows fewer fields, or more.
+#[test]
+fn elements_are_as_far_apart_as_the_caller_says() {
+    let expected = found(GROUND, &[10.0, 20.0]);
+    let (text, length, loads) = (GROUND.as_ptr().cast(), GROUND.len(), [10.0, 20.0]);
+    for words in [3, 20] {
+        let mut memory = vec![-1.0_f64; 2 * words + 1];
+        memory[0] = f64::from_bits(8 * words as u64);
+        // SAFETY: two elements of so many bytes.
+        let status = unsafe { asperity_estimate_at_loads(text, length, 2, loads.as_ptr(), memory.as_mut_ptr().cast()) };
+        assert_eq!((status, memory[2 * words]), (OK, -1.0), "{}", message());
+        for (i, one) in expected.iter().enumerate() {
+            assert_eq!(memory[words * i + 1..words * i + 3], [one.load, one.friction_coefficient], "{words}");
+        }
+    }
+}
+
+#[test]
+fn the_text_has_the_numbers() {
+    let loads = [10.0, 1000.0];
+    // SAFETY: NULL asks for the length; then the buffer has it.
+    let text = unsafe {
+        let (text, length) = (GROUND.as_ptr().cast(), GROUND.len());
+        let whole = asperity_estimate_text(text, length, 2, loads.as_ptr(), null_mut(), 0);
+        let mut buffer = vec![0_u8; whole + 1];
+        assert_eq!(
+            asperity_estimate_text(text, length, 2, loads.as_ptr(), buffer.as_mut_ptr().cast(), whole + 1),
+            whole
+        );
+        assert_eq!(buffer.pop(), Some(0));
+        String::from_utf8(buffer).expect("a text")
+    };
+    for (one, line) in found(GROUND, &loads).iter().zip(text.lines()) {
+        let expected = format!(
+            "mu({} N) = {:.3}, 95 % band {:.3} to {:.3}",
+            one.load, one.friction_coefficient, one.low, one.high
+        );
+        let short = |text: &str| text.replace("0 ", " ").replace("0,", ",");
+        assert_eq!(short(line), short(&expected));
+    }
+    assert!(text.contains("\nto narrow it: the mean width of the elements of the profile: RSm ("), "{text}");
+}
