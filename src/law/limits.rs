@@ -16,7 +16,7 @@ use crate::four::Four;
 use crate::levels::{PerEdge, PerLevel, EDGES, LEVELS};
 
 /// There is a row at each load that is a power of two; at every so many Phi is asked for in any case.
-const LONGEST: usize = 16;
+const LONGEST: usize = 8;
 /// In between it is asked for where it differs by more than this from the mean of its neighbours.
 const TOLERANCE: f32 = 1e-3;
 
