@@ -4,7 +4,9 @@
 //! concave function with slope 1 at 0. The levels below the part s of the stiffness stick up to the displacement X(s) at least,
 //! at which Phi has the slope s, and the levels above have the part H(s) of the strength, the integral of X from s to 1:
 //!
-//!     H(s) = Phi(X) - s X, the largest of these values over all X; H(0) = 1, H(1) = 0, and its slope is -X.
+//! ```text
+//! H(s) = Phi(X) - s X, the largest of these values over all X; H(0) = 1, H(1) = 0, and its slope is -X.
+//! ```
 //!
 //! It hardly changes with load: values at a few loads are blended.
 
