@@ -170,7 +170,8 @@ void Law::find_where_it_holds(double composite_modulus) {
             interval.warnings = ASPERITY_WARNING_CROWDED;
         // Of the interface and the surface, at whatever load: said once, by finish().
         interval.told = interval.warnings & (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
-        interval.warnings &= ~(interval.told | ASPERITY_WARNING_FEW);    // few of a unit of area; contacts are smaller
+        // Few of a unit of area: contacts are smaller, and counted by their own area.
+        interval.warnings &= ~(interval.told | ASPERITY_WARNING_FEW | ASPERITY_WARNING_FEW_WAVES);
         intervals_.push_back(interval);
     }
 }

@@ -205,12 +205,13 @@ def check_measured_point_and_warnings(laws):
     default = laws["ball"]
     point = asperity.Model(default.params.calibrated(load, mu))
     one = {"height_std": 1e-6, "summit_radius": 0.02, "asperity_count": 1.0}
+    moments = dict(radius_amplitude=0.0, radius_rate=0.5, summit_mean_height=0.0, rms_slope=0.0)  # set with Sq and Sdq
     radii = {"slip_radius_1": 30.0, "slip_radius_2": 9e4}
     for changes, law, said in (
         ({}, default, ["1 cm2", "4 cm2"]),
         ({"hardness": measured(load, "calibration_friction_coefficient", mu)}, point, ["4 cm2"]),
         ({"hardness": measured(load, "calibration_friction_force", mu * load)}, point, ["4 cm2"]),
-        ({SUMMITS: "", "hardness": lines(one)}, asperity.Model(default.params.replace(**one, bandwidth=0)), ["1 cm2", "4 cm2"]),
+        ({SUMMITS: "", "hardness": lines(one)}, asperity.Model(default.params.replace(**one, **moments)), ["1 cm2", "4 cm2"]),
         ({"hardness": lines(radii)}, asperity.Model(default.params.replace(**radii)), ["1 cm2", "4 cm2"]),
     ):
         with tempfile.TemporaryDirectory() as folder:
@@ -228,7 +229,7 @@ def check_measured_point_and_warnings(laws):
 def check_surface_file():
     """A surface file with what a text changes of it, a text, and what Python writes give the same bits, also if saved as XML."""
     own = XML[XML.index("<instance") : XML.index("</instance>") + len("</instance>")]
-    text = own.replace("0.06", "0.05")
+    text = own.replace("work_of_adhesion = 0.06", "work_of_adhesion = 0.05")
     of_file = f'<config key="surface" value="{SURFACE}"/><config key="text" value="work_of_adhesion = 0.05"/>'
     of_python = asperity.mujoco.instance("carbon, 1 cm2", asperity.Params.from_toml(SURFACE).replace(work_of_adhesion=0.05))
     specs = [mujoco.MjSpec.from_string(XML.replace(own, instance)) for instance in
