@@ -274,7 +274,7 @@ test("what is not known of a material is left empty, asked for, and said", () =>
   for (const key of ["adhesion_range", "burgers_vector", "hardness", "work_of_adhesion"]) assert.equal(surface[key], "", key);
   surface.work_of_adhesion = "50";
   assert.throws(() => new Model(paramsOf(surface)), (error) => fieldOf(error.message, surface) === "adhesion_range");
-  const length = { adhesion_range: "10", burgers_vector: "10" };
+  const length = { adhesion_range: "10", burgers_vector: "10", Sq: "1000" };
   assert.ok(new Model(paramsOf({ ...surface, ...length })).frictionAtLoad(1e-3) > 0);
   assert.match(missing(asperity.material("PDMS"))[0], /^No Burgers vector of PDMS/);
   assert.match(missing(asperity.material("mica"))[0], /^No hardness of mica/);

@@ -285,6 +285,10 @@ def test_a_name_varies_its_fields_and_no_other(name: str) -> None:
     params = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001, skew=0.3, radius_amplitude=0.2)
     if name == "kurtosis":
         params = params.replace(kurtosis=3.0)
+    if name in ("Sq", "Sdq"):
+        bodies = ("composite_modulus", "effective_shear_modulus", "adhesion_range", "burgers_vector")
+        given: dict[str, Any] = dict.fromkeys(bodies, 1.0) | {"work_of_adhesion": 0.0}
+        params = Params.from_spectral_moments(m0=100.0, m2=0.01, nominal_area=1e6, **given)
     (chosen,) = fit_names.free_names([name], params)
     value = chosen.start(params)
     changed = chosen.put(params, 1.25 * value)

@@ -66,7 +66,7 @@ def test_a_library_that_lacks_a_function_is_refused(compile_c: Callable[..., Non
     source.write_text(FUNCTIONS.replace("999", "1"))
     compile_c("-shared", "-fPIC", source, "-o", library)
     message = refusal(library)
-    assert f"{library} is not an asperity library" in message and "undefined symbol: asperity_params_init" in message
+    assert f"{library} is not an asperity library" in message and "undefined symbol: asperity_" in message
 
 
 def test_a_file_that_is_no_library_is_refused(tmp_path: Path) -> None:

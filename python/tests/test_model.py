@@ -197,7 +197,7 @@ def test_warnings_say_what_fails_and_what_to_do(params: Params) -> None:
     assert several.kinds == [Warnings.CROWDED, Warnings.FEW, Warnings(0x1000)]
     lines = str(several).split("\n")
     assert [line.split(":")[0] for line in lines] == ["CROWDED", "FEW", "bit 0x1000"]
-    assert all(re.search("; (use|measure|filter|calibrate) ", kind.description) for kind in Warnings)
+    assert all(re.search("; (use|measure|filter|calibrate|give) ", kind.description) for kind in Warnings)
 
 
 def test_loads_that_adhesion_exceeds_are_warned_of() -> None:
