@@ -4,10 +4,10 @@ How many bytes the shared library may have.
 
 usage: packaging/size.py      checks the library of `cargo build --release`
 
-Of a released library for x86-64, of 850 to 900 kB on 2026-11-26, 350 kB are the physics and the making of its tables, 120 kB the C
-interface with the vectors for two kinds of processors, 70 kB the reader of surface files, 120 kB Rust's standard library (numbers as text,
-panics), the rest tables for unwinding, addresses and texts. Smaller code by the compiler (opt-level "s") would save a tenth, and a model
-would take half as long again to make.
+Of a released library for x86-64, of some 1040 kB on 2026-11-27, 350 kB are the physics and the making of its tables, 180 kB the gaps
+between mean planes, the contacts that remember and the estimate of a text, 120 kB the C interface with the vectors for two kinds of
+processors, 70 kB the reader of surface files, 120 kB Rust's standard library (numbers as text, panics), the rest tables for unwinding,
+addresses and texts. Smaller code by the compiler (opt-level "s") would save a tenth, and a model would take half as long again to make.
 """
 
 import os
@@ -17,7 +17,7 @@ from pathlib import Path
 from targets import ROOT, Refusal, demand_size, run
 
 # A released shared library, stripped. Who adds a part that is worth its bytes raises it.
-LIBRARY_LIMIT = 1_000_000
+LIBRARY_LIMIT = 1_050_000
 # What gives the functions in the trace of a panic their names: only `make dist` builds Rust's standard library without it.
 NAMES_OF_TRACES = 270_000
 
