@@ -115,7 +115,8 @@ int main(int argc, char **argv)
     answer(model, &after);
     CHECK(same(&before, &after), "the model answers otherwise than at the start");
     CHECK(rebuilt > 0 && refused > 0, "nothing was rebuilt");
-    CHECK(last <= first + 512, "memory grows from %ld kB to %ld kB", first, last);
+    /* At either moment a model may be in the making, with its tables: up to some 700 kB. */
+    CHECK(last <= first + 1024, "memory grows from %ld kB to %ld kB", first, last);
     printf("soak: %ld scalar calls (%.1f ns each in its thread), %ld batch elements (%.2f ns), %ld models rebuilt, "
            "in %.1f s; %ld kB resident after a second, %ld kB at the end\n",
         scalar, 1e9 * scalar_seconds / (double)scalar, batch, 1e9 * batch_seconds / (double)batch, rebuilt, took, first,
