@@ -144,8 +144,7 @@ impl Reach {
 }
 
 impl Law {
-    /// Compiles the law in units of load, of each quantity and of length; `mean_height` is that of the mean of the summits above the
-    /// mean plane, in that unit.
+    /// Compiles the law in units of load, of each quantity and of length, whose origin is the mean plane.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
