@@ -41,7 +41,7 @@ typedef struct row {
  * w: van der Waals attraction of the oxide skins, A/(12 pi D^2) with A = 6.5e-20 J, silica, and D = 0.165 nm
  *   (Israelachvili, Intermolecular and Surface Forces). That van der Waals forces hold such surfaces together was
  *   measured by DelRio, de Boer, Knapp, Reedy, Clews and Dunn, Nature Materials 4 (2005), 629-634.
- * h: the same as b, as in Adams and Muftu, Nanotechnology 16 (2005).
+ * h: the same as b, as in Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409.
  * sigma: 5 nm, amid the rms roughness of a few to ten nanometres of the films of DelRio et al.
  * summit density: one a grain, of about 0.3 um across, so 10 per um^2: an assumption about the film.
  * R: such that density R sigma = 0.05, as on the surfaces of Greenwood and Williamson, Proc. R. Soc. A 295 (1966), 300.

@@ -2,9 +2,9 @@
  *
  * The library returns the friction of two rough surfaces under a normal load, and its slope. The model sums over the
  * summits of the surfaces: adhesion (Maugis), shear strength that depends on the radius of a contact (Hurtado and Kim), a
- * distribution of summit heights. It is that of Adams and Muftu, Nanotechnology 16 (2005), whose equation numbers are quoted
- * below. It does not predict the shear strength of the interface: calibrate it with one measurement
- * (asperity_params_calibrate).
+ * distribution of summit heights. It is that of Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409, whose
+ * equation numbers are quoted below. It does not predict the shear strength of the interface: calibrate it with one
+ * measurement (asperity_params_calibrate).
  *
  * In SI units (N, m, Pa):
  *

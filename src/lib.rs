@@ -3,8 +3,8 @@
 //! The crate computes the friction of two rough surfaces under a normal load, with its slope, for the contacts of a solver.
 //! The model sums over the summits at which the surfaces touch: adhesion (Maugis), a shear strength that depends on the
 //! radius of each contact (Hurtado and Kim), and attraction of summits out of contact, over a distribution of heights
-//! (Adams and Müftü, Nanotechnology 16 (2005)). It does not predict the shear strength of the interface: call
-//! [`Params::calibrate`] with one measurement.
+//! (Adams and Müftü, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409). It does not predict the shear strength of the
+//! interface: call [`Params::calibrate`] with one measurement.
 //!
 //! ```
 //! use asperity::materials::Bodies;

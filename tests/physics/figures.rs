@@ -1,4 +1,4 @@
-//! What the results of Adams and Muftu, Nanotechnology 16 (2005), section 3, show: figures 3 to 10 as claims.
+//! What the results of Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409, section 3, show: figures 3 to 10 as claims.
 //!
 //! Loads are in N G b^2 and nu = 0.3, as in the figures.
 

@@ -9,7 +9,7 @@ use asperity::groups::Groups;
 use asperity::{HeightFamily, Model, Params};
 use std::f64::consts::PI;
 
-/// Adams and Muftu, Nanotechnology 16 (2005), Table 1: omega, mean, skew, kurtosis, as printed.
+/// Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409, Table 1: omega, mean, skew, kurtosis, as printed.
 const TABLE_1: [(f64, f64, f64, f64); 5] = [
     (40.74, 32.32, -1.0, 4.773),
     (7.493, 6.340, -0.5, 3.258),

@@ -34,8 +34,8 @@ def _introduction() -> str:
 # The paper's figures: friction coefficient against load
 
 This page draws the figures of section 3 of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact
-and friction*, Nanotechnology 16 (2005), and compares them with what the paper says about them. Below these it has figures
-that the paper lacks. From the root of a checkout this command writes page and pictures:
+and friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, and compares them with what the paper says about
+them. Below these it has figures that the paper lacks. From the root of a checkout this command writes page and pictures:
 
 ```sh
 python -m asperity figures
