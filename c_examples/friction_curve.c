@@ -1,15 +1,15 @@
-/* Friction coefficient of a polysilicon MEMS contact against normal load, in SI units.
+/* Friction coefficient of a polysilicon MEMS contact against normal load, with its band, in SI units.
  *
- * usage: friction_curve [FIGURE [LOADS [LOWEST [HIGHEST]]]]
+ * usage: friction_curve [--table] [FIGURE [LOADS [LOWEST [HIGHEST]]]]
+ *   --table  every digit of load, friction coefficient, its band, friction force, real area and contacts
  *   FIGURE   SVG file to draw the curve in; "-" or nothing for none
- *   LOADS    number of loads, 2 to 100000 (33)
- *   LOWEST   lowest load [N], > 0 (2e-4)
- *   HIGHEST  highest load [N], > LOWEST (0.1)
+ *   LOADS    number of loads, 2 to 100000 (5, or 33 with --table)
+ *   LOWEST   lowest load [N], > 0 (1e-4)
+ *   HIGHEST  highest load [N], > LOWEST (1)
  *
- * The table goes to standard output, one load a line, messages to standard error. Among these are warnings if the model
- * does not hold somewhere between the two loads; at those that are taken if none is given it holds. The figure begins
- * farther below, and is grey where fewer than 20 summits touch: there one pair of surfaces differs from another.
- * Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line. */
+ * Numbers go to standard output; warnings, if the model does not hold somewhere between the two loads, to standard error.
+ * The figure begins farther below, and is grey where fewer than 20 summits touch: there one pair of surfaces differs from
+ * another. Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line. */
 
 #include <asperity.h>
 
@@ -20,43 +20,50 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FAILED = 1, USAGE = 2, MAX_LOADS = 100000 };
+enum { FAILED = 1, USAGE = 2, MAX_LOADS = 100000, SUMMARY_LOADS = 5, TABLE_LOADS = 33 };
 
 typedef struct options {
+    int table;
     const char *figure;
     int loads;
     double lowest, highest;
 } options;
 
 typedef struct row {
-    double load, mu, friction, area, contacts;
+    double load, mu, low, high, friction, area, contacts;
 } row;
 
-/* Two polysilicon surfaces that touch over a nominal area of 100 um x 100 um.
+/* A rough and a smooth body of polysilicon that touch over a nominal area of 100 um x 100 um.
  *
+ * measured: an ASSUMPTION, friction coefficient 0.3 at 10 mN to 5 %. No model predicts the strength of an interface: measure
+ *   yours once, and write it here.
  * E, nu: 152 to 164 GPa for films of four makers (Sharpe, Jackson, Coles and LaVan, IMECE 2000, MEMS, 255-259);
- *   0.22 (Sharpe, Yuan, Vaidyanathan and Edwards, Proc. IEEE MEMS 1997, 424-429). Both bodies are of it.
- * H: 12 GPa, at which silicon changes phase (Domnich, Aratyn, Kriven and Gogotsi, Rev. Adv. Mater. Sci. 17 (2008), 33).
- * b: silicon slips along <110>/2, 0.5431 nm/sqrt 2 (Hirth and Lothe, Theory of Dislocations).
- * w: van der Waals attraction of the oxide skins, A/(12 pi D^2) with A = 6.5e-20 J, silica, and D = 0.165 nm
+ *   0.22 (Sharpe, Yuan, Vaidyanathan and Edwards, Proc. IEEE MEMS 1997, 424-429).
+ * hardness: 12 GPa, at which silicon changes phase (Domnich, Aratyn, Kriven and Gogotsi, Rev. Adv. Mater. Sci. 17 (2008), 33).
+ * burgers_vector: silicon slips along <110>/2, 0.5431 nm/sqrt 2 (Hirth and Lothe, Theory of Dislocations).
+ * work_of_adhesion: van der Waals attraction of the oxide skins, A/(12 pi D^2) with A = 6.5e-20 J, silica, and D = 0.165 nm
  *   (Israelachvili, Intermolecular and Surface Forces). That van der Waals forces hold such surfaces together was
  *   measured by DelRio, de Boer, Knapp, Reedy, Clews and Dunn, Nature Materials 4 (2005), 629-634.
- * h: the same as b, as in Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409.
- * sigma: 5 nm, amid the rms roughness of a few to ten nanometres of the films of DelRio et al.
- * summit density: one a grain, of about 0.3 um across, so 10 per um^2: an assumption about the film.
- * R: such that density R sigma = 0.05, as on the surfaces of Greenwood and Williamson, Proc. R. Soc. A 295 (1966), 300.
- *
- * Density and R depend on the resolution of the microscope (Bora et al., Tribology Letters 19 (2005), 37-48): for
- * a device of your own, measure them at the scale of the contacts, and replace these. */
-static const double E = 160e9;              /* [Pa] */
-static const double NU = 0.22;
-static const double HARDNESS = 12e9;        /* H [Pa] */
-static const double BURGERS = 0.384e-9;     /* [m] */
-static const double ADHESION = 0.063;       /* w [J/m^2] */
-static const double SIGMA = 5e-9;           /* [m] */
-static const double RADIUS = 1e-6;          /* R [m] */
-static const double DENSITY = 1e13;         /* summits [1/m^2] */
-static const double NOMINAL_AREA = 1e-8;    /* [m^2] */
+ * adhesion_range: the same as the Burgers vector, as in Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409.
+ * Sq: 5 nm, amid the rms roughness of a few to ten nanometres of the films of DelRio et al.
+ * Sdq: 0.08, an assumption about such a film. It depends on the resolution of the microscope: measure it at the scale of the
+ *   contacts. */
+static const char SURFACE[] =
+    "measured = [1e-2, 0.3, 0.05]    # load [N], friction coefficient, relative error\n"
+    "work_of_adhesion = 0.063        # [J/m^2]\n"
+    "adhesion_range = 0.384e-9       # [m]\n"
+    "burgers_vector = 0.384e-9       # [m]\n"
+    "hardness = 12e9                 # [Pa], for warnings\n"
+    "nominal_area = 1e-8             # [m^2]\n"
+    "[materials]\n"
+    "E1 = 160e9                      # [Pa]\n"
+    "nu1 = 0.22\n"
+    "E2 = 160e9\n"
+    "nu2 = 0.22\n"
+    "[roughness]\n"
+    "Sq = 5e-9                       # [m], root mean square height\n"
+    "Sdq = 0.08                      # root mean square slope\n";
+static const double MEASURED_LOAD = 1e-2; /* [N], as above */
 
 /* ---- The contact ---- */
 
@@ -72,44 +79,48 @@ static int make_contact(asperity_model **model)
 {
     asperity_params params;
 
-    asperity_params_init(&params, sizeof params); /* what is forgotten below is refused by name */
-    if (asperity_params_set_materials(&params, E, NU, E, NU) != ASPERITY_OK)
-        return library_failed("asperity_params_set_materials");
-    params.work_of_adhesion = ADHESION;
-    params.adhesion_range = BURGERS;
-    params.burgers_vector = BURGERS;
-    params.height_std = SIGMA;
-    params.summit_radius = RADIUS;
-    params.asperity_count = DENSITY * NOMINAL_AREA;
-    params.nominal_area = NOMINAL_AREA; /* this and the hardness are for warnings alone */
-    params.hardness = HARDNESS;
+    asperity_params_init(&params, sizeof params);
+    if (asperity_params_set_text(&params, SURFACE, sizeof SURFACE - 1) != ASPERITY_OK)
+        return library_failed("asperity_params_set_text");
     if (asperity_create(&params, model) != ASPERITY_OK)
         return library_failed("asperity_create");
     return 0;
 }
 
-/* Loads are evenly spaced in the logarithm. */
-static double load_of(const options *o, int i)
+/* `n` loads evenly spaced in the logarithm, with the band of friction at each. */
+static int evaluate(const asperity_model *model, double lowest, double highest, int n, row *rows)
 {
-    return o->lowest * pow(o->highest / o->lowest, (double)i / (o->loads - 1));
-}
+    double *loads = malloc((size_t)n * sizeof *loads);
+    asperity_estimate *estimates = malloc((size_t)n * sizeof *estimates);
+    int failed = 0;
 
-static int evaluate(const asperity_model *model, const options *o, row *rows)
-{
-    for (int i = 0; i < o->loads; i++) {
-        const double load = load_of(o, i);
+    if (loads == NULL || estimates == NULL) {
+        fprintf(stderr, "friction_curve: out of memory for %d loads\n", n);
+        failed = FAILED;
+    }
+    for (int i = 0; i < n && !failed; i++) {
+        loads[i] = lowest * pow(highest / lowest, (double)i / (n - 1));
+        estimates[i].struct_size = sizeof *estimates;
+    }
+    if (!failed && asperity_estimate_at_loads(SURFACE, sizeof SURFACE - 1, (size_t)n, loads, estimates) != ASPERITY_OK)
+        failed = library_failed("asperity_estimate_at_loads");
+    for (int i = 0; i < n && !failed; i++) {
         asperity_state state;
 
         state.struct_size = sizeof state;
-        if (asperity_state_at_load(model, load, &state) != ASPERITY_OK)
-            return library_failed("asperity_state_at_load");
-        rows[i].load = load;
-        rows[i].mu = asperity_friction_at_load(model, load);
-        rows[i].friction = asperity_friction_force_at_load(model, load);
+        if (asperity_state_at_load(model, loads[i], &state) != ASPERITY_OK)
+            failed = library_failed("asperity_state_at_load");
+        rows[i].load = loads[i];
+        rows[i].mu = estimates[i].friction_coefficient;
+        rows[i].low = estimates[i].low;
+        rows[i].high = estimates[i].high;
+        rows[i].friction = estimates[i].friction_force;
         rows[i].area = state.real_area;
         rows[i].contacts = state.contacting;
     }
-    return 0;
+    free(estimates);
+    free(loads);
+    return failed;
 }
 
 /* Says what of the model does not hold at the loads of the table, and what to do about it. */
@@ -125,12 +136,33 @@ static int print_warnings(const asperity_model *model, const options *o)
     return 0;
 }
 
-static int print_table(const row *rows, int n)
+static void print_table(const row *rows, int n)
 {
-    printf("# load [N], mu, friction force [N], real area [m^2], contacts\n");
+    printf("# load [N], mu, low, high, friction force [N], real area [m^2], contacts\n");
     for (int i = 0; i < n; i++)
-        printf("%.9e %.9e %.9e %.9e %.9e\n", rows[i].load, rows[i].mu, rows[i].friction, rows[i].area,
-               rows[i].contacts);
+        printf("%.9e %.9e %.9e %.9e %.9e %.9e %.9e\n", rows[i].load, rows[i].mu, rows[i].low, rows[i].high, rows[i].friction,
+               rows[i].area, rows[i].contacts);
+}
+
+static void print_summary(const row *rows, int n, double constant)
+{
+    printf("Polysilicon on polysilicon, 0.01 mm^2, one friction coefficient given: %.3f at %g N (assumed; measure yours)\n\n",
+           constant, MEASURED_LOAD);
+    printf("  load [N]      mu     low    high   contacts\n");
+    for (int i = 0; i < n; i++)
+        printf("%10.3g  %6.3f  %6.3f  %6.3f  %9.0f\n", rows[i].load, rows[i].mu, rows[i].low, rows[i].high, rows[i].contacts);
+    printf("\nThe friction coefficient mu falls from %.3f to %.3f as the load grows: the constant %.3f would be %.0f %% %s\n"
+           "at the lowest load and %.0f %% %s at the highest. low and high enclose mu with 95 %% probability.\n",
+           rows[0].mu, rows[n - 1].mu, constant, 100 * fabs(constant / rows[0].mu - 1), constant < rows[0].mu ? "low" : "high",
+           100 * fabs(constant / rows[n - 1].mu - 1), constant < rows[n - 1].mu ? "low" : "high");
+}
+
+static int print(const options *o, const row *rows, double constant)
+{
+    if (o->table)
+        print_table(rows, o->loads);
+    else
+        print_summary(rows, o->loads, constant);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         fprintf(stderr, "friction_curve: cannot write the table: %s\n", strerror(errno));
         return FAILED;
@@ -141,7 +173,7 @@ static int print_table(const row *rows, int n)
 /* ---- The figure ---- */
 
 enum { WIDTH = 480, HEIGHT = 400, LEFT = 62, RIGHT = 452, TOP = 46, BOTTOM = 336 };
-enum { EXTRA_LOADS = 20 }; /* below LOWEST, in the figure alone */
+enum { EXTRA_LOADS = 20, DRAWN_LOADS = EXTRA_LOADS + TABLE_LOADS }; /* the extra ones are below LOWEST */
 static const double BELOW_LOWEST = 1.0 / 20; /* where they begin, over LOWEST */
 
 typedef struct axes {
@@ -164,7 +196,7 @@ static axes choose_axes(const row *rows, int n, double constant)
     axes a;
 
     for (int i = 0; i < n; i++)
-        top = fmax(top, rows[i].mu);
+        top = fmax(top, rows[i].high);
     a.first_decade = (int)floor(log10(rows[0].load) + 1e-9);
     a.last_decade = (int)ceil(log10(rows[n - 1].load) - 1e-9);
     if (a.last_decade == a.first_decade)
@@ -218,8 +250,8 @@ static void draw_too_few(FILE *svg, const axes *a, double enough)
         return;
     fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"%.2f\" height=\"%d\" fill=\"#e6e6e6\"/>\n", LEFT, TOP, right - LEFT,
             BOTTOM - TOP);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">fewer than 20 contacts:</text>\n", LEFT + 8, BOTTOM - 28);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\" font-size=\"13\">specimens differ</text>\n", LEFT + 8, BOTTOM - 10);
+    fprintf(svg, "<text y=\"%d\" font-size=\"13\"><tspan x=\"%d\">fewer than 20</tspan><tspan x=\"%d\" dy=\"17\">contacts:</tspan>"
+                 "<tspan x=\"%d\" dy=\"17\">specimens differ</tspan></text>\n", BOTTOM - 44, LEFT + 8, LEFT + 8, LEFT + 8);
 }
 
 static void draw_curve(FILE *svg, const axes *a, const char *class, const row *rows, int n)
@@ -230,35 +262,51 @@ static void draw_curve(FILE *svg, const axes *a, const char *class, const row *r
     fprintf(svg, "\"/>\n");
 }
 
-static void draw_legend(FILE *svg, double constant, double middle)
+/* From `low` to `high`. */
+static void draw_band(FILE *svg, const axes *a, const row *rows, int n)
 {
-    const int x = RIGHT - 372, y = BOTTOM - 118;
+    fprintf(svg, "<path class=\"band\" d=\"");
+    for (int i = 0; i < n; i++)
+        fprintf(svg, "%s%.2f %.2f", i == 0 ? "M" : " L", x_of(a, rows[i].load), y_of(a, rows[i].low));
+    for (int i = n - 1; i >= 0; i--)
+        fprintf(svg, " L%.2f %.2f", x_of(a, rows[i].load), y_of(a, rows[i].high));
+    fprintf(svg, " Z\"/>\n");
+}
 
-    fprintf(svg, "<rect x=\"%d\" y=\"%d\" width=\"367\" height=\"56\" fill=\"white\" stroke=\"#999\"/>\n", x, y);
-    fprintf(svg, "<path class=\"law\" d=\"M%d %d h36\"/>\n", x + 10, y + 18);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\">contact physics (asperity)</text>\n", x + 56, y + 23);
-    fprintf(svg, "<path class=\"constant\" d=\"M%d %d h36\"/>\n", x + 10, y + 40);
-    fprintf(svg, "<text x=\"%d\" y=\"%d\">constant &#956; = %.3f, right at %.3g N</text>\n", x + 56, y + 45, constant,
-            middle);
+static void draw_legend(FILE *svg, double constant)
+{
+    const int x = LEFT + 130, y = BOTTOM - 84;
+
+    fprintf(svg, "<path class=\"band\" d=\"M%d %d h36 v16 h-36 Z\"/>\n", x, y + 4);
+    fprintf(svg, "<path class=\"law\" d=\"M%d %d h36\"/>\n", x, y + 12);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\">contact physics, 95 %% band</text>\n", x + 46, y + 17);
+    fprintf(svg, "<path class=\"constant\" d=\"M%d %d h36\"/>\n", x, y + 36);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\">constant &#956; = %.3f</text>\n", x + 46, y + 41, constant);
+    fprintf(svg, "<circle r=\"4\" cx=\"%d\" cy=\"%d\"/>\n", x + 18, y + 60);
+    fprintf(svg, "<text x=\"%d\" y=\"%d\">given: %.3f at %g N</text>\n", x + 46, y + 65, constant, MEASURED_LOAD);
 }
 
 /* The first EXTRA_LOADS rows are those below LOWEST. */
-static void draw(FILE *svg, const row *rows, int n, double enough, double constant, double middle)
+static void draw(FILE *svg, const row *rows, double enough, double constant)
 {
-    const axes a = choose_axes(rows, n, constant);
+    const axes a = choose_axes(rows, DRAWN_LOADS, constant);
 
     fprintf(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
                  "font-family=\"DejaVu Sans, sans-serif\" font-size=\"15\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
     fprintf(svg, "<style>path { fill: none } .grid { stroke: #ddd } .law { stroke: #0072b2; stroke-width: 2.5 } "
+                 ".band { fill: #0072b2; fill-opacity: 0.2 } "
                  ".below { stroke: #0072b2; stroke-width: 1.2 } "
                  ".constant { stroke: #d55e00; stroke-width: 2; stroke-dasharray: 9 6 }</style>\n");
     fprintf(svg, "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n");
     draw_too_few(svg, &a, enough);
     draw_axes(svg, &a);
     fprintf(svg, "<path class=\"constant\" d=\"M%d %.2f H%d\"/>\n", LEFT, y_of(&a, constant), RIGHT);
+    draw_band(svg, &a, rows, DRAWN_LOADS);
     draw_curve(svg, &a, "below", rows, EXTRA_LOADS + 1);
-    draw_curve(svg, &a, "law", rows + EXTRA_LOADS, n - EXTRA_LOADS);
-    draw_legend(svg, constant, middle);
+    draw_curve(svg, &a, "law", rows + EXTRA_LOADS, TABLE_LOADS);
+    if (MEASURED_LOAD >= rows[0].load && MEASURED_LOAD <= rows[DRAWN_LOADS - 1].load)
+        fprintf(svg, "<circle r=\"4\" cx=\"%.2f\" cy=\"%.2f\"/>\n", x_of(&a, MEASURED_LOAD), y_of(&a, constant));
+    draw_legend(svg, constant);
     fprintf(svg, "</svg>\n");
 }
 
@@ -284,25 +332,25 @@ static int find_enough(const asperity_model *model, double lowest, double highes
     return 0;
 }
 
-/* Beside the law the figure has what a solver takes today: one number. It is chosen fairly, as the law's own
- * coefficient at the middle of the loads on the logarithmic axis, so that both agree there. */
-static int draw_in_file(const asperity_model *model, const options *o, row *rows)
+/* Beside the law the figure has what a solver takes today: the measured coefficient at every load. */
+static int draw_in_file(const asperity_model *model, const options *o, double constant)
 {
-    const double middle = sqrt(o->lowest) * sqrt(o->highest);
-    const options below = { NULL, EXTRA_LOADS + 1, BELOW_LOWEST * o->lowest, o->lowest };
+    const double lowest = BELOW_LOWEST * o->lowest;
+    row rows[DRAWN_LOADS];
     double enough;
     FILE *svg;
     int failed;
 
-    if (evaluate(model, &below, rows) != 0 || evaluate(model, o, rows + EXTRA_LOADS) != 0 ||
-        find_enough(model, below.lowest, o->highest, &enough) != 0)
+    if (evaluate(model, lowest, o->lowest, EXTRA_LOADS + 1, rows) != 0 ||
+        evaluate(model, o->lowest, o->highest, TABLE_LOADS, rows + EXTRA_LOADS) != 0 ||
+        find_enough(model, lowest, o->highest, &enough) != 0)
         return FAILED;
     svg = fopen(o->figure, "w");
     if (svg == NULL) {
         fprintf(stderr, "friction_curve: cannot write %s: %s\n", o->figure, strerror(errno));
         return FAILED;
     }
-    draw(svg, rows, EXTRA_LOADS + o->loads, enough, asperity_friction_at_load(model, middle), middle);
+    draw(svg, rows, enough, constant);
     failed = ferror(svg);
     if (fclose(svg) != 0 || failed) {
         fprintf(stderr, "friction_curve: cannot write %s: %s\n", o->figure, strerror(errno));
@@ -321,7 +369,7 @@ static int refuse(const char *format, ...)
     va_start(arguments, format);
     vfprintf(stderr, format, arguments);
     va_end(arguments);
-    fprintf(stderr, "\nusage: friction_curve [FIGURE.svg|- [LOADS [LOWEST [HIGHEST]]]]\n");
+    fprintf(stderr, "\nusage: friction_curve [--table] [FIGURE.svg|- [LOADS [LOWEST [HIGHEST]]]]\n");
     return USAGE;
 }
 
@@ -337,8 +385,14 @@ static int read_number(const char *name, const char *text, double *number)
 
 static int read_options(int argc, char **argv, options *o)
 {
-    double loads = o->loads;
+    double loads;
 
+    if (argc > 1 && strcmp(argv[1], "--table") == 0) {
+        o->table = 1;
+        argc--;
+        argv++;
+    }
+    loads = o->table ? TABLE_LOADS : SUMMARY_LOADS;
     if (argc > 5)
         return refuse("%d arguments: at most 4", argc - 1);
     if (argc > 1 && strcmp(argv[1], "-") != 0)
@@ -361,27 +415,28 @@ static int read_options(int argc, char **argv, options *o)
 
 static int run(const asperity_model *model, const options *o)
 {
-    row *rows = malloc(((size_t)EXTRA_LOADS + (size_t)o->loads) * sizeof *rows);
+    const double constant = asperity_friction_at_load(model, MEASURED_LOAD);
+    row *rows = malloc((size_t)o->loads * sizeof *rows);
     int status;
 
     if (rows == NULL) {
         fprintf(stderr, "friction_curve: out of memory for %d loads\n", o->loads);
         return FAILED;
     }
-    status = evaluate(model, o, rows);
+    status = evaluate(model, o->lowest, o->highest, o->loads, rows);
     if (status == 0)
-        status = print_table(rows, o->loads);
+        status = print(o, rows, constant);
     if (status == 0)
         status = print_warnings(model, o);
     if (status == 0 && o->figure != NULL)
-        status = draw_in_file(model, o, rows);
+        status = draw_in_file(model, o, constant);
     free(rows);
     return status;
 }
 
 int main(int argc, char **argv)
 {
-    options o = { NULL, 33, 2e-4, 0.1 };
+    options o = { 0, NULL, 0, 1e-4, 1.0 };
     asperity_model *model = NULL;
     int status = read_options(argc, argv, &o);
 

@@ -100,17 +100,4 @@ for page in docs/start-*.md; do
 done
 echo "docs/start-*.md: the programs in Fortran print what they say"
 
-# The twin of the C example.
-# shellcheck disable=SC2086
-compile fortran/examples/friction_curve.f90 "$build/asperity.o" $link -o "$build/friction_curve_fortran"
-cc -std=c11 -O1 -Iinclude c_examples/friction_curve.c $link -lm -o "$build/friction_curve_c"
-for loads in "" "200 1e-12 1e6"; do
-    # shellcheck disable=SC2086
-    "$build/friction_curve_fortran" $loads >"$build/curve_fortran.txt"
-    # shellcheck disable=SC2086
-    "$build/friction_curve_c" - $loads >"$build/curve_c.txt"
-    diff "$build/curve_c.txt" "$build/curve_fortran.txt"
-done
-echo "friction_curve prints the table of the C example, to the digit"
-
 echo "fortran  PASS  $((SECONDS - started)) s"

@@ -87,7 +87,7 @@ CONTACTS = tuple(
         ("fine powder", _single(PAIRS["SiO2/SiO2"].contact, 1e-6), (1e-8, 1e-5),
          "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed", "holds"),
         ("MEMS polysilicon", _rough(PAIRS["Si/Si"].contact, 5e-9, 1e-6, 1e-8), (1e-6, 1e-2),
-         "`c_examples/friction_curve.c`, with its sources: σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa", "holds"),
+         "the pair Si/Si, σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa: assumed", "holds"),
         ("wafer on chuck", _rough(_bodies("Si", "DLC", _ADHESION_OF_OXIDES), 10e-9, 10e-6, 1e-6), (1e-3, 1.0),
          "silicon on DLC, σ = 10 nm, R = 10 µm, 1 kPa to 1 MPa on the pins: assumed", "holds"),
         ("DLC on steel", _rough(_bodies("DLC", "steel", 0.05), 50e-9, 20e-6, 1e-6), (1e-1, 1e2),
