@@ -126,7 +126,7 @@
 #define ASPERITY_WARNING_ADHESIVE 32
 /** Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while both
  * slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
- * 1/200 to 36 times the measured friction: call `asperity_params_calibrate`. */
+ * up to 14 times too little or 26 times too much friction: call `asperity_params_calibrate`. */
 #define ASPERITY_WARNING_UNCALIBRATED 64
 /** Bit of `warnings`: summits that were counted stand on summits, as the surface is rough on many scales. Set if Nayak's
  * bandwidth is above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. Never set after

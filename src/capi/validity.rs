@@ -28,7 +28,7 @@ pub const ASPERITY_WARNING_FEW: u64 = 16;
 pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
 /// Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while both
 /// slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
-/// 1/200 to 36 times the measured friction: call `asperity_params_calibrate`.
+/// up to 14 times too little or 26 times too much friction: call `asperity_params_calibrate`.
 pub const ASPERITY_WARNING_UNCALIBRATED: u64 = 64;
 /// Bit of `warnings`: summits that were counted stand on summits, as the surface is rough on many scales. Set if Nayak's
 /// bandwidth is above 6: the `bandwidth` given, or that of this many summits on `nominal_area`. Never set after
@@ -189,7 +189,7 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_UNCALIBRATED => {
             c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
-              the default gives 1/200 to 36 times the measured friction; measure the friction force once and call \
+              with the default it was up to 14 times too low or 26 times too high; measure the friction force once and call \
               asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured values"
         }
         ASPERITY_WARNING_BROAD => {

@@ -34,25 +34,15 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
     text.split(start).nth(1).and_then(|rest| rest.split(end).next()).expect(start)
 }
 
+/// The front page of the site has the same program.
 #[test]
 fn the_program_of_the_readme_prints_what_it_says() {
+    let program = |page: &str| between(page, "```c\n", "```").to_string();
     let readme = page("README.md");
-    prints("readme.c", ("README.md", &readme), between(&readme, "```c\n", "```"), between(&readme, "It prints `", "`"));
-    if std::env::var_os(WRITE).is_some() {
-        let (now, front) = (page("README.md"), page("docs/site/index.md"));
-        let shown = between(&front, "```text\n", "```").trim_end();
-        let written = front.replacen(shown, between(&now, "It prints `", "`"), 1);
-        std::fs::write(root().join("docs/site/index.md"), written).expect("the front page");
-    }
-}
-
-#[test]
-fn the_front_page_of_the_site_shows_lines_of_that_program_and_what_they_print() {
-    let (readme, front) = (page("README.md"), page("docs/site/index.md"));
-    let program = between(&readme, "```c\n", "```");
-    assert!(program.contains(between(&front, "```c\n", "```")), "the page shows other lines than README.md");
-    if std::env::var_os(WRITE).is_none() {
-        assert_eq!(between(&front, "```text\n", "```").trim_end(), between(&readme, "It prints `", "`"));
+    for name in ["README.md", "docs/site/index.md"] {
+        let text = page(name);
+        assert_eq!(program(&text), program(&readme), "{name}");
+        prints("readme.c", (name, &text), &program(&text), between(&text, "```text\n", "```"));
     }
 }
 

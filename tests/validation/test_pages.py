@@ -37,3 +37,12 @@ def test_the_defaults_are_no_upper_estimate() -> None:
     steel, ground, rough = (row.ratio() for row in defaults.ROUGH)
     assert 1 / 15 < steel[0] < steel[1] < 1 / 6
     assert rough[1] < 1 / 50 < 1 / 6 < ground[0] < ground[1] < 1 / 4
+
+
+def test_how_wrong_the_default_is_has_one_answer() -> None:
+    low, high = (f"{factor:.2g}" for factor in defaults.error())
+    root = tables.DOCS.parent
+    for place in ("README.md", "docs/site/index.md", "docs/c.md", "src/capi/validity.rs", "python/src/asperity/results.py"):
+        text = " ".join((root / place).read_text(encoding="utf-8").replace("///", "").split())
+        words = (f"{low} times too {less} or {high} times too {more}" for less, more in (("low", "high"), ("little", "much")))
+        assert any(word in text for word in words), place

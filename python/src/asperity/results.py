@@ -36,7 +36,7 @@ class Warnings(IntFlag):
             the load. Never set if `asperity_count` is 1, as for single summits.
         UNCALIBRATED: the strength of the interface is the default, which was not measured on these surfaces. Set while
             both slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the
-            default the model predicts 1/200 to 36 times the measured friction.
+            default the model predicts up to 14 times too little or 26 times too much friction.
         BROAD: summits that were counted stand on summits, as the surface is rough on many scales. Set if Nayak's
             bandwidth is above 6: the `bandwidth` given, or that of this many summits on `nominal_area`.
         STRONG: the interface is stronger than the softer body, which shears at H/(3 sqrt 3). Set if the slip stress at
