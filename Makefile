@@ -56,6 +56,7 @@ js/test.sh
 tests/validation/run.sh
 tests/examples/run.sh
 tests/consumers/run.sh
+docs/site/build.sh
 tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh

@@ -3,8 +3,6 @@
 //! Every entry point passes through `boundary`, most through `boundary::status`. All `unsafe` of the library is
 //! in this folder.
 #![allow(unsafe_code, non_camel_case_types)]
-// Units stand in brackets, which rustdoc takes for links.
-#![allow(rustdoc::broken_intra_doc_links)]
 
 mod about;
 mod batch;

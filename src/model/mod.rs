@@ -2,9 +2,6 @@
 //!
 //! `exact` answers all else that a caller can ask, by sums over the summits.
 
-// Brackets hold units here, not links.
-#![allow(rustdoc::broken_intra_doc_links)]
-
 pub(crate) mod calibration;
 mod exact;
 mod gap;

@@ -3,9 +3,6 @@
 //! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be; `units` converts
 //! them.
 
-// Brackets hold units here, not links.
-#![allow(rustdoc::broken_intra_doc_links)]
-
 mod checks;
 mod numbers;
 mod unit_slips;
