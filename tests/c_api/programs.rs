@@ -65,6 +65,28 @@ fn the_header_for_kernels_gives_the_bits_of_the_library() {
     }
 }
 
+/// The headers that are compiled into the host are right also where its compiler takes it that no number is NaN, sums in any
+/// order and, as GCC does, makes the program flush small numbers to zero.
+#[test]
+#[cfg(target_os = "linux")]
+fn the_headers_give_the_numbers_of_the_library_under_fast_math() {
+    let native = if cfg!(target_arch = "x86_64") { "-march=native" } else { "-mcpu=native" };
+    let compilers = [
+        Compiler::named("gcc", Language::C, "c99").with(&["-Ofast"]),
+        Compiler::named("gcc", Language::C, "c11").optimised(3).with(&["-ffast-math", native]),
+        Compiler::named("gcc", Language::C, "c11").optimised(2).with(&["-ffinite-math-only"]),
+        Compiler::named("clang", Language::C, "c99").with(&["-Ofast"]),
+        Compiler::named("clang", Language::C, "c11").optimised(3).with(&["-ffast-math", native]),
+        Compiler::named("g++", Language::Cpp, "c++17").optimised(3).with(&["-ffast-math", "-x", "c++"]),
+        Compiler::named("clang++", Language::Cpp, "c++17").optimised(2).with(&["-ffinite-math-only", "-x", "c++"]),
+    ];
+    for compiler in compilers.map(|compiler| compiler.with(&CONVERSIONS)) {
+        for name in ["eval.c", "loads.c"] {
+            print!("{}", compiler.program(&c_source(name), Linking::Shared).succeeds(&[]));
+        }
+    }
+}
+
 #[cfg(target_os = "linux")]
 fn evaluating_compilers() -> Vec<Compiler> {
     let native = if cfg!(target_arch = "x86_64") { "-march=native" } else { "-mcpu=native" };
