@@ -39,6 +39,20 @@ fn no_call_raises_a_floating_point_trap() {
     passes("traps.c");
 }
 
+/// By the stacks of threads of the GNU C library.
+#[test]
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn every_call_keeps_to_the_stack_that_is_promised() {
+    let read = |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let (header, calls) = (read("include/asperity.h"), read("tests/c/stack.c"));
+    let code = |line: &&str| !line.starts_with([' ', '/', '#', '*']);
+    for line in header.lines().filter(code).filter(|line| line.contains('(')) {
+        let name = line.split('(').next().and_then(|start| start.split("asperity_").last()).expect("a name");
+        assert!(calls.contains(&format!(", {name}, (")), "tests/c/stack.c does not call asperity_{name}");
+    }
+    passes("stack.c");
+}
+
 /// Environments of the host: rounding, flushing to zero, flags, and the traps that `check.h` turns on.
 #[test]
 #[cfg(not(target_env = "msvc"))]
