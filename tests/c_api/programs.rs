@@ -43,7 +43,8 @@ fn no_call_raises_a_floating_point_trap() {
 #[test]
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 fn every_call_keeps_to_the_stack_that_is_promised() {
-    let read = |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let read =
+        |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
     let (header, calls) = (read("include/asperity.h"), read("tests/c/stack.c"));
     let code = |line: &&str| !line.starts_with([' ', '/', '#', '*']);
     for line in header.lines().filter(code).filter(|line| line.contains('(')) {
