@@ -44,7 +44,7 @@ endif
 
 package: $(asperity_static)
 
-$(asperity_static): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
+$(asperity_static): Cargo.toml Cargo.lock cmake/own_symbols.sh $(shell find src -name '*.rs')
 	$(asperity_refusal)
 	@cmake/check_rust.sh "$(CARGO)" "$(RUSTC)"
 	$(CARGO) rustc --release --locked --lib --crate-type cdylib,staticlib \
@@ -55,7 +55,7 @@ $(asperity_static): Cargo.toml Cargo.lock $(shell find src -name '*.rs')
 	cp $(asperity_target_dir)/native-static-libs $(asperity_package)
 	cp $(asperity_target_dir)/$(asperity_triple)/release/$(lastword $(asperity_links)) \
 	    $(asperity_package)/$(asperity_shared)
-	cp $(asperity_target_dir)/$(asperity_triple)/release/libasperity.a $@
+	cmake/own_symbols.sh "$(RUSTC)" $(asperity_target_dir)/$(asperity_triple)/release/libasperity.a $@
 
 # ---- Generated files ----
 # Paths in them start from the files themselves, unless LIBDIR lies outside PREFIX. Compilers add libgcc_s themselves,

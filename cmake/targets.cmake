@@ -22,10 +22,19 @@ set(asperity_stage_commands
   COMMAND "${CMAKE_COMMAND}" -E copy_if_different
           "${ASPERITY_CARGO_DIR}/${ASPERITY_CARGO_SHARED}" "${ASPERITY_STAGE}/${ASPERITY_SHARED_FILE}")
 set(asperity_byproducts "${ASPERITY_STAGE}/${ASPERITY_SHARED_FILE}" "${ASPERITY_STAGE}/${ASPERITY_STATIC_FILE}")
-foreach(file IN ITEMS ${ASPERITY_STATIC_FILE} ${ASPERITY_IMPORT_FILE})
+# The static library as it links beside others of Rust. On Windows, which has no shell for that, it stays as
+# cargo made it.
+set(asperity_copy_static "${CMAKE_COMMAND}" -E copy_if_different)
+if(CMAKE_HOST_UNIX)
+  set(asperity_copy_static "${PROJECT_SOURCE_DIR}/cmake/own_symbols.sh" "${ASPERITY_RUSTC}")
+endif()
+list(APPEND asperity_stage_commands
+  COMMAND ${asperity_copy_static} "${ASPERITY_CARGO_DIR}/${ASPERITY_STATIC_FILE}" "${ASPERITY_STAGE}/${ASPERITY_STATIC_FILE}")
+if(ASPERITY_IMPORT_FILE)
   list(APPEND asperity_stage_commands
-    COMMAND "${CMAKE_COMMAND}" -E copy_if_different "${ASPERITY_CARGO_DIR}/${file}" "${ASPERITY_STAGE}/${file}")
-endforeach()
+    COMMAND "${CMAKE_COMMAND}" -E copy_if_different
+            "${ASPERITY_CARGO_DIR}/${ASPERITY_IMPORT_FILE}" "${ASPERITY_STAGE}/${ASPERITY_IMPORT_FILE}")
+endif()
 foreach(link IN LISTS ASPERITY_SHARED_LINKS)
   list(APPEND asperity_stage_commands
     COMMAND "${CMAKE_COMMAND}" -E create_symlink "${ASPERITY_SHARED_FILE}" "${ASPERITY_STAGE}/${link}")

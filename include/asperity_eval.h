@@ -14,6 +14,10 @@
  * contract a*b + c into a fused multiply-add: GCC does so with -march of a processor that has it, unless -std=c99 or
  * -ffp-contract=off is given; with contraction the last bit or two may differ. Clang, CUDA and HIP are told below.
  *
+ * -ffast-math, -Ofast and -ffinite-math-only are allowed, and the last bits may differ. Such a compiler assumes that no number
+ * is NaN or infinite: do not pass loads that are, and expect any number where these functions give NaN or infinity. nvcc's
+ * --use_fast_math changes no double; of floats it changes the last bits, and takes those below 1.2e-38 for 0.
+ *
  * A kernel cannot call the library, so that every load has its rule:
  *
  *   below pull-off             as the library: force and coefficient 0; slope table.separated_slope (0 with adhesion)
@@ -21,7 +25,7 @@
  *   pulling, pull-off to zero  from the table; the coefficient is the cap
  *   lighter than the table     a straight line from the force at pull-off to the table's lightest load, with the slope of
  *                              that line. Where the table reaches pull-off, such loads lie within 1e-9 of the pull-off
- *                              load above it and the force is right to 1e-4; elsewhere they are below 1e-24 of the load
+ *                              load above it and the force is right to 2e-4; elsewhere they are below 1e-24 of the load
  *                              at which half the summits touch, and the coefficient is about that of the lightest load
  *   heavier than the table     the force of the heaviest load, slope 0: a bound, 1e12 and more times beyond the load at
  *                              which half the summits touch. The library goes on with a power of the load
@@ -53,6 +57,12 @@
 #define ASPERITY_EVAL_MUL(a, b) __dmul_rn((a), (b))
 #define ASPERITY_EVAL_ADDF(a, b) __fadd_rn((a), (b))
 #define ASPERITY_EVAL_MULF(a, b) __fmul_rn((a), (b))
+#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+/* Not to be summed in another order, as -ffast-math would. Clang is told by a pragma. */
+#define ASPERITY_EVAL_ADD(a, b) __builtin_assoc_barrier((a) + (b))
+#define ASPERITY_EVAL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
+#define ASPERITY_EVAL_ADDF(a, b) __builtin_assoc_barrier((a) + (b))
+#define ASPERITY_EVAL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
 #else
 #define ASPERITY_EVAL_ADD(a, b) ((a) + (b))
 #define ASPERITY_EVAL_MUL(a, b) ((a) * (b))
@@ -60,10 +70,19 @@
 #define ASPERITY_EVAL_MULF(a, b) ((a) * (b))
 #endif
 
-#if defined(__clang__) && !defined(__CUDA_ARCH__)
+#if defined(__clang__) && !defined(__CUDA_ARCH__) && __clang_major__ > 12
+#define ASPERITY_EVAL_NO_CONTRACTION _Pragma("clang fp contract(off) reassociate(off)")
+#elif defined(__clang__) && !defined(__CUDA_ARCH__)
 #define ASPERITY_EVAL_NO_CONTRACTION _Pragma("clang fp contract(off)")
 #else
 #define ASPERITY_EVAL_NO_CONTRACTION
+#endif
+
+/* Other compilers are not told: there -ffast-math (MSVC's /fp:fast) meets numbers in memory. */
+#if !defined(__CUDA_ARCH__) && ((defined(__FAST_MATH__) && !defined(__clang__) && __GNUC__ < 12) || defined(_M_FP_FAST))
+#define ASPERITY_EVAL_ROUNDED volatile
+#else
+#define ASPERITY_EVAL_ROUNDED
 #endif
 
 #if defined(__HIPCC__) && !defined(__CUDACC__)
@@ -93,6 +112,14 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_double(uint64_t bits)
     return x;
 }
 
+/* Whether a number is NaN. A comparison with itself would not tell under -ffast-math. */
+ASPERITY_EVAL_FUNCTION int asperity_eval_is_nan(const double *x)
+{
+    uint64_t bits;
+    ASPERITY_EVAL_COPY(&bits, x, sizeof bits);
+    return bits << 1 > ASPERITY_EVAL_EXPONENT << 1;
+}
+
 /* a + b t */
 ASPERITY_EVAL_FUNCTION double asperity_eval_line(double a, double b, double t)
 {
@@ -107,7 +134,7 @@ ASPERITY_EVAL_FUNCTION const double *asperity_eval_part(const asperity_table *ta
     double begin = 0.0;
     int i;
 
-    while (row[0] != row[0]) {
+    while (asperity_eval_is_nan(row)) {
         const uint64_t offset = asperity_eval_bits(row[0]) & ASPERITY_EVAL_OFFSET;
         const double *part = table->rows + offset / sizeof(double);
         if (offset == 0)
@@ -204,7 +231,7 @@ ASPERITY_EVAL_FUNCTION double asperity_eval_friction(const asperity_table *table
     ASPERITY_EVAL_NO_CONTRACTION
     double slope = 0.0, mu, difference, size, divisor;
     double force = asperity_eval_friction_force(table, load, dmu_dload ? &slope : NULL);
-    if (force != force || load < table->pull_off_load) {
+    if (asperity_eval_is_nan(&force) || load < table->pull_off_load) {
         if (dmu_dload)
             *dmu_dload = force;
         return force;
@@ -276,6 +303,13 @@ ASPERITY_EVAL_FUNCTION float asperity_eval_float(uint32_t bits)
     return x;
 }
 
+ASPERITY_EVAL_FUNCTION int asperity_eval_is_nan_float(const float *x)
+{
+    uint32_t bits;
+    ASPERITY_EVAL_COPY(&bits, x, sizeof bits);
+    return bits << 1 > ASPERITY_EVAL_FLOAT_EXPONENT << 1;
+}
+
 /* Where the rows of floats begin and end, as the shifted bits of x: within the table, and from 2^-100 to 2^100. */
 static inline void asperity_eval_float_range(const asperity_table *table, uint32_t *begin, uint32_t *end)
 {
@@ -294,8 +328,9 @@ static inline void asperity_eval_float_range(const asperity_table *table, uint32
 /* The nearest float that is finite; NaN of NaN. */
 static inline float asperity_eval_rounded(double x)
 {
+    ASPERITY_EVAL_NO_CONTRACTION
     const double largest = 3.4028234663852886e38;
-    if (x != x)
+    if (asperity_eval_is_nan(&x))
         return asperity_eval_float(UINT32_C(0x7fc00000));
     return (float)(x > largest ? largest : x < -largest ? -largest : x);
 }
@@ -304,6 +339,7 @@ static inline float asperity_eval_rounded(double x)
  * begins at the float of these bits and is 1/2^(23 - shift) of a binade long. */
 static inline void asperity_eval_fit_float(const asperity_table *table, uint32_t bits, uint32_t shift, float *row)
 {
+    ASPERITY_EVAL_NO_CONTRACTION
     static const double part[6] = {0.017037086855465844, 0.14644660940672622, 0.3705904774487396,
                                    0.6294095225512604,   0.8535533905932737,  0.9829629131445341};
     const double length = (double)(UINT32_C(1) << shift) / 8388608.0;
@@ -312,8 +348,14 @@ static inline void asperity_eval_fit_float(const asperity_table *table, uint32_t
     double c[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, value[6];
     int i, k;
 
-    for (i = 0; i < 6; ++i)
+    for (i = 0; i < 6; ++i) {
         value[i] = asperity_eval_at_excess(table, 1.0, (begin + part[i] * length) * binade, NULL);
+        if (asperity_eval_is_nan(&value[i])) {
+            for (k = 0; k < 8; ++k)
+                row[k] = asperity_eval_float(UINT32_C(0x7fc00000));
+            return;
+        }
+    }
     /* Newton's divided differences, then powers. */
     for (k = 1; k < 6; ++k)
         for (i = 5; i >= k; --i)
@@ -336,6 +378,7 @@ static inline void asperity_eval_fit_float(const asperity_table *table, uint32_t
 static inline int asperity_eval_float_is_good(const asperity_table *table, uint32_t bits, uint32_t shift,
                                               const float *row)
 {
+    ASPERITY_EVAL_NO_CONTRACTION
     const double length = (double)(UINT32_C(1) << shift) / 8388608.0;
     const double binade = (double)asperity_eval_float(bits & ASPERITY_EVAL_FLOAT_EXPONENT);
     int i, missing = 0;
@@ -346,13 +389,13 @@ static inline int asperity_eval_float_is_good(const asperity_table *table, uint3
         int k;
 
         force = asperity_eval_at_excess(table, 1.0, (double)asperity_eval_float(bits) + t * binade, &slope);
+        if (asperity_eval_is_nan_float(row) || asperity_eval_is_nan(&force)) {
+            ++missing;
+            continue;
+        }
         for (k = 5; k >= 0; --k) {
             rate = rate * t + value;
             value = value * t + (double)row[k] + (k < 2 ? (double)row[6 + k] : 0.0);
-        }
-        if (value != value || force != force) {
-            ++missing;
-            continue;
         }
         value -= force;
         rate -= slope * binade;
@@ -377,7 +420,7 @@ static inline uint32_t asperity_eval_fill_float(const asperity_table *table, uin
     if (shift > ASPERITY_EVAL_FLOAT_LEAST_SHIFT && !asperity_eval_float_is_good(table, bits, shift, row)) {
         const uint32_t first = count;
         count += 8;
-        row[0] = asperity_eval_float(link);
+        ASPERITY_EVAL_COPY(row, &link, sizeof link);
         for (i = 0; i < 8; ++i)
             count = asperity_eval_fill_float(table, bits + (i << (shift - 3)), shift - 3, rows, first + i, count);
     }
@@ -391,6 +434,7 @@ static inline uint32_t asperity_eval_fill_float(const asperity_table *table, uin
  * afterwards. Returns the number of its rows and parts, each 8 floats; with NULL for `rows` it does only that. */
 static inline uint32_t asperity_eval_make_float(const asperity_table *table, float *rows, asperity_float_table *single)
 {
+    ASPERITY_EVAL_NO_CONTRACTION
     uint32_t begin, end, i, count;
     double lightest, heaviest;
 
@@ -436,12 +480,12 @@ ASPERITY_EVAL_FUNCTION float asperity_eval_excess_float(const asperity_float_tab
 {
     ASPERITY_EVAL_NO_CONTRACTION
     const float minus = -table->pull_off_load;
-    const float sum = ASPERITY_EVAL_ADDF(load, minus);
-    const float added = ASPERITY_EVAL_ADDF(sum, -load);
-    const float of_load = ASPERITY_EVAL_ADDF(load, -ASPERITY_EVAL_ADDF(sum, -added));
-    const float rest = ASPERITY_EVAL_ADDF(ASPERITY_EVAL_ADDF(of_load, ASPERITY_EVAL_ADDF(minus, -added)),
+    const ASPERITY_EVAL_ROUNDED float sum = ASPERITY_EVAL_ADDF(load, minus);
+    const ASPERITY_EVAL_ROUNDED float added = ASPERITY_EVAL_ADDF(sum, -load);
+    const ASPERITY_EVAL_ROUNDED float of_load = ASPERITY_EVAL_ADDF(load, -ASPERITY_EVAL_ADDF(sum, -added));
+    const ASPERITY_EVAL_ROUNDED float rest = ASPERITY_EVAL_ADDF(ASPERITY_EVAL_ADDF(of_load, ASPERITY_EVAL_ADDF(minus, -added)),
                                           -table->pull_off_rest);
-    const float x = ASPERITY_EVAL_ADDF(sum, rest);
+    const ASPERITY_EVAL_ROUNDED float x = ASPERITY_EVAL_ADDF(sum, rest);
     *lost = ASPERITY_EVAL_ADDF(rest, -ASPERITY_EVAL_ADDF(x, -sum));
     return x;
 }
@@ -455,7 +499,7 @@ ASPERITY_EVAL_FUNCTION float asperity_eval_in_row_float(const asperity_float_tab
     const float *c = table->rows + 8 * (size_t)index;
     float t, inverse_binade, force, rate;
 
-    while (c[0] != c[0] && (index = asperity_eval_float_bits(c[0]) & ~ASPERITY_EVAL_FLOAT_LINK) != 0) {
+    while (asperity_eval_is_nan_float(c) && (index = asperity_eval_float_bits(c[0]) & ~ASPERITY_EVAL_FLOAT_LINK) != 0) {
         shift -= 3;
         c = table->rows + 8 * (size_t)(index + ((bits >> shift) & 7));
     }
@@ -520,7 +564,7 @@ ASPERITY_EVAL_FUNCTION float asperity_eval_friction_float(const asperity_float_t
     ASPERITY_EVAL_NO_CONTRACTION
     float lost, slope = 0.0f, mu, difference, size, divisor;
     const float force = asperity_eval_friction_force_float(table, load, dmu_dload ? &slope : NULL);
-    if (force != force || asperity_eval_excess_float(table, load, &lost) < 0.0f) {
+    if (asperity_eval_is_nan_float(&force) || asperity_eval_excess_float(table, load, &lost) < 0.0f) {
         if (dmu_dload)
             *dmu_dload = force;
         return force;

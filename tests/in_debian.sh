@@ -18,7 +18,9 @@ $sudo apt-get install -y -qq --no-install-recommends debootstrap debian-archive-
 system=$(mktemp -d /var/tmp/debian.XXXXXX)
 chmod 755 "$system"
 trap '$sudo rm -rf --one-file-system "$system" "$system.log"' EXIT
-$sudo debootstrap --variant=minbase --keyring=/usr/share/keyrings/debian-archive-keyring.gpg --force-check-gpg \
+# In mount name spaces of their own, both: what is mounted is gone with them, whatever ends them.
+$sudo unshare -m --propagation private \
+    debootstrap --variant=minbase --keyring=/usr/share/keyrings/debian-archive-keyring.gpg --force-check-gpg \
     --include=build-essential,ca-certificates,git bookworm "$system" >"$system.log" || { tail -n 20 "$system.log" >&2; exit 1; }
 
 # Git reads a tree of another user, whose checkout it is, only if told to.

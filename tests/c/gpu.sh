@@ -27,7 +27,9 @@ if command -v nvcc >/dev/null; then
     nvcc -std=c++17 -O3 -x cu -Iinclude -ptx "$source" -o "$build/eval.ptx"
     grep -q 'mul.rn.f64' "$build/eval.ptx" || fail "nvcc: no kernel"
     if grep 'fma' "$build/eval.ptx"; then fail "nvcc contracts what asperity_eval.h multiplies and adds"; fi
-    echo "nvcc: the kernel has no fused multiply-add"
+    nvcc -std=c++17 -O3 --use_fast_math -x cu -Iinclude -ptx "$source" -o "$build/fast.ptx"
+    cmp "$build/eval.ptx" "$build/fast.ptx" || fail "--use_fast_math makes another kernel of doubles"
+    echo "nvcc: the kernel has no fused multiply-add, and --use_fast_math makes the same"
 else
     echo "CUDA: no nvcc on PATH, so not compiled as CUDA"
 fi

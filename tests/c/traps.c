@@ -1,5 +1,6 @@
 /* A solver may run with floating-point traps on: the whole interface, given good and bad input, raises none of
- * invalid, divide-by-zero, overflow. A trap ends the program with the name of the call. */
+ * invalid, divide-by-zero, overflow; nor underflow, for loads that are 0 or at least 1e-300. A trap ends the program with
+ * the name of the call. Calls that answer from the compiled law set the flag "inexact", and no call another. */
 
 #define _GNU_SOURCE
 #include <asperity.h>
@@ -17,7 +18,19 @@
 
 enum { SPECIALS = 25, TRAPS = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW };
 
+/* Calls that compute in the caller's environment. */
+static const char *const compiled[] = {
+    "asperity_friction_at_load", "asperity_friction_force_at_load", "asperity_friction_at_loads",
+    "asperity_friction_force_at_loads", "asperity_friction_and_slope_at_load", "asperity_friction_force_and_slope_at_load",
+    "asperity_load_at_gap", "asperity_load_and_slope_at_gap", "asperity_loads_at_gaps",
+    "asperity_friction_force_at_loads_of", "asperity_friction_at_pressure", "asperity_shear_stress_at_pressure",
+    "asperity_slip_force", "asperity_tangential_stiffness_at_load", "asperity_tangential_stiffness_at_loads",
+    "asperity_contact_radius_sum_at_load",
+};
+
 static double specials[SPECIALS];
+/* Whether underflow is trapped too. */
+static int trapping_underflow;
 static volatile const char *volatile doing = "nothing yet";
 
 static void trapped(int signal_number)
@@ -53,9 +66,31 @@ static void list_specials(void)
     CHECK(n == SPECIALS, "%d special numbers are listed", n);
 }
 
-/* Every evaluation at one number, taken as a load and as a separation. */
+/* Begins another call, and says what flags the one before must not have set, of numbers that are tiny or not. */
+static void call(const char *name, int is_tiny)
+{
+    const char *before = (const char *)doing;
+    const int flags = fetestexcept(FE_ALL_EXCEPT);
+    int allowed = 0;
+
+    for (size_t i = 0; i < sizeof compiled / sizeof *compiled; i++)
+        if (strcmp(before, compiled[i]) == 0)
+            allowed = FE_INEXACT | (is_tiny ? FE_UNDERFLOW : 0);
+    CHECK(strcmp(before, "between calls") == 0 || (flags & ~allowed) == 0, "%s: flags %#x", before, (unsigned)flags);
+    feclearexcept(FE_ALL_EXCEPT);
+    doing = name;
+}
+
+/* Not 0, and so small that products of it with numbers of a size underflow; told without arithmetic. */
+static int is_tiny(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits << 1 != 0 && (bits << 1 >> 1) < UINT64_C(0x01a56e1fc2f8f359); /* 1e-300 */
+}
+
 /* A special value as load, as displacement and in the state. */
-static void microslip_at(const asperity_model *model, double x)
+static void microslip_at(const asperity_model *model, double x, int tiny)
 {
     asperity_microslip out;
     double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[84] = { 0.0 }, after[84], force[4], slope[8];
@@ -65,67 +100,94 @@ static void microslip_at(const asperity_model *model, double x)
     for (int which = 0; which < 5; which++) {
         double *where = which == 0 ? &loads[0] : which == 1 ? &by[1] : &states[which == 2 ? 5 : 37 + which], before = *where;
         memcpy(where, &x, sizeof x);
-        doing = "asperity_microslip_step";
+        call("asperity_microslip_step", tiny);
         asperity_microslip_step(model, loads[0], by, states, after, &out);
-        doing = "asperity_microslip_steps";
+        call("asperity_microslip_steps", tiny);
         asperity_microslip_steps(model, 2, loads, by, states, after, force, slope);
-        doing = "asperity_microslip_turn";
+        call("asperity_microslip_turn", tiny);
         asperity_microslip_turn(states, loads[0], 0.5);
         *where = before;
     }
 }
 
+/* Every evaluation at one number, taken as a load and as a separation. */
 static void evaluate_at(const asperity_model *model, double x)
 {
+    const int tiny = is_tiny(x);
     asperity_state state;
     asperity_sensitivities sensitivities;
     double out[2], slope[2], radius[2], in[2];
     uint64_t warnings;
 
+    if (trapping_underflow && tiny)
+        return;
     memcpy(&in[0], &x, sizeof x);
     in[1] = 1.0;
-    doing = "asperity_friction_at_load";
+    doing = "between calls";
+    call("asperity_friction_at_load", tiny);
     asperity_friction_at_load(model, x);
-    doing = "asperity_friction_force_at_load";
+    call("asperity_friction_force_at_load", tiny);
     asperity_friction_force_at_load(model, x);
-    doing = "asperity_friction_at_loads";
+    call("asperity_friction_and_slope_at_load", tiny);
+    asperity_friction_and_slope_at_load(model, x, slope);
+    call("asperity_friction_force_and_slope_at_load", tiny);
+    asperity_friction_force_and_slope_at_load(model, x, slope);
+    call("asperity_friction_at_pressure", tiny);
+    asperity_friction_at_pressure(model, x, 0.7, slope);
+    call("asperity_shear_stress_at_pressure", tiny);
+    asperity_shear_stress_at_pressure(model, x, 0.7, slope);
+    call("asperity_slip_force", tiny);
+    asperity_slip_force(model, x, 1e-3, 1e-3, slope, radius);
+    call("asperity_tangential_stiffness_at_load", tiny);
+    asperity_tangential_stiffness_at_load(model, x);
+    call("asperity_contact_radius_sum_at_load", tiny);
+    asperity_contact_radius_sum_at_load(model, x);
+    call("asperity_tangential_stiffness_at_loads", tiny);
+    asperity_tangential_stiffness_at_loads(model, 2, in, out);
+    call("asperity_contact_radius_sum_at_loads", tiny);
+    asperity_contact_radius_sum_at_loads(model, 2, in, out, slope);
+    call("asperity_tangential_at_load", tiny);
+    asperity_tangential_at_load(model, x, 1e-9, out, slope);
+    call("asperity_tangential_at_load", tiny);
+    asperity_tangential_at_load(model, 1.0, x, out, slope);
+    call("asperity_friction_at_loads", tiny);
     asperity_friction_at_loads(model, 2, in, out, slope);
-    doing = "asperity_friction_force_at_loads";
+    call("asperity_friction_force_at_loads", tiny);
     asperity_friction_force_at_loads(model, 2, in, out, slope);
     state.struct_size = sizeof state;
-    doing = "asperity_state_at_load";
+    call("asperity_state_at_load", tiny);
     asperity_state_at_load(model, x, &state);
-    doing = "asperity_state_at_gap";
+    call("asperity_state_at_gap", tiny);
     asperity_state_at_gap(model, x, &state);
     sensitivities.struct_size = sizeof sensitivities;
-    doing = "asperity_sensitivities_at_load";
+    call("asperity_sensitivities_at_load", tiny);
     asperity_sensitivities_at_load(model, x, &sensitivities);
-    doing = "asperity_check_loads";
+    call("asperity_check_loads", tiny);
     asperity_check_loads(model, x, x, &warnings);
-    doing = "asperity_summits_at_overlaps";
+    call("asperity_summits_at_overlaps", tiny);
     asperity_summits_at_overlaps(model, 2, in, in, out, slope, radius);
-    microslip_at(model, x);
-    doing = "asperity_load_at_gap";
+    microslip_at(model, x, tiny);
+    call("asperity_load_at_gap", tiny);
     asperity_load_at_gap(model, x);
-    doing = "asperity_load_and_slope_at_gap";
+    call("asperity_load_and_slope_at_gap", tiny);
     asperity_load_and_slope_at_gap(model, x, slope);
-    doing = "asperity_loads_at_gaps";
+    call("asperity_loads_at_gaps", tiny);
     asperity_loads_at_gaps(model, 2, in, out, slope);
-    doing = "asperity_friction_force_at_loads_of";
+    call("asperity_friction_force_at_loads_of", tiny);
     {
         const uint32_t which[] = {0, 1};
         asperity_friction_force_at_loads_of(&model, 1, 2, which, in, out, slope);
         asperity_friction_force_at_loads_of(&model, 1, 2, which, in, out, NULL);
     }
-    doing = "asperity_friction_at_pressures";
+    call("asperity_friction_at_pressures", tiny);
     asperity_friction_at_pressures(model, 2, in, 0.7, out, slope);
     asperity_friction_at_pressures(model, 2, in, x, out, slope);
-    doing = "asperity_shear_stresses_at_pressures";
+    call("asperity_shear_stresses_at_pressures", tiny);
     asperity_shear_stresses_at_pressures(model, 2, in, 0.7, out, slope);
-    doing = "asperity_slip_forces";
+    call("asperity_slip_forces", tiny);
     asperity_slip_forces(model, 2, in, in, 0.7, out, slope, radius);
     asperity_slip_forces(model, 2, in, in, x, out, slope, radius);
-    doing = "between calls";
+    call("between calls", tiny);
 }
 
 static void evaluate(const asperity_model *model)
@@ -137,9 +199,12 @@ static void evaluate(const asperity_model *model)
     doing = "asperity_summary_of";
     CHECK(asperity_summary_of(model, &summary) == ASPERITY_OK, "asperity_summary_of");
     pull_off = summary.pull_off_load;
+    doing = "between calls";
     for (int i = 0; i < SPECIALS; i++)
         evaluate_at(model, specials[i]);
     {
+        /* Some are tiny, which the program's own arithmetic may make. */
+        const int traps = fedisableexcept(FE_UNDERFLOW);
         const double edges[] = {
             pull_off, nextafter(pull_off, INFINITY), nextafter(pull_off, -INFINITY), 2 * pull_off, 0.5 * pull_off,
             0.999999999999 * pull_off, summary.min_table_load, nextafter(summary.min_table_load, -INFINITY),
@@ -147,6 +212,8 @@ static void evaluate(const asperity_model *model)
             summary.max_table_load < 1e300 ? 2 * summary.max_table_load : 1e300,
         };
         uint64_t warnings;
+        feclearexcept(FE_ALL_EXCEPT);
+        feenableexcept(traps);
         doing = "asperity_check_loads";
         asperity_check_loads(model, pull_off < 0 ? pull_off : summary.min_table_load, summary.max_table_load, &warnings);
         asperity_check_loads(model, 2, 1, &warnings);
@@ -422,6 +489,11 @@ int main(void)
         return 1;
     }
     every_surface();
+    feenableexcept(FE_UNDERFLOW);
+    trapping_underflow = 1;
+    every_surface();
+    fedisableexcept(FE_UNDERFLOW);
+    trapping_underflow = 0;
     special_parameters();
     special_integers();
     special_setter_arguments();

@@ -39,6 +39,21 @@ fn no_call_raises_a_floating_point_trap() {
     passes("traps.c");
 }
 
+/// By the stacks of threads of the GNU C library.
+#[test]
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn every_call_keeps_to_the_stack_that_is_promised() {
+    let read =
+        |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let (header, calls) = (read("include/asperity.h"), read("tests/c/stack.c"));
+    let code = |line: &&str| !line.starts_with([' ', '/', '#', '*']);
+    for line in header.lines().filter(code).filter(|line| line.contains('(')) {
+        let name = line.split('(').next().and_then(|start| start.split("asperity_").last()).expect("a name");
+        assert!(calls.contains(&format!(", {name}, (")), "tests/c/stack.c does not call asperity_{name}");
+    }
+    passes("stack.c");
+}
+
 /// Environments of the host: rounding, flushing to zero, flags, and the traps that `check.h` turns on.
 #[test]
 #[cfg(not(target_env = "msvc"))]
@@ -62,6 +77,28 @@ fn the_header_for_kernels_gives_the_bits_of_the_library() {
     let source = c_source("eval.c");
     for compiler in evaluating_compilers() {
         print!("{}", compiler.program(&source, Linking::Shared).succeeds(&[]));
+    }
+}
+
+/// The headers that are compiled into the host are right also where its compiler takes it that no number is NaN, sums in any
+/// order and, as GCC does, makes the program flush small numbers to zero.
+#[test]
+#[cfg(target_os = "linux")]
+fn the_headers_give_the_numbers_of_the_library_under_fast_math() {
+    let native = if cfg!(target_arch = "x86_64") { "-march=native" } else { "-mcpu=native" };
+    let compilers = [
+        Compiler::named("gcc", Language::C, "c99").with(&["-Ofast"]),
+        Compiler::named("gcc", Language::C, "c11").optimised(3).with(&["-ffast-math", native]),
+        Compiler::named("gcc", Language::C, "c11").optimised(2).with(&["-ffinite-math-only"]),
+        Compiler::named("clang", Language::C, "c99").with(&["-Ofast"]),
+        Compiler::named("clang", Language::C, "c11").optimised(3).with(&["-ffast-math", native]),
+        Compiler::named("g++", Language::Cpp, "c++17").optimised(3).with(&["-ffast-math", "-x", "c++"]),
+        Compiler::named("clang++", Language::Cpp, "c++17").optimised(2).with(&["-ffinite-math-only", "-x", "c++"]),
+    ];
+    for compiler in compilers.map(|compiler| compiler.with(&CONVERSIONS)) {
+        for name in ["eval.c", "loads.c"] {
+            print!("{}", compiler.program(&c_source(name), Linking::Shared).succeeds(&[]));
+        }
     }
 }
 

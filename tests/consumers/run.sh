@@ -2,11 +2,11 @@
 # Installs asperity into a temporary folder, by make and by CMake, checks what was installed, and builds and runs the
 # projects beside this script against it: each uses the library as one kind of user does.
 #
-# usage: tests/consumers/run.sh      needs cargo, cc, c++, make, cmake, pkg-config, readelf, nm, git, python3
+# usage: tests/consumers/run.sh      needs cargo, cc, c++, clang++, make, cmake, pkg-config, readelf, nm, git, python3
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-for tool in cargo cc c++ make cmake pkg-config readelf nm git python3; do
+for tool in cargo cc c++ clang++ make cmake pkg-config readelf nm git python3; do
     command -v "$tool" >/dev/null ||
         { echo "tests/consumers/run.sh: $tool is missing; run tests/setup.sh core" >&2; exit 1; }
 done
@@ -58,6 +58,10 @@ grep -oE '\basperity_[a-z_]+\(' "$prefix/include/asperity.h" | tr -d '(' | sort 
 nm -D --defined-only "$library" | awk '{ print $3 }' | sort >"$work/exported"
 diff "$work/declared" "$work/exported" || fail "the library exports other names than its header declares"
 echo "soname $soname; exactly the $(wc -l <"$work/exported") functions of the header are exported"
+# What the static library defines has its names, so that it links beside others.
+nm -g --defined-only "$prefix/lib/libasperity.a" | awk 'NF == 3 && $3 !~ /^asperity_own_/ { print $3 }' | sort >"$work/defined"
+diff "$work/declared" "$work/defined" || fail "the static library defines names that others may define too"
+if readelf -SW "$prefix/lib/libasperity.a" | grep -F .llvmbc; then fail "the static library has bitcode, for linkers of one LLVM alone"; fi
 # Those of the system have other last bits on another processor or system.
 nm -D --undefined-only "$library" | awk '{ sub(/@.*/, "", $2); print $2 }' | sort >"$work/imported"
 grep -xE 'a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|hypot|fma|[lt]gamma(_r)?|erfc?' "$work/imported" &&
@@ -106,6 +110,9 @@ with_make pkg-config-static
 check pkg-config-static static
 with_make static-library
 check static-library static
+with_make two-rust-libraries
+check two-rust-libraries static
+check two-rust-libraries static optimised
 with_make dlopen
 check dlopen static consumer "$library"
 with_cmake find-package-shared -DASPERITY_WANTED="$major.$minor"

@@ -10,14 +10,14 @@ root=$1
 [ "$(id -u)" = 0 ] || fail "only root can make and enter another system: sudo make dist-test"
 
 if [ ! -f "$root/made" ]; then
-    rm -rf "$root"
+    rm -rf --one-file-system "$root"
     mkdir -p "$root"
-    debootstrap --variant=minbase \
+    unshare -m --propagation private debootstrap --variant=minbase \
         --include=g++,gfortran,make,cmake,pkg-config,python3,python3-numpy bookworm "$root/system" >"$root/log" ||
         { tail -n 20 "$root/log" >&2; fail "debootstrap failed"; }
     touch "$root/made"
 fi
-# In mount and network name spaces of its own: nothing stays mounted, nothing is fetched.
+# In mount and network name spaces of its own, as above: nothing stays mounted, whatever ends this, and nothing is fetched.
 SYSTEM=$root/system CHANGES=$root/changes VERSION=$(version_of_tree) unshare -m -n --propagation private bash -euo pipefail -c '
     rm -rf "$CHANGES"
     mkdir -p "$CHANGES"
