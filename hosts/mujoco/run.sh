@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs MuJoCo, builds the plugin for C, runs the box on an incline, the bodies that stick and the slider; the last line says PASS or FAIL.
+# Installs MuJoCo, builds the plugin for C, runs what hops and bounces with each input altered, the bodies that stick and the slider; the last line says PASS or FAIL.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -19,6 +19,6 @@ hosts/mujoco/build.sh "$(echo "$environment"/lib/python3*/site-packages/mujoco)"
 # MuJoCo writes its messages to a file where it runs; the plugin that Python makes is kept with them.
 export XDG_CACHE_HOME=$build
 cd "$build"
-for program in incline hold slider; do
+for program in altered hold slider; do
     run "$environment/bin/python" "$root/hosts/mujoco/$program.py" "$build/libasperity_mujoco.so"
 done
