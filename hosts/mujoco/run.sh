@@ -13,12 +13,17 @@ library
 packages mujoco mujoco==4.0.0
 build=$target/hosts/mujoco
 mkdir -p "$build"
-hosts/mujoco/build.sh "$(echo "$environment"/lib/python3*/site-packages/mujoco)" "$build/libasperity_mujoco.so" ||
-    fail "the plugin does not build"
+MUJOCO=$(echo "$environment"/lib/python3*/site-packages/mujoco)
+export MUJOCO
+PLUGIN=$build/libasperity_mujoco.so hosts/mujoco/build.sh || fail "the plugin does not build"
+# On a cluster: an installed library, and neither cargo nor a variable that names its folder.
+make install PREFIX="$build/prefix" >"$build/install.log" 2>&1 || fail "make install: $build/install.log"
+(cd "$build" && env -i PATH=/usr/bin:/bin MUJOCO="$MUJOCO" PLUGIN=installed.so "$root/hosts/mujoco/build.sh" prefix) ||
+    fail "the plugin does not build against an installed library"
 
 # MuJoCo writes its messages to a file where it runs; the plugin that Python makes is kept with them.
 export XDG_CACHE_HOME=$build
 cd "$build"
 for program in altered hold slider; do
-    run "$environment/bin/python" "$root/hosts/mujoco/$program.py" "$build/libasperity_mujoco.so"
+    run "$environment/bin/python" "$root/hosts/mujoco/$program.py" "$build/libasperity_mujoco.so" "$build/installed.so"
 done

@@ -249,8 +249,8 @@ def check_surface_file():
         raise RuntimeError("a surface file, the same text and the text that Python writes do not have the same friction")
 
 
-def check_built(plugin):
-    """The plugin that hosts/mujoco/build.sh made for C, with the library inside, gives the same bits."""
+def check_built(plugins):
+    """The plugins that hosts/mujoco/build.sh made for C, with the library inside, give the same bits."""
     program = """if True:
         import sys, mujoco
         mujoco.mj_loadPluginLibrary(sys.argv[1])
@@ -261,11 +261,11 @@ def check_built(plugin):
         print(data.qvel.tobytes().hex())
     """
     bits = set()
-    for file in (asperity.mujoco.PLUGIN, plugin):
+    for file in (asperity.mujoco.PLUGIN, *plugins):
         command = [sys.executable, "-c", program, file, str(Path(__file__).with_name("slider.xml"))]
         bits.add(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     if len(bits) != 1:
-        raise RuntimeError(f"{plugin} does not give what {asperity.mujoco.PLUGIN} gives")
+        raise RuntimeError(f"{plugins} do not give what {asperity.mujoco.PLUGIN} gives")
 
 
 def cost():
@@ -344,7 +344,7 @@ def main():
     check_refusals()
     check_surface_file()
     check_measured_point_and_warnings(laws)
-    check_built(sys.argv[1])
+    check_built(sys.argv[1:])
     constant, ratio = cost()
     print(f"mujoco  cost  constant mu {1e6 * constant:.1f} us a step; the law at the expected force x {ratio:.2f}, "
           f"at the current force x {ratio * solved_cost():.2f}")
