@@ -1,18 +1,8 @@
 #!/usr/bin/env bash
 # Installs MuJoCo, builds the plugin for C, runs what hops and bounces with each input altered, the bodies that stick and the slider; the last line says PASS or FAIL.
-set -euo pipefail
-cd "$(dirname "$0")/../.."
-
-fail() {
-    echo "mujoco  FAIL  $*"
-    exit 1
-}
 # shellcheck source=hosts/environment.sh
-. hosts/environment.sh
-library
+. "$(dirname "$0")/../environment.sh"
 packages mujoco mujoco==4.0.0
-build=$target/hosts/mujoco
-mkdir -p "$build"
 MUJOCO=$(echo "$environment"/lib/python3*/site-packages/mujoco)
 export MUJOCO
 PLUGIN=$build/libasperity_mujoco.so hosts/mujoco/build.sh || fail "the plugin does not build"
