@@ -1,7 +1,17 @@
-# Read by the scripts of hosts, in the root of the tree; `fail MESSAGE` is theirs.
+# Read by the run.sh of each host, which is then in the root of the tree. The last line of a host is HOST  PASS or FAIL, and what was found.
 # shellcheck shell=bash
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+host=$(basename "$(dirname "$(realpath "$0")")")
+build=$target/hosts/$host
+mkdir -p "$build"
+
+fail() {
+    echo "$host  FAIL  $*"
+    exit 1
+}
 
 library() {
     cmake/check_rust.sh && cargo build --quiet --release --locked -j1 || fail "the library does not build"
@@ -34,3 +44,24 @@ verdict() {
 run() {
     PYTHONPATH=$root/python/src ASPERITY_LIBRARY=$target/release/libasperity.so PYTHONPYCACHEPREFIX=$target/pycache verdict "$@"
 }
+
+# example PROGRAM PACKAGE...: the verdict of a program of this host, with packages of PyPI.
+example() {
+    local program=$1
+    shift
+    packages "$host" "$@"
+    run "$environment/bin/python" "hosts/$host/$program"
+}
+
+# compile PROGRAM FLAG...: builds hosts/HOST/PROGRAM.c or .cpp against the library.
+compile() {
+    local program=$1 source compiler=(gcc -std=c11)
+    shift
+    source=$(echo "hosts/$host/$program".c*)
+    mkdir -p "$(dirname "$build/$program")"
+    [ "${source##*.}" = c ] || compiler=(g++ -std=c++17)
+    "${compiler[@]}" -O2 -Wall -Wextra -Werror -Iinclude "$source" -o "$build/$program" -L"$target/release" -lasperity \
+        -Wl,-rpath,"$target/release" "$@" -lm || fail "$source does not build"
+}
+
+library

@@ -6,7 +6,8 @@
  *
  *   time_constant = 0   the straight line through the last two loads, for loads that vary smoothly
  *   time_constant > 0   the mean over about that time, for loads that are right on average only; steps without contact
- *                       count as load 0, until the pair has been apart for time_constant
+ *                       count as load 0, until the pair has been apart for time_constant. A contact that is younger
+ *                       than that has the line: it may be an impact
  *
  * For pairs, in memory of the caller, which must be zero at the start (the functions allocate nothing):
  *
@@ -58,23 +59,19 @@ typedef struct asperity_body_pair {
 static inline void asperity_load_take(asperity_load *known, double load, double time, double time_constant)
 {
     const double step = time - known->time;
+    const double share = time_constant > 0.0 ? step / time_constant : 0.0;
     if (known->count == 0.0 || !(step > 0.0)) {
         known->load = load;
         known->slope = 0.0;
-        known->count = 1.0;
-    } else if (time_constant > 0.0) {
-        /* The plain mean until the time constant has passed: the first load is often that of an impact. */
-        double share = step / time_constant;
-        known->count += 1.0;
-        if (share * known->count < 1.0) share = 1.0 / known->count;
-        if (share > 1.0) share = 1.0;
-        known->load += (load - known->load) * share;
+        known->count = 0.0;
+    } else if (share * known->count >= 1.0) {
+        known->load += (load - known->load) * (share < 1.0 ? share : 1.0);
         known->slope = 0.0;
     } else {
         known->slope = (load - known->load) / step;
         known->load = load;
-        known->count += 1.0;
     }
+    known->count += 1.0;
     known->time = time;
 }
 

@@ -3,22 +3,42 @@
 # into the folder mujoco_plugin beside `simulate`, or load it with mj_loadPluginLibrary. Python needs none of this: there
 # `import asperity.mujoco` does the same.
 #
-# usage: hosts/mujoco/build.sh MUJOCO [FILE]
-# MUJOCO has include/mujoco and the library, in it or in lib/, as MuJoCo's archives and the package `mujoco` of PyPI do.
-# FILE: target/release/libasperity_mujoco.so.
+# usage: hosts/mujoco/build.sh [PREFIX]
+# PREFIX: where the library is installed (PREFIX/lib/pkgconfig/asperity.pc); no cargo is needed. Without it cargo builds the library.
+# MUJOCO=DIR has include/mujoco and the library, in it or in lib/, as MuJoCo's archives do; that of python3 unless given.
+# PLUGIN=FILE: libasperity_mujoco.so here with PREFIX, in target/release without.
 set -euo pipefail
-[ $# -ge 1 ] || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
-mujoco=$(realpath "$1") || exit 2
-file=$(realpath -m "${2:-${CARGO_TARGET_DIR:-target}/release/libasperity_mujoco.so}")
-cd "$(dirname "$0")/../.."
-release=$(realpath -m "${CARGO_TARGET_DIR:-target}")/release
+fail() {
+    echo "hosts/mujoco/build.sh: $*" >&2
+    exit 1
+}
+case "${1-}" in -*) sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2 ;; esac
+root=$(realpath "$(dirname "$0")/../..")
+target=$(realpath -m "${CARGO_TARGET_DIR:-$root/target}")
+mujoco=${MUJOCO:-$(python3 -c 'import importlib.util as u; print(u.find_spec("mujoco").submodule_search_locations[0])' 2>/dev/null)} ||
+    fail "python3 has no MuJoCo: set MUJOCO to its folder, or pip install mujoco"
+mujoco=$(realpath "$mujoco")
 # The wheel has no unversioned library name: the versioned file is linked.
-library=$(find "$mujoco" -maxdepth 2 -name 'libmujoco.so*' | sort | tail -n 1)
-[ -n "$library" ] && [ -e "$mujoco/include/mujoco/mujoco.h" ] ||
-    { echo "hosts/mujoco/build.sh: $mujoco lacks libmujoco.so or include/mujoco/mujoco.h" >&2; exit 1; }
+engine=$(find "$mujoco" -maxdepth 2 -name 'libmujoco.so*' | sort | tail -n 1)
+[ -n "$engine" ] && [ -e "$mujoco/include/mujoco/mujoco.h" ] || fail "$mujoco lacks libmujoco.so or include/mujoco/mujoco.h"
 
-cmake/check_rust.sh && cargo build --quiet --release --locked -j1
+if [ $# -gt 0 ]; then
+    prefix=$(realpath "$1")
+    description=$(find "$prefix" -maxdepth 4 -name asperity.pc | head -n 1)
+    [ -n "$description" ] || fail "no library in $prefix: make install PREFIX=$prefix"
+    export PKG_CONFIG_PATH=${description%/*}
+    flags=$(pkg-config --cflags asperity)
+    library=$(pkg-config --variable=libdir asperity)/libasperity.a
+    libraries=$(pkg-config --static --libs-only-l asperity | sed 's/-lasperity//')
+    plugin=$(realpath -m "${PLUGIN:-libasperity_mujoco.so}")
+else
+    flags=-Iinclude library=$target/release/libasperity.a libraries="-lm -lpthread -ldl"
+    plugin=$(realpath -m "${PLUGIN:-$target/release/libasperity_mujoco.so}")
+fi
+cd "$root"
+[ $# -gt 0 ] || { cmake/check_rust.sh && cargo build --quiet --release --locked -j1; }
+# shellcheck disable=SC2086
 "${CC:-cc}" -std=c11 -O2 -Wall -Wextra -Werror -shared -fPIC -fexceptions -Wl,--no-undefined -Wl,--exclude-libs,ALL \
-    -Iinclude -isystem "$mujoco/include" hosts/mujoco/plugin.c -o "$file" "$release/libasperity.a" "$library" \
-    -Wl,-rpath,"$(dirname "$library")" -lm -lpthread -ldl
-echo "built $file"
+    $flags -isystem "$mujoco/include" hosts/mujoco/plugin.c -o "$plugin" "$library" "$engine" \
+    -Wl,-rpath,"$(dirname "$engine")" $libraries
+echo "built $plugin"

@@ -4,6 +4,7 @@ and restores; what the plugin refuses; what it costs. SI units.
 """
 
 import math
+import pickle
 import re
 import subprocess
 import sys
@@ -29,6 +30,7 @@ MASS, GRAVITY = 20, 9.81
 AREAS = {"ball": 1e-4, "box": 4e-4}
 SURFACE = Path(__file__).parents[1] / "surface.toml"
 TEXT = '<config key="text"'
+LINE = '<config key="time_constant" value="0"/>'  # the loads are smooth
 SUMMITS = XML[XML.index("[roughness]") : XML.index('"/>', XML.index("[roughness]"))]
 SIZE = "height_std = 9.4e-9\nsummit_radius = 1.1e-6"
 
@@ -87,7 +89,7 @@ def solved_step(model, data):
 def deviation(laws, step, seconds=3.0, xml=XML, **options):
     """The greatest relative deviation of friction over normal force from the exact law, after a second to settle, that
     of the pull of the ball's servo over what the ball carries, and the least and the greatest load of each."""
-    model = mujoco.MjModel.from_xml_string(xml)
+    model = mujoco.MjModel.from_xml_string(xml.replace("</instance>", f"{LINE}</instance>"))
     for name, value in options.items():
         setattr(model.opt, name, value)
     data = mujoco.MjData(model)
@@ -113,18 +115,19 @@ def deviation(laws, step, seconds=3.0, xml=XML, **options):
 
 
 def check_state(model):
-    """Copied, and saved and restored, a run goes on with the same bits; without the plugin's state it does not."""
+    """Copied, and saved and restored, a run goes on with the same bits, with a pickled model and state too; without the plugin's
+    state it does not."""
     data = mujoco.MjData(model)
     while data.time < 0.5:
         plain_step(model, data)
     copy = mujoco.MjData(model)
     mujoco.mj_copyData(copy, model, data)
-    restored, forgetful = mujoco.MjData(model), mujoco.MjData(model)
+    restored, forgetful = mujoco.MjData(pickle.loads(pickle.dumps(model))), mujoco.MjData(model)
     whole = int(mujoco.mjtState.mjSTATE_INTEGRATION)
     for other, part in ((restored, whole), (forgetful, whole & ~int(mujoco.mjtState.mjSTATE_PLUGIN))):
         state = np.empty(mujoco.mj_stateSize(model, part))
         mujoco.mj_getState(model, data, state, part)
-        mujoco.mj_setState(model, other, state, part)
+        mujoco.mj_setState(model, other, pickle.loads(pickle.dumps(state)), part)
     for _ in range(50):
         for each in (data, copy, restored, forgetful):
             plain_step(model, each)
@@ -246,8 +249,8 @@ def check_surface_file():
         raise RuntimeError("a surface file, the same text and the text that Python writes do not have the same friction")
 
 
-def check_built(plugin):
-    """The plugin that hosts/mujoco/build.sh made for C, with the library inside, gives the same bits."""
+def check_built(plugins):
+    """The plugins that hosts/mujoco/build.sh made for C, with the library inside, give the same bits."""
     program = """if True:
         import sys, mujoco
         mujoco.mj_loadPluginLibrary(sys.argv[1])
@@ -258,11 +261,11 @@ def check_built(plugin):
         print(data.qvel.tobytes().hex())
     """
     bits = set()
-    for file in (asperity.mujoco.PLUGIN, plugin):
+    for file in (asperity.mujoco.PLUGIN, *plugins):
         command = [sys.executable, "-c", program, file, str(Path(__file__).with_name("slider.xml"))]
         bits.add(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     if len(bits) != 1:
-        raise RuntimeError(f"{plugin} does not give what {asperity.mujoco.PLUGIN} gives")
+        raise RuntimeError(f"{plugins} do not give what {asperity.mujoco.PLUGIN} gives")
 
 
 def cost():
@@ -341,7 +344,7 @@ def main():
     check_refusals()
     check_surface_file()
     check_measured_point_and_warnings(laws)
-    check_built(sys.argv[1])
+    check_built(sys.argv[1:])
     constant, ratio = cost()
     print(f"mujoco  cost  constant mu {1e6 * constant:.1f} us a step; the law at the expected force x {ratio:.2f}, "
           f"at the current force x {ratio * solved_cost():.2f}")

@@ -1,15 +1,7 @@
 #!/usr/bin/env bash
 # Runs the block on an incline with Debian's YADE; the last line says PASS or FAIL.
-set -euo pipefail
-cd "$(dirname "$0")/../.."
-
-fail() {
-    echo "yade  FAIL  $*"
-    exit 1
-}
 # shellcheck source=hosts/environment.sh
-. hosts/environment.sh
-library
+. "$(dirname "$0")/../environment.sh"
 command -v yade >/dev/null || fail "YADE is missing: apt-get install --no-install-recommends yade"
 # YADE does not look for modules beside a program.
 export PYTHONPATH=$root/hosts:$root/python/src ASPERITY_LIBRARY=$target/release/libasperity.so PYTHONPYCACHEPREFIX=$target/pycache

@@ -26,7 +26,7 @@ from libcosimpy.CosimManipulator import CosimManipulator
 from libcosimpy.CosimObserver import CosimObserver
 from libcosimpy.CosimSlave import CosimLocalSlave
 
-from asperity import Model, Params, _header
+from asperity import Error, Model, Params, _header
 from asperity.__main__ import main
 from asperity._fmu_binaries import _soname
 
@@ -172,6 +172,31 @@ def test_outputs_are_read_in_initialization_mode(instance: Any, references: dict
     instance.terminate()
     instance.reset()
     assert instance.getReal([LOAD, FORCE, references["height_std"]]) == [0.5, law(0.5)[0], PARAMS.height_std]
+
+
+def test_each_parameter_altered_once_gives_the_law_that_it_makes(instance: Any, units: dict[str, Path], tmp_path: Path) -> None:
+    instance.enterInitializationMode()
+    beside = instantiated(units["2.0"], FMU2Model, tmp_path / "beside")
+    beside.enterInitializationMode()
+    altered = 0
+    for variable in read_model_description(units["2.0"]).modelVariables:
+        if variable.causality != "parameter":
+            continue
+        (given,) = instance.getReal([variable.valueReference])
+        value = 1.01 * given if given else 1e-3
+        instance.setReal([variable.valueReference], [value])
+        try:
+            expected = law(0.5, **{variable.name: value})
+        except Error:
+            with pytest.raises(Exception, match="status 3"):
+                instance.getReal([FORCE])
+        else:
+            assert instance.getReal([FORCE, COEFFICIENT, SLOPE]) == expected, variable.name
+            altered += expected != law(0.5)
+        instance.setReal([variable.valueReference], [given])
+        assert instance.getReal([FORCE, COEFFICIENT, SLOPE]) == beside.getReal([FORCE, COEFFICIENT, SLOPE]) == law(0.5)
+    assert altered >= 8
+    beside.freeInstance()
 
 
 def test_a_parameter_that_is_refused_is_an_error_and_mends(instance: Any, references: dict[str, int]) -> None:

@@ -47,8 +47,8 @@ static void a_mean_forgets_with_its_time_constant(void)
     double mean;
     int i;
     memset(&known, 0, sizeof known);
-    for (i = 0; i < 4; ++i) asperity_load_take(&known, i == 0 ? 100.0 : 4.0, 0.1 * i, 1.0);
-    require(close_to(asperity_load_expected(&known, 0.4), 28.0), "at first the mean of all loads");
+    for (i = 0; i < 4; ++i) asperity_load_take(&known, 4.0 + i, 0.1 * i, 1.0);
+    require(close_to(asperity_load_expected(&known, 0.4), 8.0), "at first the line: it may be an impact");
     for (; i < 400; ++i) asperity_load_take(&known, i % 2 == 0 ? 2.0 : 6.0, 0.1 * i, 1.0);
     mean = asperity_load_expected(&known, 40.0);
     require(fabs(mean - 4.0) < 0.11, "loads that alternate by 2 about 4: a twentieth of that is left");

@@ -32,7 +32,7 @@ class PairLoads:
 
     time_constant: 0 for the straight line through the last two loads, where loads vary smoothly; more for the mean over
     about that time, where loads are right on average only. Steps without contact count as load 0, until the pair has
-    been apart for the time constant. Bodies are named by whatever is hashable; (a, b) is the same pair as (b, a). Times
+    been apart for the time constant. A contact that is younger than that has the line: it may be an impact. Bodies are named by whatever is hashable; (a, b) is the same pair as (b, a). Times
     are those at which a load is or will be found; a time that does not grow begins anew.
     """
 
@@ -81,13 +81,12 @@ class PairLoads:
             self._known[pair] = _Load(load, time)
             return
         step = time - known.time
-        known.count += 1
-        known.time = time
-        if self.time_constant > 0:
-            # The plain mean until the time constant has passed: the first load is often that of an impact.
-            share = step / self.time_constant
-            share = 1.0 / known.count if share * known.count < 1.0 else min(share, 1.0)
-            known.load += (load - known.load) * share
-        else:
+        share = step / self.time_constant if self.time_constant > 0 else 0.0
+        if share * known.count >= 1.0:
+            known.load += (load - known.load) * min(share, 1.0)
+            known.slope = 0.0
+        else:  # the line until the time constant has passed: a young contact may be an impact
             known.slope = (load - known.load) / step
             known.load = load
+        known.count += 1
+        known.time = time

@@ -45,16 +45,21 @@ static void expect(int holds, const char *what)
     }
 }
 
-/* With a line more. */
-static void *changed(const char *line)
+/* A surface with a line more. */
+static const char *text_with(const char *line)
 {
-    char text[1000];
+    static char text[1000];
 
     snprintf(text, sizeof text,
              "work_of_adhesion = 0.063\nadhesion_range = 0.384e-9\nburgers_vector = 0.384e-9\nsummit_radius = 1e-6\n"
              "asperity_count = 1e5\n%s\n[materials]\nE1 = 160e9\nnu1 = 0.22\nE2 = 160e9\nnu2 = 0.22\n",
              line);
-    return asperity_modelica_create("", text);
+    return text;
+}
+
+static void *changed(const char *line)
+{
+    return asperity_modelica_create("", text_with(line));
 }
 
 static void *polysilicon(void)
@@ -149,6 +154,36 @@ static void a_text_changes_a_file(const char *program)
     asperity_modelica_free(law);
 }
 
+/* Each line changed once, beside a law that stays: each has the law of its own text, and the first is as before. */
+static void each_altered_line_has_its_own_law(void)
+{
+    static const char *const lines[] = {
+        "height_std = 8e-9", "height_std = 5e-9\nskew = -0.5", "height_std = 5e-9\npressure_coefficient = 0.05",
+        "height_std = 5e-9\ncalibration_load = 1e-3\ncalibration_friction_force = 3e-4",
+    };
+    const double loads[] = {1e-4, 1e-2};
+    void *first = polysilicon();
+
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        void *law = changed(lines[i]);
+        asperity_params params;
+        asperity_model *model = NULL;
+
+        expect(asperity_params_init(&params, sizeof params) == ASPERITY_OK &&
+               asperity_params_set_text(&params, text_with(lines[i]), strlen(text_with(lines[i]))) == ASPERITY_OK &&
+               asperity_create(&params, &model) == ASPERITY_OK, lines[i]);
+        for (int k = 0; k < 2; k++)
+            expect(asperity_modelica_force(law, loads[k]) == asperity_friction_force_at_load(model, loads[k]), lines[i]);
+        expect(asperity_modelica_force(law, 1e-4) != asperity_modelica_force(first, 1e-4), lines[i]);
+        asperity_free(model);
+        asperity_modelica_free(law);
+    }
+    void *again = polysilicon();
+    expect(asperity_modelica_force(again, 1e-4) == asperity_modelica_force(first, 1e-4), "the first law is as before");
+    asperity_modelica_free(again);
+    asperity_modelica_free(first);
+}
+
 int main(int argc, char **argv)
 {
     (void)argc;
@@ -157,6 +192,7 @@ int main(int argc, char **argv)
     a_measured_point_is_met();
     a_text_changes_a_file(argv[0]);
     warnings_are_told_once();
+    each_altered_line_has_its_own_law();
     errors_reach_the_tool();
     return failures != 0;
 }

@@ -1,0 +1,156 @@
+"""A box that slides down an incline and a ball that bounces off a floor in MuJoCo, with each input of the model changed once and
+run again in the same process. Sliding, the box hops, so that its load jitters: its acceleration is that of the law at the mean
+load. The ball's friction impulse is that of the law at the load of each step, also if the geom's own friction is 1. SI units.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+import asperity.mujoco
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+import incline  # noqa: E402
+import verdict  # noqa: E402
+from surface import SURFACE, demand, surface  # noqa: E402
+
+SLIDE_LIMIT, BOUNCE_LIMIT = 0.02, 0.1
+ALTERED_SLIDE_LIMIT = 0.05  # hops of another surface, mass or step
+FILM = surface(1e-6)
+FLAT = '<geom type="box" size="0.1 0.05 0.05" mass="{mass}"/>'
+BALL = '<geom type="sphere" size="0.05" mass="{mass}"/>'
+GIVEN = dict(text=FILM._as_text(), config="", mass=1.0, solref="0.02 1", timestep=0.002, integrator="Euler", solver="Newton",
+             impratio=10, friction=1, cone="elliptic", other="")  # fmt: skip
+
+
+def model_of(body, gravity, **changes):
+    """`body` on a floor; `other` is a second instance, with a body of its own."""
+    given = GIVEN | changes
+    text = f'<config key="text" value="{given["text"]}"/>' if given["text"] else ""
+    second = f'<instance name="other"><config key="text" value="{given["other"]}"/></instance>' if given["other"] else ""
+    beside = f'<body pos="0 9 0.0499"><plugin instance="other"/><freejoint/>{FLAT}</body>' if given["other"] else ""
+    return mujoco.MjModel.from_xml_string(f"""
+    <mujoco>
+      <extension>
+        <plugin plugin="asperity.friction"><instance name="film">{text}{given["config"]}</instance>{second}</plugin>
+      </extension>
+      <option cone="{given["cone"]}" timestep="{given["timestep"]}" integrator="{given["integrator"]}" solver="{given["solver"]}"
+        impratio="{given["impratio"]}" gravity="{gravity[0]!r} 0 {gravity[1]!r}"/>
+      <default><geom friction="{given["friction"]}" solref="{given["solref"]}"/></default>
+      <worldbody>
+        <geom name="floor" type="plane" size="50 50 0.1"/>
+        <body pos="0 0 0.0501"><plugin instance="film"/>{body}</body>{beside}
+      </worldbody>
+    </mujoco>""".format(mass=given["mass"]))
+
+
+def slide(law, degrees=30, **changes):
+    """The acceleration of the box over that of the law at the load of its weight, less 1."""
+    angle = math.radians(degrees)
+    downhill, normal = incline.GRAVITY * math.sin(angle), incline.GRAVITY * math.cos(angle)
+    model = model_of(f"<freejoint/>{FLAT}", (downhill, -normal), **changes)
+    data = mujoco.MjData(model)
+    times, speeds = [], []
+    while data.time < 1.5:
+        mujoco.mj_step(model, data)
+        times.append(data.time)
+        speeds.append(data.qvel[0])
+    mass = changes.get("mass", GIVEN["mass"])
+    right = downhill - law.state_at_load(mass * normal).friction_force / mass
+    return incline.acceleration(times, speeds) / right - 1
+
+
+def bounce(law, speed=2, **changes):
+    """The friction impulse of a ball from its impact until it is free, over that of the law at the loads met; less 1."""
+    body = f'<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/>{BALL}'
+    model = model_of(body, (0.0, -incline.GRAVITY), **changes)
+    data = mujoco.MjData(model)
+    data.qvel[:2] = 20, -speed
+    expected = touched = 0.0
+    while not (touched and data.qvel[1] > 0 and load == 0):
+        mujoco.mj_step(model, data)
+        load = sum(data.efc_force[c.efc_address] for c in data.contact if c.efc_address >= 0 and abs(c.pos[1]) < 1)
+        expected += law.friction_force_at_load(load) * model.opt.timestep if load > 0 else 0
+        touched += load > 0
+    return changes.get("mass", GIVEN["mass"]) * (20 - data.qvel[0]) / expected - 1
+
+
+def key(name, value):
+    return f'<config key="{name}" value="{value}"/>'
+
+
+def alterations():
+    """What is changed, and the surface that then holds."""
+    slippery = FILM.replace(work_of_adhesion=0.02)
+    measured = FILM.calibrated(100, 0.1)
+    for changes in (
+        dict(mass=0.1), dict(mass=10.0), dict(solref="0.005 1"), dict(solref="0.05 1"), dict(solref="-40000 -200"),
+        dict(timestep=0.0005), dict(timestep=0.004), dict(integrator="RK4", timestep=0.0005), dict(integrator="implicit"),
+        dict(integrator="implicitfast"), dict(solver="PGS"), dict(solver="CG"), dict(impratio=1), dict(friction=0.01),
+        dict(config=key("time_constant", 0.04)), dict(config=key("most_pairs", 1)), dict(config=key("pairs", "")),
+        dict(config=key("microslip", "no")), dict(config=key("microslip", "yes")), dict(config=key("microslip", "true")),
+        dict(other=slippery._as_text()),
+    ):  # fmt: skip
+        yield changes, FILM
+    yield dict(text=slippery._as_text()), slippery
+    yield dict(text=measured._as_text()), measured
+    yield dict(text="", config=key("surface", SURFACE)), asperity.Params.from_toml(SURFACE)
+    yield dict(text="work_of_adhesion = 0.02", config=key("surface", SURFACE)), \
+        asperity.Params.from_toml(SURFACE).replace(work_of_adhesion=0.02)  # fmt: skip
+
+
+def shared_incline():
+    """What the step before, the line and the mean give on the incline of all hosts [m/s2]."""
+    law = incline.law()
+    right = incline.right_acceleration(law)
+    for name, time_constant in (("right", None), ("the load of the step before", 1e-9), ("the line", 0), ("the mean", 0.02), ("default", "")):
+        error = 0 if time_constant is None else slide(
+            law, math.degrees(incline.ANGLE), text=law.params._as_text(), impratio=1, config=key("time_constant", time_constant)
+        )  # fmt: skip
+        print(f"  the incline of all hosts, {name}: {right * (1 + error):.3f} m/s2")
+
+
+def check_refusals():
+    for changes, words in (
+        (dict(text=""), "must be set"), (dict(config=key("surfase", "x")), "surfase"), (dict(cone="pyramidal"), 'cone="elliptic"'),
+        (dict(config=key("microslip", "maybe")), "microslip = 'maybe': must be true or false"),
+        (dict(config=key("time_constant", "0.02 s")), "time_constant = '0.02 s' is not a number"),
+    ):  # fmt: skip
+        try:
+            bounce(None, **changes)
+        except ValueError as error:
+            if words not in str(error):
+                raise RuntimeError(f"{changes}: the message lacks {words!r}: {error}") from None
+        else:
+            raise RuntimeError(f"{changes}: taken")
+
+
+def main():
+    film = asperity.Model(FILM)
+    demand(film, 0.5, 150)
+    first = slide(film, mass=10.0), bounce(film)
+    print(f"altered: as it comes: acceleration of 10 kg off by {first[0]:.1e}, impulse of an impact by {first[1]:.1e}")
+    shared_incline()
+    altered, impulse = 0.0, np.maximum(abs(first[1]), abs(bounce(film, solref="0.005 0.2")))
+    for changes, params in alterations():
+        law = asperity.Model(params)
+        found = slide(law, **changes), bounce(law, **changes)
+        print(f"  {str(changes)[:60]!r:62} acceleration {found[0]:8.1e}, impulse {found[1]:8.1e}")
+        altered = np.maximum(altered, abs(found[0]))
+        impulse = np.maximum(impulse, abs(found[1]))
+    check_refusals()
+    if (slide(film, mass=10.0), bounce(film)) != first:
+        raise RuntimeError("after the others the first model does not give the same bits again")
+    lagged = abs(slide(film, mass=10.0, config=key("time_constant", 1e-9)))
+    good = abs(first[0]) <= SLIDE_LIMIT < lagged and altered <= ALTERED_SLIDE_LIMIT and impulse <= BOUNCE_LIMIT
+    return good, (
+        f"acceleration of a box that hops {abs(first[0]):.1e} (limit {SLIDE_LIMIT:g}; {lagged:.1e} at the load of the step before), "
+        f"altered {altered:.1e} (limit {ALTERED_SLIDE_LIMIT:g}), impulse of an impact {impulse:.1e} (limit {BOUNCE_LIMIT:g})"
+    )
+
+
+if __name__ == "__main__":
+    verdict.run("mujoco", main)
