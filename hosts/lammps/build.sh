@@ -34,7 +34,8 @@ if [ -n "$prefix" ]; then
     installed() { PKG_CONFIG_PATH=$(dirname "$pc") pkg-config "$@" asperity; }
     flags=$(installed --cflags) library=$(installed --variable=libdir)/libasperity.a
 else
-    cmake/check_rust.sh && cargo build --quiet --release --locked
+    cmake/check_rust.sh
+    cargo build --quiet --release --locked
     flags=-Iinclude library=${CARGO_TARGET_DIR:-target}/release/libasperity.a
 fi
 mkdir -p "$(dirname "$output")"
