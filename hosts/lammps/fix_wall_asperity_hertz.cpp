@@ -24,9 +24,9 @@ int axis_of(const std::string &word) { return word == "x" ? 0 : word == "y" ? 1 
 }    // namespace
 
 FixWallAsperityHertz::FixWallAsperityHertz(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
-    const int words = read_planes(narg, arg);
+    const Law::Words words = read_planes(narg, arg);
     try {
-        law_ = std::make_unique<const Law>(update->unit_style, Law::Words(arg + words, arg + narg));
+        law_ = Law::of(update->unit_style, words);
     } catch (const std::invalid_argument &refused) {
         error->all(FLERR, "fix {} wall/asperity/hertz: {}", id, refused.what());
     }
@@ -48,8 +48,8 @@ FixWallAsperityHertz::~FixWallAsperityHertz() {
     atom->delete_callback(id, Atom::RESTART);
 }
 
-// fix ID group wall/asperity/hertz zplane LOW HIGH [shear x V] ...; returns the place of the next word.
-int FixWallAsperityHertz::read_planes(int narg, char **arg) {
+// fix ID group wall/asperity/hertz zplane LOW HIGH [shear x V] ...; returns the words of the law.
+Law::Words FixWallAsperityHertz::read_planes(int narg, char **arg) {
     const std::string wanted = "must be xplane, yplane or zplane with two places, of which one may be NULL";
     const std::string plane = narg > 5 ? arg[3] : "";
     axis_ = plane.size() == 6 && plane.substr(1) == "plane" ? axis_of(plane.substr(0, 1)) : -1;
@@ -61,14 +61,20 @@ int FixWallAsperityHertz::read_planes(int narg, char **arg) {
         any = any || !none;
     }
     if (!any) error->all(FLERR, "fix {} wall/asperity/hertz: {}", id, wanted);
-    int next = 6;
-    for (; narg >= next + 3 && std::strcmp(arg[next], "shear") == 0; next += 3) {
-        const int along = axis_of(arg[next + 1]);
+    Law::Words words;
+    for (int next = 6; next < narg; next++) {
+        if (std::strcmp(arg[next], "shear") != 0) {
+            words.push_back(arg[next]);
+            continue;
+        }
+        const int along = narg > next + 2 ? axis_of(arg[next + 1]) : -1;
         if (along < 0 || along == axis_)
-            error->all(FLERR, "fix {} wall/asperity/hertz: shear {}: must be a direction along the wall", id, arg[next + 1]);
+            error->all(FLERR, "fix {} wall/asperity/hertz: shear: needs a direction along the wall and a speed, as 'shear {} 0.3'", id,
+                       axis_ == 0 ? "y" : "x");
         velocity_[along] = utils::numeric(FLERR, arg[next + 2], false, lmp);
+        next += 2;
     }
-    return next;
+    return words;
 }
 
 int FixWallAsperityHertz::setmask() { return FixConst::POST_FORCE; }

@@ -36,12 +36,12 @@ public:
 private:
     enum { WALLS = 2 };
 
-    int read_planes(int, char **);
+    asperity_lammps::Law::Words read_planes(int, char **);
     double *of_grain(int i);
     void meet(int grain, double overlap, double side, double *history, asperity_lammps::Contact &) const;
     void apply(int count, const asperity_lammps::Contact *, double dt);
 
-    std::unique_ptr<const asperity_lammps::Law> law_;
+    std::shared_ptr<const asperity_lammps::Law> law_;
     int axis_ = 2;                      // normal to the walls
     double place_[WALLS];               // below and above; not finite where there is none
     double velocity_[3] = {0, 0, 0};

@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity_lammps {
 
@@ -15,10 +17,47 @@ const double pi = 3.14159265358979323846;
 
 [[noreturn]] void refuse(const std::string &message) { throw std::invalid_argument(message); }
 
-void demand(asperity_status status) {
-    if (status == ASPERITY_OK) return;
+std::string last_error() {
     char message[512];
     asperity_last_error(message, sizeof message);
+    return message;
+}
+
+void demand(asperity_status status) {
+    if (status != ASPERITY_OK) refuse(last_error());
+}
+
+// How many letters to insert, remove or replace to make one word of another.
+std::size_t edits(const std::string &from, const std::string &to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 0; i < from.size(); i++) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t k = 0; k < to.size(); k++) {
+            const std::size_t replaced = diagonal + (from[i] != to[k]);
+            diagonal = row[k + 1];
+            row[k + 1] = std::min({replaced, diagonal + 1, row[k] + 1});
+        }
+    }
+    return row[to.size()];
+}
+
+// The library says which of its names is nearest to one that it does not know; a word of the styles may be nearer.
+void demand_known(const std::string &name) {
+    asperity_params params;
+    double value;
+    demand(asperity_params_init(&params, sizeof params));
+    if (asperity_params_get_value(&params, name.c_str(), &value) == ASPERITY_OK) return;
+    std::string message = last_error();
+    if (message.find(": no parameter has this name") == std::string::npos) return;    // known, and not kept
+    const std::string says = "the nearest is ";
+    const std::size_t place = message.find(says);
+    if (place != std::string::npos) {
+        std::string nearest = message.substr(place + says.size());
+        for (const char *word : {"modulus", "real_modulus", "poisson", "restitution", "mu", "microslip", "surface", "shear"})
+            if (edits(name, word) < edits(name, nearest)) nearest = word;
+        message = message.substr(0, place + says.size()) + nearest;
+    }
     refuse(message);
 }
 
@@ -86,18 +125,31 @@ void Law::Surface::take(const std::string &name, const std::string &text) {
         file = text;
         names.clear();
         values.clear();
-        return;
+    } else {
+        demand_known(name);
+        names.push_back(name);
+        values.push_back(number(name, text));
+        changed = true;
     }
-    changed = true;
-    names.push_back(name);
-    values.push_back(number(name, text));
+    given = true;
 }
 
-Law::Law(const std::string &units, const Words &style, const Words &own) {
+std::shared_ptr<const Law> Law::of(const std::string &units, const Words &style, const Words &own,
+                                   const std::vector<std::shared_ptr<const Law>> &known) {
+    Law law;
+    law.read(units, style, own);
+    for (const auto &other : known)
+        if (other && other->made_of_ == law.made_of_) return other;
+    if (law.mu_ < 0) law.make_model();
+    return std::make_shared<const Law>(std::move(law));
+}
+
+void Law::read(const std::string &units, const Words &style, const Words &own) {
     double real_modulus = -1, poisson = 0.3, restitution = 1;
     Surface surface;
     for (const Words *command : {&style, &own}) {
-        surface.begin();
+        double mu = -1;
+        surface.given = surface.changed = false;
         for (std::size_t i = 0; i < command->size(); i += 2) {
             const std::string &name = (*command)[i];
             if (i + 1 == command->size()) refuse(name + ": its value is missing");
@@ -107,13 +159,18 @@ Law::Law(const std::string &units, const Words &style, const Words &own) {
             else if (name == "poisson") poisson = number(name, text);
             else if (name == "restitution") restitution = positive(name, text);
             else if (name == "mu") {
-                mu_ = number(name, text);
-                if (!(mu_ >= 0)) refuse("mu = " + text + ": must be 0 or more");
+                mu = number(name, text);
+                if (!(mu >= 0) || !std::isfinite(mu)) refuse("mu = " + text + ": must be 0 or more");
             } else if (name == "microslip") {
                 if (text != "yes" && text != "no") refuse("microslip: must be yes or no");
                 microslip_ = text == "yes";
             } else surface.take(name, text);
         }
+        // What a later command says of friction replaces what an earlier one said.
+        if (mu >= 0 && surface.given) refuse("mu: stands in place of a surface");
+        if (mu >= 0) surface = Surface();
+        if (mu >= 0 && !contains(*command, "microslip")) microslip_ = false;
+        if (mu >= 0 || surface.given) mu_ = mu;
     }
     if (modulus_ < 0) refuse("modulus: must be set, E* that the grains are computed with");
     if (real_modulus < 0) real_modulus = modulus_;
@@ -125,30 +182,39 @@ Law::Law(const std::string &units, const Words &style, const Words &own) {
     softening_ = std::pow(modulus_ / real_modulus, 2.0 / 3);
     area_ = pi * std::pow(0.75 / real_modulus, 2.0 / 3);
     if (microslip_ && mu_ >= 0) refuse("microslip: needs a surface, not mu");
-    const bool has_surface = !surface.file.empty() || !surface.names.empty();
-    if (mu_ >= 0 && has_surface) refuse("mu: stands in place of a surface");
-    if (mu_ < 0) make_model(surface, units);
+    const double numbers[] = {mu_, modulus_, tangential_ratio_, damping_, softening_, area_, double(microslip_)};
+    made_of_.assign(reinterpret_cast<const char *>(numbers), sizeof numbers);
+    if (mu_ < 0) read_surface(surface, units);
 }
 
-void Law::make_model(const Surface &surface, const std::string &units) {
+void Law::read_surface(const Surface &surface, const std::string &units) {
     std::vector<const char *> names;
     for (const std::string &name : surface.names) names.push_back(name.c_str());
-    asperity_params params;
-    demand(asperity_params_init(&params, sizeof params));
-    if (surface.file.empty()) params.nominal_area = 1;
-    else read_file(params, surface.file, units);
-    demand(asperity_params_set_values(&params, names.size(), names.data(), surface.values.data()));
+    demand(asperity_params_init(&params_, sizeof params_));
+    if (surface.file.empty()) params_.nominal_area = 1;
+    else read_file(params_, surface.file, units);
+    demand(asperity_params_set_values(&params_, names.size(), names.data(), surface.values.data()));
     const bool has_area = !surface.file.empty() || contains(surface.names, "nominal_area");
-    if (params.calibration_friction_force > 0 && !has_area)
+    if (params_.calibration_friction_force > 0 && !has_area)
         refuse("nominal_area: must be given with calibration_load, which was measured on this area");
-    if (params.nominal_area > 0)
-        for (double *total : {&params.asperity_count, &params.calibration_load, &params.calibration_friction_force})
-            *total /= params.nominal_area;
-    params.nominal_area = 1;
+    if (params_.nominal_area > 0)
+        for (double *total : {&params_.asperity_count, &params_.calibration_load, &params_.calibration_friction_force})
+            *total /= params_.nominal_area;
+    params_.nominal_area = 1;
+    std::string text(asperity_params_text(&params_, nullptr, 0) + 1, '\0');
+    if (asperity_params_text(&params_, &text[0], text.size()) == 0) refuse(last_error());
+    made_of_ += text;
+}
+
+void Law::make_model() {
     asperity_model *model = nullptr;
-    demand(asperity_create(&params, &model));
+    demand(asperity_create(&params_, &model));
     model_.reset(model, asperity_free);
-    find_where_it_holds(params.composite_modulus);
+    find_where_it_holds(params_.composite_modulus);
+    if (params_.rms_slope > 0) {
+        const double side = fewest_waves * 2 * pi * params_.height_std / params_.rms_slope;
+        least_area_ = side * side;
+    }
     const std::size_t remembered = asperity_microslip_length(model);
     if (microslip_ && remembered > MOST_REMEMBERED)
         refuse("microslip: this library keeps " + std::to_string(remembered) + " numbers of a contact, the plugin " +
@@ -156,24 +222,24 @@ void Law::make_model(const Surface &surface, const std::string &units) {
     remembered_ = static_cast<int>(remembered);
 }
 
-// Warnings and number of contacts against pressure, from a billionth of E*, at which hardly a summit touches, to E* itself.
+// Warnings and number of contacts against pressure, from a billionth of E*, at which hardly a summit touches, to E* itself. An
+// interval has the warnings of its two ends.
 void Law::find_where_it_holds(double composite_modulus) {
     first_interval_ = half_binade(1e-9 * composite_modulus);
-    for (std::int64_t k = first_interval_; k <= half_binade(composite_modulus); k++) {
-        const double low = pressure_of(k), high = pressure_of(k + 1);
+    for (std::int64_t k = first_interval_; k <= half_binade(composite_modulus) + 1; k++) {
         asperity_state state;
         state.struct_size = sizeof state;
-        Interval interval{0, 0, 0};
-        if (asperity_state_at_load(model_.get(), low, &state) == ASPERITY_OK) interval.touching = state.contacting;
         // A pressure that cannot be evaluated is one at which all summits are flat.
-        if (asperity_check_loads(model_.get(), low, high, &interval.warnings) != ASPERITY_OK)
-            interval.warnings = ASPERITY_WARNING_CROWDED;
+        const bool flat = asperity_state_at_load(model_.get(), pressure_of(k), &state) != ASPERITY_OK;
+        const std::uint64_t all = flat ? ASPERITY_WARNING_CROWDED : state.warnings;
         // Of the interface and the surface, at whatever load: said once, by finish().
-        interval.told = interval.warnings & (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
-        // Few of a unit of area: contacts are smaller, and counted by their own area.
-        interval.warnings &= ~(interval.told | ASPERITY_WARNING_FEW | ASPERITY_WARNING_FEW_WAVES);
-        intervals_.push_back(interval);
+        const std::uint64_t told = all & (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
+        // Few of a unit of area: contacts are smaller, and judged by their own area.
+        const std::uint64_t warnings = all & ~(told | ASPERITY_WARNING_FEW | ASPERITY_WARNING_FEW_WAVES);
+        if (!intervals_.empty()) intervals_.back().warnings |= warnings, intervals_.back().told |= told;
+        intervals_.push_back({flat ? 0 : state.contacting, warnings, told});
     }
+    intervals_.pop_back();
 }
 
 void Law::forces(int count, const Contact *contact, double dt, Forces *result) const {
@@ -234,12 +300,13 @@ void Law::spring(const Contact &c, double dt, Forces &r) const {
     const double off = dot(history, c.normal);    // the tangent plane has turned
     // A contact that is unloaded loses the stiffness of the part that opens, and the force of that part: nothing else
     // keeps the spring from giving back more than was put in. One that is loaded gains stiffness without force.
-    const double kept = r.stiffness < history[STIFFNESS] ? r.stiffness / history[STIFFNESS] : 1;
+    const double had = std::abs(history[STIFFNESS]), kept = r.stiffness < had ? r.stiffness / had : 1;
     for (int a = 0; a < 3; a++)
         spring[a] = kept * (history[a] - off * c.normal[a]) - r.stiffness * dt * slip[a];
-    double size = dot(spring, spring);
-    r.slips = size > r.limit * r.limit;
-    if (r.slips) {
+    const double size = dot(spring, spring);
+    const bool beyond = size > r.limit * r.limit;
+    r.slips = beyond || slipped_before(history, dt);
+    if (beyond) {
         const double scale = r.limit / std::sqrt(size);
         for (int a = 0; a < 3; a++) spring[a] *= scale;
     }
@@ -247,7 +314,7 @@ void Law::spring(const Contact &c, double dt, Forces &r) const {
     for (int a = 0; a < 3; a++) r.friction_work -= 0.5 * (history[a] + spring[a]) * slip[a] * dt;
     if (dt > 0) {
         for (int a = 0; a < 3; a++) history[a] = spring[a];
-        history[STIFFNESS] = r.stiffness;
+        history[STIFFNESS] = r.slips ? -r.stiffness : r.stiffness;
     }
 }
 

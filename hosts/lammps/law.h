@@ -37,10 +37,12 @@ inline double pressure_of(std::int64_t half_binade) {
     return value;
 }
 
-// Where fewer summits touch, ASPERITY_WARNING_FEW holds (docs/theory.md).
-const double fewest_summits = 20;
+// Where fewer summits touch, ASPERITY_WARNING_FEW holds, and with fewer waves on a side ASPERITY_WARNING_FEW_WAVES
+// (docs/theory.md).
+const double fewest_summits = 20, fewest_waves = 8;
 
-// What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had; 0: nothing.
+// What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had, below 0 if it
+// slipped; 0: nothing.
 // With microslip in place of the force a direction in the tangent plane; behind the stiffness on which side the other
 // direction is, the force in both, how stiff the summits were (xx, xy, yy), and what the library keeps of them.
 enum { SPRING, STIFFNESS = 3, SIDE, FORCE, TANGENT = 7, SUMMITS = 10 };
@@ -50,6 +52,9 @@ inline void turn_round(double *history, int numbers) {
     for (int a = 0; a < 3; a++) history[SPRING + a] = -history[SPRING + a];
     if (numbers > SIDE) history[SIDE] = -history[SIDE];
 }
+
+// A step that is computed again, as the first of a run, finds the contacts slipping that did.
+inline bool slipped_before(const double *history, double dt) { return !(dt > 0) && history[STIFFNESS] < 0; }
 
 struct Contact {
     int first, second;            // the grains
@@ -86,9 +91,14 @@ class Law {
 public:
     using Words = std::vector<std::string>;
 
-    // Names and values, one after the other: those of a style, then those of its types. Throws std::invalid_argument with a
+    // The law of names and values, one after the other: those of a style, then those of its types. One of the known laws, of
+    // which making one takes milliseconds, if words and surface file come to the same. Throws std::invalid_argument with a
     // message that names the word. units: those of the script.
-    Law(const std::string &units, const Words &style, const Words &own = {});
+    static std::shared_ptr<const Law> of(const std::string &units, const Words &style, const Words &own = {},
+                                         const std::vector<std::shared_ptr<const Law>> &known = {});
+
+    // All that the law is made of: equal if the laws are.
+    const std::string &made_of() const { return made_of_; }
 
     // Contacts are computed so many at a time, as the library's batch calls are the faster ones.
     enum { BATCH = 32 };
@@ -116,13 +126,15 @@ private:
         std::string file;
         Words names;
         std::vector<double> values;
-        bool changed = false;    // by words of this command
+        bool given = false, changed = false;    // by this command; by other words of it
 
-        void begin() { changed = false; }
         void take(const std::string &name, const std::string &text);
     };
 
-    void make_model(const Surface &surface, const std::string &units);
+    Law() = default;
+    void read(const std::string &units, const Words &style, const Words &own);
+    void read_surface(const Surface &surface, const std::string &units);
+    void make_model();
     void find_where_it_holds(double composite_modulus);
     void normal(const Contact &contact, Forces &result) const;
     // What the tangential forces of a batch need beside Forces.
@@ -136,13 +148,16 @@ private:
     void microslip(int count, const Contact *contact, double dt, const Bodies &bodies, Forces *result) const;
     void damp(const Contact &contact, double dt, Forces &result) const;
 
-    std::shared_ptr<asperity_model> model_;    // of one unit of area; none with a constant coefficient
+    std::string made_of_;
+    asperity_params params_;                   // of one unit of area; not set with a constant coefficient
+    std::shared_ptr<asperity_model> model_;    // of them
     double mu_ = -1;
     double modulus_ = -1;                      // E* that the grains are computed with
     double tangential_ratio_ = 0;              // Mindlin's stiffness over the normal one
     double damping_ = 0;
     double area_ = 0;                          // area over (load radius)^(2/3)
     double softening_ = 1;                     // (modulus/real_modulus)^(2/3)
+    double least_area_ = 0;                    // of a contact as wide as the fewest waves
     bool microslip_ = false;                   // summits slip one after the other, not all at once
     int remembered_ = 0;                       // numbers that the library keeps of a contact
     std::int64_t first_interval_ = 0;
@@ -164,6 +179,7 @@ inline void Law::add(const Contact &c, const Forces &r, double dt, double share,
     const Interval &interval = intervals_[static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, last))];
     std::uint64_t warnings = interval.warnings;
     if (interval.touching * r.load < fewest_summits * r.pressure || place < 0) warnings |= ASPERITY_WARNING_FEW;
+    if (r.load < least_area_ * r.pressure) warnings |= ASPERITY_WARNING_FEW_WAVES;
     if (warnings == 0) sums.held += share * r.load;
     sums.warnings |= warnings;
     sums.told |= interval.told;

@@ -127,7 +127,7 @@ bool balanced(double grain, double allowed, bool first, Step &step) {
 void finish(const Contact &c, const Step &step, double dt, Forces &r) {
     const double *force = step.force;
     for (int a = 0; a < 3; a++) r.spring[a] = force[0] * step.frame.one[a] + force[1] * step.frame.other[a];
-    r.slips = std::hypot(force[0], force[1]) >= r.limit * (1 - 1e-9);
+    r.slips = std::hypot(force[0], force[1]) >= r.limit * (1 - 1e-9) || slipped_before(c.history, dt);
     r.friction_work = 0;
     for (int axis = 0; axis < 2; axis++) {
         const double had = c.history[STIFFNESS] == 0 ? 0 : c.history[FORCE + axis];
@@ -135,7 +135,7 @@ void finish(const Contact &c, const Step &step, double dt, Forces &r) {
     }
     if (!(dt > 0)) return;
     std::copy_n(step.frame.one, 3, c.history + SPRING);
-    c.history[STIFFNESS] = r.stiffness;
+    c.history[STIFFNESS] = r.slips ? -r.stiffness : r.stiffness;
     c.history[SIDE] = step.frame.side;
     std::copy_n(force, 2, c.history + FORCE);
     std::copy_n(step.tangent, 3, c.history + TANGENT);
@@ -150,7 +150,7 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
     int waiting[BATCH], open = 0;
     for (int k = 0; k < count; k++) {
         const Contact &c = contact[k];
-        const double had = c.history[STIFFNESS], now = result[k].stiffness;
+        const double had = std::abs(c.history[STIFFNESS]), now = result[k].stiffness;
         // What is unloaded loses the force of the part of the grain that opens: see spring(). The summits know of theirs.
         const double kept = had == 0 ? 0 : now < had ? now / had : 1;
         begin(c, result[k], kept, dt, bodies.grain[k], bodies.summits[k], step[k]);

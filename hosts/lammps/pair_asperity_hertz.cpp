@@ -22,7 +22,7 @@ using namespace asperity_lammps;
 
 namespace {
 
-const char *const history_id = "ASPERITY_HISTORY", *const place_id = "ASPERITY_HISTORY_PLACE";
+const char *const place = "_PLACE";
 enum { EXTRA = 8, SINGLE = 9 };
 // A run is warned of if the model holds for less of the load: a few light contacts, of which there are always some, say little.
 const double least_held = 0.99;
@@ -40,14 +40,20 @@ PairAsperityHertz::PairAsperityHertz(LAMMPS *lmp) : Pair(lmp) {
     nextra = EXTRA;
     pvector = new double[EXTRA]();
     // The fix that keeps the histories can only be made when the grains are there; it must stand where pair_style does.
-    modify->add_fix(std::string(place_id) + " all DUMMY");
+    // Under pair_style hybrid there may be several of this style, each with a fix of its own.
+    for (int number = 1; history_id_.empty(); number++) {
+        const std::string id = "ASPERITY_HISTORY" + (number > 1 ? std::to_string(number) : "");
+        if (modify->get_fix_by_id(id) || modify->get_fix_by_id(id + place)) continue;
+        history_id_ = id;
+    }
+    modify->add_fix(history_id_ + place + " all DUMMY");
 }
 
 PairAsperityHertz::~PairAsperityHertz() {
     if (copymode) return;
     delete[] svector;
     delete[] pvector;
-    const char *id = fix_history_ ? history_id : place_id;
+    const std::string id = fix_history_ ? history_id_ : history_id_ + place;
     if (modify->get_fix_by_id(id)) modify->delete_fix(id);
     if (allocated) {
         memory->destroy(setflag);
@@ -68,7 +74,13 @@ void PairAsperityHertz::allocate() {
 
 // ---- The input script ----
 
-void PairAsperityHertz::settings(int narg, char **arg) { words_.assign(arg, arg + narg); }
+// Said again, it asks for pair_coeff again.
+void PairAsperityHertz::settings(int narg, char **arg) {
+    words_.assign(arg, arg + narg);
+    if (!allocated) return;
+    for (int i = 1; i <= atom->ntypes; i++) std::fill_n(setflag[i] + 1, atom->ntypes, 0);
+    laws_.assign(laws_.size(), nullptr);
+}
 
 void PairAsperityHertz::coeff(int narg, char **arg) {
     if (narg < 2) error->all(FLERR, "pair_coeff asperity/hertz: needs two types of grains");
@@ -81,18 +93,13 @@ void PairAsperityHertz::coeff(int narg, char **arg) {
         for (int j = jlo; j <= jhi; j++) set_law(std::min(i, j), std::max(i, j), own);
 }
 
-// Types whose words are the same share a law, of which making one takes milliseconds.
 void PairAsperityHertz::set_law(int i, int j, const Words &own) {
     const int types = atom->ntypes, index = i * (types + 1) + j;
     std::shared_ptr<const Law> law;
-    for (std::size_t k = 0; k < laws_.size() && !law; k++)
-        if (laws_[k] && own_words_[k] == own) law = laws_[k];
-    if (!law) {
-        try {
-            law = std::make_shared<const Law>(update->unit_style, words_, own);
-        } catch (const std::invalid_argument &refused) {
-            error->all(FLERR, "{} asperity/hertz: {}", own.empty() ? "pair_style" : "pair_coeff", refused.what());
-        }
+    try {
+        law = Law::of(update->unit_style, words_, own, laws_);
+    } catch (const std::invalid_argument &refused) {
+        error->all(FLERR, "{} asperity/hertz: {}", own.empty() ? "pair_style" : "pair_coeff", refused.what());
     }
     own_words_[index] = own_words_[j * (types + 1) + i] = own;
     laws_[index] = laws_[j * (types + 1) + i] = law;
@@ -121,10 +128,10 @@ void PairAsperityHertz::make_fix_history() {
     if (fix_history_ && fix_history_->numbers() == numbers) return;
     if (fix_history_ && comm->me == 0)
         error->warning(FLERR, "pair_style asperity/hertz: microslip is not as it was, and all contacts forget what they carried");
-    const std::string wanted = fmt::format("{} all {} {}", history_id, FixAsperityHistory::style_name, numbers);
+    const std::string wanted = fmt::format("{} all {} {}", history_id_, FixAsperityHistory::style_name, numbers);
     if (fix_history_) modify->add_fix(wanted, 1);    // in the place of the one of this name
-    else modify->replace_fix(place_id, wanted, 1);
-    fix_history_ = dynamic_cast<FixAsperityHistory *>(modify->get_fix_by_id(history_id));
+    else modify->replace_fix(history_id_ + place, wanted, 1);
+    fix_history_ = dynamic_cast<FixAsperityHistory *>(modify->get_fix_by_id(history_id_));
     if (!fix_history_) error->all(FLERR, "pair_style asperity/hertz: no fix that keeps the histories");
     fix_history_->of_pair(this);
 }
@@ -283,10 +290,8 @@ double PairAsperityHertz::single(int i, int j, int itype, int jtype, double, dou
     Forces r;
     laws_[itype * (atom->ntypes + 1) + jtype]->forces(1, &c, 0, &r);
     const double size = std::sqrt(dot(r.friction, r.friction));
-    // A spring that is kept at the limit is below it by rounding.
-    const double slips = size >= r.limit * (1 - 1e-12) ? 1 : 0;
     const double values[SINGLE] = {r.friction[0], r.friction[1], r.friction[2], size, r.load, r.pressure, r.limit,
-                                   r.stiffness, slips};
+                                   r.stiffness, r.slips ? 1.0 : 0.0};
     std::copy(values, values + SINGLE, svector);
     fforce = r.load / (atom->radius[i] + atom->radius[j] - c.overlap);
     return r.elastic_energy(c.overlap);
@@ -347,7 +352,9 @@ void PairAsperityHertz::write_restart(FILE *file) {
     for (int i = 1; i <= atom->ntypes; i++)
         for (int j = i; j <= atom->ntypes; j++) {
             fwrite(&setflag[i][j], sizeof(int), 1, file);
-            write_words(file, own_words_[i * (atom->ntypes + 1) + j]);
+            const int index = i * (atom->ntypes + 1) + j;
+            write_words(file, own_words_[index]);
+            write_words(file, {laws_[index] ? laws_[index]->made_of() : ""});
         }
 }
 
@@ -359,7 +366,11 @@ void PairAsperityHertz::read_restart(FILE *file) {
             int set = 0;
             if (comm->me == 0) utils::sfread(FLERR, &set, sizeof set, 1, file, nullptr, error);
             MPI_Bcast(&set, 1, MPI_INT, 0, world);
-            const Words own = read_words(file);
-            if (set) set_law(i, j, own);
+            const Words own = read_words(file), made_of = read_words(file);
+            if (!set) continue;
+            set_law(i, j, own);
+            if (comm->me == 0 && laws_[i * (atom->ntypes + 1) + j]->made_of() != made_of[0])
+                error->warning(FLERR, "pair_style asperity/hertz: the surface of types {} and {} is not as it was when the restart "
+                               "file was written", i, j);
         }
 }

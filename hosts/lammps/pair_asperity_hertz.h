@@ -48,6 +48,7 @@ private:
     std::vector<Words> own_words_;                                 // of pair_coeff, [i * (types + 1) + j]
     std::vector<std::shared_ptr<const asperity_lammps::Law>> laws_;    // the same index
     std::vector<double> largest_, largest_frozen_;                 // radii by type
+    std::string history_id_;                                       // of the fix that keeps the histories
     FixAsperityHistory *fix_history_ = nullptr;
     int freeze_bit_ = 0;
     asperity_lammps::Sums sums_;

@@ -40,7 +40,7 @@ def test_rows_are_as_far_apart_as_the_tolerance_lets_them_be(tolerance: float) -
         return 0.1 + 1 / (1 + pressure)
 
     table = pressure_table(law, 1e-3, 1e6, tolerance)
-    found = largest_error(law, table.pressure, table.friction)
+    found = largest_error(law, table.at, table.value)
     assert 0.9 * tolerance < found <= tolerance
     assert table.error == pytest.approx(found, rel=0.02)
 
@@ -54,4 +54,10 @@ def test_a_peak_is_seen_at_either_end(of: str) -> None:
         return np.asarray(1 + 0.1 * np.exp(-(away**2)))
 
     table = pressure_table(law, 1.0, 1e6, 1e-2)
-    assert largest_error(law, table.pressure, table.friction) <= 1e-2 and len(table.pressure) < 30
+    assert largest_error(law, table.at, table.value) <= 1e-2 and len(table.at) < 30
+
+
+def test_an_end_of_more_than_nine_digits_ends_the_rows() -> None:
+    """Rounded down it is below itself, and rows that must reach it would never end."""
+    table = pressure_table(lambda pressure: 1 / pressure, 1.0, 10.0000000001, 1e-2)
+    assert table.at[-1] == 10

@@ -1,22 +1,67 @@
-"""Tables of friction against pressure in the input languages of hosts; docs/export.md says how each is used."""
+"""Tables of friction against pressure, and of stiffness and conductance, in the input languages of hosts; docs/export.md says how
+each is used."""
 
 from __future__ import annotations
 
 import re
 import textwrap
-from typing import Callable, List, NamedTuple, Tuple
+from typing import Callable, List, NamedTuple, Optional, Tuple
 
-from ._pressure_table import PressureTable
+from ._pressure_table import Overclosure, Stiffness, Table
+
+Rows = List[Tuple[str, str]]
+
+
+class Contact(NamedTuple):
+    """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, in the middle and at the
+    highest; normal compliance; conductance."""
+
+    stiffness: Optional[Tuple[Stiffness, Stiffness, Stiffness]] = None
+    overclosure: Optional[Overclosure] = None
+    conductance: Optional[Table] = None
 
 
 class _Table(NamedTuple):
-    """What a format may tell: rows of pressure and coefficient, the pascals of the pressure's unit, a number for the table."""
+    """What a format may tell: rows of pressure and coefficient, units of pressure and length in Pa and m, a number for the table."""
 
     name: str
     title: str
-    rows: List[Tuple[str, str]]
+    rows: Rows
     pascal: float
+    metre: float
     table_id: int
+    contact: Contact
+
+    def normal(self) -> str:
+        """Pressure against overclosure, whose data lines are the same in Abaqus and CalculiX."""
+        text = ""
+        if self.contact.overclosure:
+            table, gap = self.contact.overclosure
+            rows = _rows(table, self.metre, self.pascal)
+            text += f"** Overclosure 0 is a gap of {gap / self.metre:.9g} between the mean planes.\n"
+            text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n" + "".join(f"{p}, {depth}\n" for depth, p in rows)
+        return text
+
+    def conductance(self, keyword: str) -> str:
+        """Data lines of *GAP CONDUCTANCE: conductance, pressure."""
+        if not self.contact.conductance:
+            return ""
+        rows = _rows(self.contact.conductance, self.pascal, self.pascal * self.metre)
+        return f"{keyword}\n" + "".join(f"{conductance}, {pressure}\n" for pressure, conductance in rows)
+
+    def slips(self) -> str:
+        """A comment: between which the elastic slip is."""
+        if not self.contact.stiffness:
+            return ""
+        low, middle, high = ((at.slip / self.metre, at.pressure / self.pascal) for at in self.contact.stiffness)
+        return (
+            f"** Elastic slip F/K: {low[0]:.3g} at the pressure {low[1]:.3g}, {middle[0]:.3g} at {middle[1]:.3g}, "
+            f"{high[0]:.3g} at {high[1]:.3g}.\n"
+        )
+
+
+def _rows(table: Table, of_at: float, of_value: float) -> Rows:
+    return [(f"{at / of_at:.9e}", f"{value / of_value:.9g}") for at, value in zip(table.at, table.value)]
 
 
 def _csv(table: _Table) -> str:
@@ -25,7 +70,28 @@ def _csv(table: _Table) -> str:
 
 def _abaqus(table: _Table) -> str:
     """Data lines of *FRICTION: coefficient, slip rate (left out), contact pressure."""
-    return f"** {table.title}\n*FRICTION\n" + "".join(f"{mu}, , {pressure}\n" for pressure, mu in table.rows)
+    stiffness = table.contact.stiffness
+    elastic = f", ELASTIC SLIP={stiffness[1].slip / table.metre:.9g}" if stiffness else ""
+    rows = "".join(f"{mu}, , {pressure}\n" for pressure, mu in table.rows)
+    friction = f"** {table.title}\n{table.slips()}*FRICTION{elastic}\n{rows}"
+    return friction + table.normal() + table.conductance("*GAP CONDUCTANCE, PRESSURE")
+
+
+def _calculix(table: _Table) -> str:
+    """Has one coefficient and one stick slope, those in the middle of the pressures. Its conductance knows the pressure of
+    linear overclosure, not of a table."""
+    assert table.contact.stiffness
+    low, middle, high = table.contact.stiffness
+    stick = middle.shear / table.pascal * table.metre
+    normal = table.normal()
+    if table.contact.conductance:
+        normal = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{middle.normal / table.pascal * table.metre:.9g}\n"
+    return (
+        f"** {table.title}\n"
+        f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {middle.friction:.4g} in the middle, {high.friction:.4g} "
+        f"at the highest.\n{table.slips()}{normal}*FRICTION\n{middle.friction:.9g}, {stick:.9g}\n"
+        f"{table.conductance('*GAP CONDUCTANCE')}"
+    )
 
 
 def _ansys(table: _Table) -> str:
@@ -89,6 +155,7 @@ end {table.name};
 FORMATS: dict[str, Callable[[_Table], str]] = {
     "abaqus": _abaqus,
     "ansys": _ansys,
+    "calculix": _calculix,
     "csv": _csv,
     "lsdyna": _lsdyna,
     "modelica": _modelica,
@@ -96,8 +163,9 @@ FORMATS: dict[str, Callable[[_Table], str]] = {
 }
 
 
-def written(kind: str, table: PressureTable, *, pascal: float, name: str, title: str, table_id: int) -> str:
-    """The text of a table, its pressures in units of so many pascal."""
+def written(
+    kind: str, table: Table, *, pascal: float, metre: float, name: str, title: str, table_id: int, contact: Contact = Contact()
+) -> str:
+    """The text of a table, in units of so many pascal and metres."""
     name = name if re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII) else "Friction"
-    rows = [(f"{pressure / pascal:.9e}", f"{mu:.9g}") for pressure, mu in zip(table.pressure, table.friction)]
-    return FORMATS[kind](_Table(name, " ".join(title.split()), rows, pascal, table_id))
+    return FORMATS[kind](_Table(name, " ".join(title.split()), _rows(table, pascal, 1.0), pascal, metre, table_id, contact))

@@ -1,9 +1,9 @@
-"""Friction against pressure as a table that is linear between its rows, with no more rows than a tolerance needs."""
+"""What a contact does as tables that are linear between their rows, with no more rows than a tolerance needs."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable
+from typing import Callable, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -20,33 +20,79 @@ _MARGIN = 0.99
 
 
 @dataclass(frozen=True)
-class PressureTable:
-    """Rows of pressure [Pa] and friction coefficient, and the largest relative error between them that was found."""
+class Table:
+    """Rows of a quantity and what the law gives there, and the largest relative error between them that was found."""
 
-    pressure: Array
-    friction: Array
+    at: Array
+    value: Array
     error: float
 
 
-def friction_at_pressure(model: Model) -> Law:
-    """The friction coefficient of a model whose loads are pressures on its nominal area."""
+class Overclosure(NamedTuple):
+    """Pressure [Pa] against overclosure [m], and the gap between the mean planes [m] at which the overclosure is 0."""
+
+    table: Table
+    gap: float
+
+
+class Stiffness(NamedTuple):
+    """Friction coefficient, stiffnesses before slip and along the normal [Pa/m], and elastic slip [m] at a pressure [Pa]."""
+
+    pressure: float
+    friction: float
+    shear: float
+    normal: float
+
+    @property
+    def slip(self) -> float:
+        return self.friction * self.pressure / self.shear
+
+
+def _area(model: Model) -> float:
     area = model.params.nominal_area
     if area == 0:
         message = "nominal_area = 0: must be set for a table of pressures, which are loads over it"
         raise Error(message, Status.INVALID_PARAMETER)
+    return area
+
+
+def friction_at_pressure(model: Model) -> Law:
+    """The friction coefficient of a model whose loads are pressures on its nominal area."""
+    area = _area(model)
     return lambda pressure: model.friction_at_load(pressure * area)
 
 
-def pressure_table(law: Law, lowest: float, highest: float, tolerance: float) -> PressureTable:
-    """The rows from the lowest pressure on, each as far from the one before as the tolerance lets it be."""
-    rows, errors = [_rounded(lowest)], [0.0]
+def conductance_at_pressure(model: Model, conductivity: float) -> Law:
+    """Conductance of the interface by area, between bodies of this conductivity, the harmonic mean of both."""
+    area = _area(model)
+    return lambda pressure: 2 * conductivity / area * model.contact_radius_sum_at_load(pressure * area)
+
+
+def stiffness_at_pressure(model: Model, pressure: float) -> Stiffness:
+    """How stiff the interface is at a pressure, from the exact state."""
+    area = _area(model)
+    state = model.state_at_load(pressure * area)
+    return Stiffness(pressure, state.friction_coefficient, state.tangential_stiffness / area, -state.dload_dgap / area)
+
+
+def overclosure_table(model: Model, lowest: float, highest: float, tolerance: float) -> Overclosure:
+    """Pressure against overclosure from the lowest pressure on. Below it a straight line leads to no pressure at overclosure 0."""
+    area = _area(model)
+    first, last = (model.state_at_load(pressure * area) for pressure in (lowest, highest))
+    depth = lowest * area / -first.dload_dgap
+    gap = first.gap + depth
+    return Overclosure(pressure_table(lambda depth: model.load_at_gap(gap - depth) / area, depth, gap - last.gap, tolerance), gap)
+
+
+def pressure_table(law: Law, lowest: float, highest: float, tolerance: float) -> Table:
+    """The rows from the lowest on, each as far from the one before as the tolerance lets it be."""
+    rows, errors, highest = [_rounded(lowest)], [0.0], _rounded(highest)
     while rows[-1] < highest:
-        row = _next(law, rows[-1], _rounded(highest), _MARGIN * tolerance)
+        row = _next(law, rows[-1], highest, _MARGIN * tolerance)
         errors.append(_error(law, rows[-1], row))
         rows.append(row)
-    pressure = np.array(rows)
-    friction = np.array([_rounded(mu) for mu in law(pressure)])
-    return PressureTable(pressure, friction, max(errors))
+    at = np.array(rows)
+    return Table(at, np.array([_rounded(value) for value in law(at)]), max(errors))
 
 
 def _next(law: Law, row: float, highest: float, tolerance: float) -> float:
@@ -67,7 +113,7 @@ def _next(law: Law, row: float, highest: float, tolerance: float) -> float:
 
 
 def _error(law: Law, first: float, last: float) -> float:
-    """The largest relative error of the straight line between two pressures."""
+    """The largest relative error of the straight line between two rows."""
     share = _SAMPLES
     exact = law(first + share * (last - first))
     ends = law(np.array([first, last]))

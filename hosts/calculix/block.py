@@ -1,0 +1,170 @@
+"""A block on a base in CalculiX, with the contact that `python -m asperity export` writes: pressed, dragged and heated, against the
+exact states of the law. Then each input is changed once. usage: block.py FOLDER
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import asperity.__main__
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+import surface  # of hosts/
+import verdict
+
+TOLERANCE = 1e-3  # of the tables
+LIMIT = 2e-3
+FACES = 3
+# Of CalculiX 2.20 a table of overclosure works with nodes on surfaces only, and conductance by pressure with surfaces on surfaces and
+# linear overclosure. In SI: edge and height of the block, conductivity of both bodies, warmth of the block's upper face.
+EDGE, HEIGHT, CONDUCTIVITY, WARMTH = 10e-3, 1e-3, 50.0, 10.0
+BASE = {"surface": "", "load": 8e6, "length": 1e-3, "pressure": 1e6}
+ALTERED = {
+    "mm, MPa": {},
+    "m, Pa": {"length": 1.0, "pressure": 1.0},
+    "mm, Pa": {"pressure": 1.0},
+    "a tenth of the load": {"load": 0.8e6},
+    "four times the load": {"load": 32e6},
+    "a rougher surface": {"surface": "Sq = 20e-9"},
+    "a calibrated surface": {"surface": "calibration_load = 100\ncalibration_friction_coefficient = 0.3"},
+}
+
+
+def altered_film(words):
+    """The surface of all hosts, with other words in place of its own or before them."""
+    film, key = surface.SURFACE.read_text(), words.split(" ")[0]
+    lines = [words if line.startswith(f"{key} =") else line for line in film.splitlines()]
+    return "\n".join(lines if words in lines else [words, *lines]) + "\n"
+
+
+def body(name, first, half, low, high, length):
+    """Nodes and elements of a layer of FACES x FACES bricks: the nodes of its lower side, and as many above."""
+    side = np.linspace(-half, half, FACES + 1) / length
+    count = len(side) ** 2
+    lines = []
+    for k, (plane, z) in enumerate((("LOWER", low), ("UPPER", high))):
+        lines.append(f"*NODE, NSET={name}{plane}")
+        lines += [f"{first + k * count + m}, {x:.10g}, {y:.10g}, {z / length:.10g}" for m, (y, x) in
+                  enumerate((float(y), float(x)) for y in side for x in side)]
+    lines.append(f"*ELEMENT, TYPE=C3D8, ELSET={name}")
+    for m in (row * len(side) + column for row in range(FACES) for column in range(FACES)):
+        corners = [first + m + offset for offset in (0, 1, len(side) + 1, len(side))]
+        lines.append(f"{first + m}, {', '.join(str(c) for c in corners + [c + count for c in corners])}")
+    return "\n".join([*lines, f"*SOLID SECTION, ELSET={name}, MATERIAL=STEEL"])
+
+
+def deck(case, slip):
+    """Pressed in the first step; dragged in the second to half of the elastic slip, and in the third to three times."""
+    length, pressure = case["length"], case["pressure"]
+    pressed = f"*DLOAD\nBLOCK, P2, {case['load'] / pressure:.10g}\n*NODE PRINT, NSET=BLOCKLOWER, FREQUENCY=1000\nU\n"
+    dragged = "".join(
+        f"""*END STEP
+*STEP, INC=1000
+*STATIC
+0.1, 1., , 0.1
+*BOUNDARY
+BLOCKLOWER, 1, 1, {share * slip / length:.10g}
+BLOCKUPPER, 1, 1, {share * slip / length:.10g}
+*NODE PRINT, NSET=BLOCKLOWER, TOTALS=ONLY, FREQUENCY=1000
+RF
+""" for share in (0.5, 3))
+    bodies = f"""{body("BLOCK", 1, EDGE / 2, 0.0, HEIGHT, length)}
+{body("BASE", 101, EDGE, -HEIGHT, 0.0, length)}
+*MATERIAL, NAME=STEEL
+*ELASTIC
+{200e9 / pressure:.10g}, 0.
+*CONDUCTIVITY
+{CONDUCTIVITY / pressure / length**2:.10g}
+*SURFACE, NAME=SLIDER
+BLOCK, S1
+*SURFACE, NAME=TABLE
+BASE, S2
+*SURFACE INTERACTION, NAME=ROUGH
+*INCLUDE, INPUT={{name}}.contact
+*CONTACT PAIR, INTERACTION=ROUGH, TYPE={{type}} TO SURFACE
+SLIDER, TABLE
+*BOUNDARY
+BASELOWER, 1, 3
+BASEUPPER, 1, 3
+BLOCKLOWER, 1, 2
+BLOCKUPPER, 1, 2
+"""
+    heated = f"""*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ALL, 0.
+*STEP, INC=1000, NLGEOM
+*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE
+0.1, 1., , 0.1
+*BOUNDARY
+BASEUPPER, 11, 11, 0.
+BLOCKUPPER, 11, 11, {WARMTH}
+{pressed}*NODE PRINT, NSET=BLOCKUPPER, TOTALS=ONLY, FREQUENCY=1000
+RFL
+*END STEP
+"""
+    everything = "*NSET, NSET=ALL\nBLOCKLOWER, BLOCKUPPER, BASELOWER, BASEUPPER\n"
+    return {
+        "dragged": f"{bodies.format(name='dragged', type='NODE')}*STEP, INC=1000\n*STATIC\n0.1, 1., , 0.1\n{pressed}{dragged}*END STEP\n",
+        "heated": bodies.format(name="heated", type="SURFACE") + everything + heated,
+    }
+
+
+def computed(folder, name, text):
+    """What CalculiX printed, by headline: rows of numbers."""
+    (folder / f"{name}.inp").write_text(text)
+    (folder / f"{name}.dat").unlink(missing_ok=True)
+    done = subprocess.run(["ccx", "-i", name], cwd=folder, capture_output=True, text=True, check=False)
+    said = done.stdout + done.stderr
+    if done.returncode != 0 or "*ERROR" in said or "best solution" in said:
+        raise RuntimeError(f"{folder / name}.inp: ccx ended with status {done.returncode}: {said[-400:]}")
+    printed = []
+    for line in (folder / f"{name}.dat").read_text().splitlines():
+        words = line.split()
+        if words and words[0][0].isalpha():
+            printed.append([])
+        elif words:
+            printed[-1].append([float(word) for word in words])
+    return printed
+
+
+def errors(folder, case):
+    """Of overclosure, stick, friction and heat, relative to what the law says."""
+    folder.mkdir(parents=True, exist_ok=True)
+    film = folder / "film.toml"
+    film.write_text(altered_film(case["surface"]))
+    load, length, pressure = case["load"], case["length"], case["pressure"]
+    options = ["--range", f"{load / 8!r}:{load * 8!r}", "--tolerance", f"{TOLERANCE}", "--pressure-unit", f"{pressure!r}",
+               "--length-unit", f"{length!r}"]
+    for name, more in (("dragged", []), ("heated", ["--conductivity", f"{CONDUCTIVITY}"])):
+        to = ["--format", "calculix", "-o", str(folder / f"{name}.contact")]
+        if asperity.__main__.main(["export", str(film), *to, *options, *more]) != 0:
+            raise RuntimeError("no table is exported")
+    with asperity.Model(asperity.Params.from_toml(film)) as model:
+        area = model.params.nominal_area
+        lightest, state = (model.state_at_load(p * area) for p in (load / 8, load))
+        zero = lightest.gap - load / 8 * area / lightest.dload_dgap
+        slip = state.friction_force / state.tangential_stiffness
+        conductance = 2 * CONDUCTIVITY * state.contact_radius_sum / area
+    decks = deck(case, slip)
+    lower, stick, friction = computed(folder, "dragged", decks["dragged"])
+    flux = computed(folder, "heated", decks["heated"])[-1][0][0]
+    newton, side = pressure * length**2, EDGE**2
+    # In series: the block and the contact; the base's upper face is held at 0.
+    heat = WARMTH * side / (HEIGHT / CONDUCTIVITY + 1 / conductance)
+    expected = state.friction_coefficient * load * side
+    return np.array([
+        np.max(np.abs(np.array(lower)[:, 3] * length / (state.gap - zero) - 1)), abs(stick[0][0] * newton / (0.5 * expected) - 1),
+        abs(friction[0][0] * newton / expected - 1), abs(flux * newton * length / heat - 1)])
+
+
+def main(folder):
+    worst, rows = 0.0, []
+    for name, change in ALTERED.items():
+        found = errors(folder / name.replace(" ", "_"), {**BASE, **change})
+        print(f"  {name}: overclosure, stick, friction, heat are off the law by {', '.join(f'{error:.1e}' for error in found)}")
+        worst = np.max([worst, *found])
+    return worst <= LIMIT, f"{len(ALTERED)} blocks pressed, dragged and heated, within {worst:.1e} of the law (limit {LIMIT:.0e})"
+
+
+if __name__ == "__main__":
+    verdict.run("calculix", main, Path(sys.argv[1]))
