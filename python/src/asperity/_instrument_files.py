@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, NamedTuple
+from dataclasses import dataclass, field
+from typing import Any, Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -12,18 +13,24 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 
-class HeightMap(NamedTuple):
-    """Heights on a grid, in metres; `summits(*read(file))` takes it as it is.
+@dataclass(frozen=True, eq=False)
+class HeightMap:
+    """Heights on a grid, in metres; `heights, dx, dy = read(file)` takes it apart.
 
     Attributes:
         height_map: heights [m], shape (rows along y, columns along x); NaN where the instrument saw nothing.
         dx: distance of columns [m].
         dy: distance of rows [m].
+        recorded: heights before they were levelled, of which equal neighbours are one plateau; None if they are `height_map`.
     """
 
     height_map: Array
     dx: float
     dy: float
+    recorded: Array | None = field(default=None, repr=False)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self.height_map, self.dx, self.dy))
 
 
 def read(
