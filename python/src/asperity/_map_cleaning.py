@@ -106,8 +106,11 @@ def clean(
     lines = _map_rows.offsets(level) if rows else None
     if lines is not None:
         offsets = np.expand_dims(lines[1], 1 - lines[0])
-        raw = raw - offsets
-        recorded = raw if found is None else recorded - found.step * np.round(offsets / found.step)
+        if found is None:
+            recorded = raw = raw - offsets
+        else:  # by whole steps, which leave plateaus as they are
+            raw = raw - found.step * np.round(offsets / found.step)
+            recorded = found.step * np.round((raw - np.nanmin(raw)) / found.step)
         level = _level(raw, bad, detrend)
     tell(0.2, "looking for spikes and dust")
     particles = 0
