@@ -12,7 +12,7 @@ import numpy.typing as npt
 import pytest
 from random_surfaces import GaussianSurface
 
-from asperity import Model, Params, _instrument_files, surface
+from asperity import Model, Params, Warnings, _instrument_files, surface
 from asperity._map_spikes import spikes
 
 Array = npt.NDArray[np.float64]
@@ -247,16 +247,21 @@ def test_contacts_smaller_than_a_point_are_warned_of(plain: Array) -> None:
 
 
 def test_the_recommended_cutoff_is_the_shortest_that_the_map_resolves(self_affine: Array, tmp_path: Path) -> None:
-    found = surface.cutoffs(self_affine, 1e-4, 5e-9, **MATERIAL)
+    rough = 0.1 * self_affine
+    found = surface.cutoffs(rough, 1e-4, 5e-9, **MATERIAL)
     width, points = 2 * found.contact_radius / 5e-9, found.cutoff / 5e-9
     good = (width >= 4) & (points >= 6)
+    for i, reason in enumerate(found.reasons):
+        assert bool(reason) == (not good[i] or found.count[i] < 30 or found.summits[i].moments.m0 < 0.5 * np.var(rough)), reason
     assert found.recommended is not None and found.recommended == found.cutoff[good][0] and not good.all()
     assert f"recommended: {found.recommended:.3g}, mu = " in str(found) and len(str(found).splitlines()) == points.size + 2
     at = int(np.nonzero(good)[0][0])
-    again = surface.summits(surface.filter(self_affine, found.recommended, 5e-9))
+    again = surface.summits(surface.filter(rough, found.recommended, 5e-9))
     with Model(Params.from_topography(again, **MATERIAL)) as model:
         assert found.friction[at] == pytest.approx(model.friction_at_load(1e-4), rel=1e-9)
-    assert found.count[at] == again.count and np.all(np.diff(found.count) < 0)
+    assert found.count[at] == again.count and np.all(np.diff(found.count[found.count > 0]) < 0)
+    low, high = found.spread
+    assert low < found.friction[at] < high and f"({low:.4f} to {high:.4f} from half to twice it)" in str(found)
     above, below = found.plot(tmp_path / "cutoffs.svg").axes
     assert (tmp_path / "cutoffs.svg").read_text(encoding="utf-8").startswith("<?xml")
     assert above.lines[0].get_ydata() == pytest.approx(found.friction)
@@ -266,7 +271,7 @@ def test_the_recommended_cutoff_is_the_shortest_that_the_map_resolves(self_affin
 
 
 def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
-    with pytest.warns(surface.MapWarning, match="no cutoff is recommended: contacts under this load are 4 points wide at none"):
+    with pytest.warns(surface.MapWarning, match="no cutoff is recommended, the nearest is 1.2e-07: contacts under this load are .* points wide: measure a finer map"):
         found = surface.cutoffs(plain, 1e-4, PIXEL, nominal_area=1e-8, cutoff=[6 * PIXEL, 4 * PIXEL], **MATERIAL)
     assert found.recommended is None and found.cutoff.tolist() == [4 * PIXEL, 6 * PIXEL]
     # The surface has no waves that these take away.
@@ -277,6 +282,23 @@ def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
         surface.cutoffs(plain, 1.0, PIXEL, cutoff=[-1.0], **MATERIAL)
     with pytest.raises(ValueError, match=r"256 x 256 points, dx = 5e-09, dy = 0.0001: too small for the shortest cutoff"):
         surface.cutoffs(plain, 5e-9, 5e-9, 1e-4, **MATERIAL)  # the load in the place of dy
+
+
+def test_cutoffs_that_fail_stay_with_the_reason(plain: Array) -> None:
+    found = surface.cutoffs(plain, 3e-3, PIXEL, cutoff=PIXEL * np.array([1.0, 6.0, 8.0, 250.0]), **MATERIAL)
+    assert found.recommended == pytest.approx(6 * PIXEL) and found.reasons[1] == ""
+    assert found.reasons[0].startswith("cutoff = 2e-08: must be from two points") and "summits on 256 x 256" in found.reasons[3]
+    assert np.isnan(found.friction[[0, 3]]).all() and found.summits[0] is None and found.params[3] is None
+    assert "2e-08  1  cutoff = 2e-08: must be" in str(found)
+    with pytest.warns(surface.MapWarning, match="no cutoff is recommended"):
+        steep = surface.cutoffs(5 * plain, 2e-2, PIXEL, **MATERIAL)
+    assert any("too steep" in reason for reason in steep.reasons)
+    for at, params in enumerate(found.params):
+        if params is not None and not found.reasons[at]:
+            with Model(params) as model:
+                assert not model.check(3e-3, 3e-3) & (Warnings.STEEP | Warnings.CROWDED | Warnings.PLASTIC | Warnings.BROAD)
+    with pytest.raises(ValueError, match="E1"):
+        surface.cutoffs(plain, 1e-2, PIXEL, **(MATERIAL | {"E1": -1.0}))
 
 
 # ---- What a map may be given as ----
