@@ -111,12 +111,132 @@ def test_what_holds_no_map_is_refused(tmp_path: Path) -> None:
     (tmp_path / "noise").write_bytes(bytes(range(256)))
     with pytest.raises(ValueError, match="noise: no format that SurfaceTopography knows"):
         surface.read(tmp_path / "noise")
-    np.savetxt(tmp_path / "table.csv", np.zeros((20, 20)), delimiter=",")
-    with pytest.raises(ValueError, match=r"table.csv: no format .* numpy.loadtxt\(file, delimiter=','\)"):
-        surface.read(tmp_path / "table.csv")
-    np.savetxt(tmp_path / "profile.xyz", np.stack([np.arange(20), np.arange(20) % 3], axis=1))
-    with pytest.raises(ValueError, match="is a profile: must be a map"):
+    (tmp_path / "empty").touch()
+    with pytest.raises(ValueError, match="empty: is empty"):
+        surface.read(tmp_path / "empty")
+    line = np.stack([np.arange(20), np.arange(20) % 3], axis=1)
+    np.savetxt(tmp_path / "profile.xyz", line)
+    z = line[:, 1] - np.polyval(np.polyfit(line[:, 0], line[:, 1], 1), line[:, 0])
+    slope = np.sqrt(np.mean(np.diff(z) ** 2))
+    with pytest.raises(ValueError, match=rf"is a profile: .*Params.from_profile\(Rq={1e-9 * z.std():.4g}, Rdq={slope:.4g},"):
         surface.read(tmp_path / "profile.xyz", unit="nm")
+
+
+# ---- Text ----
+
+NM: dict[str, Any] = dict(unit="nm", physical_sizes=(40.0, 30.0))
+
+
+def heights(sep: str = " ") -> tuple[Array, str]:
+    """Six decimals of 30 rows and 40 columns."""
+    z = np.round(np.random.default_rng(0).normal(size=(30, 40)), 6)
+    return z, "\n".join(sep.join(f"{one:.6f}" for one in row) for row in z) + "\n"
+
+
+@pytest.mark.parametrize("sep", [" ", "\t", ";", ","])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+def test_text_is_read_however_it_is_written(tmp_path: Path, sep: str, encoding: str) -> None:
+    z, text = heights(sep)
+    if sep != ",":
+        text = text.replace(".", ",")
+    (tmp_path / "map.txt").write_bytes(("# Größe\n" + text).encode(encoding))
+    found = surface.read(tmp_path / "map.txt", **NM)
+    np.testing.assert_allclose(found.height_map, 1e-9 * z, rtol=1e-12)
+    assert (found.dx, found.dy, found.channels) == (pytest.approx(1e-9), pytest.approx(1e-9), ("Default",))
+
+
+@pytest.mark.parametrize("word", ["---", "--", "N/A", "null", "***", "BAD", "nan", "missing"])
+@pytest.mark.parametrize("sep", [" ", ";"])
+def test_what_stands_for_a_missing_point_takes_no_row_away(tmp_path: Path, word: str, sep: str) -> None:
+    z, text = heights(sep)
+    (tmp_path / "map.txt").write_text(text.replace(f"{z[3, 4]:.6f}", word), encoding="utf-8")
+    found = surface.read(tmp_path / "map.txt", **NM)
+    assert found.height_map.shape == (30, 40) and np.isnan(found.height_map).sum() == 1 and np.isnan(found.height_map[3, 4])
+
+
+def test_three_columns_are_points_of_which_some_may_be_missing(tmp_path: Path) -> None:
+    z, _ = heights()
+    y, x = np.mgrid[:30, :40]
+    points = np.stack([0.1 * x.ravel(), 0.2 * y.ravel(), z.ravel()], axis=1)
+    np.savetxt(tmp_path / "whole.xyz", points)
+    np.savetxt(tmp_path / "fewer.xyz", np.random.default_rng(0).permutation(np.delete(points, 501, 0)))
+    for name, missing in (("whole", 0), ("fewer", 1)):
+        found = surface.read(tmp_path / f"{name}.xyz", unit="µm")
+        assert (found.dx, found.dy) == pytest.approx((1e-7, 2e-7)) and np.isnan(found.height_map).sum() == missing
+        np.testing.assert_allclose(found.height_map[0], 1e-6 * z[0], rtol=1e-9)
+    with pytest.raises(ValueError, match="fewer.xyz: three columns are x, y and z of points, and the file names no unit"):
+        surface.read(tmp_path / "fewer.xyz")
+    np.savetxt(tmp_path / "off.xyz", points + 0.03 * np.random.default_rng(0).normal(size=points.shape))
+    with pytest.raises(ValueError, match="off.xyz: its points x, y, z are not on a grid: interpolate them"):
+        surface.read(tmp_path / "off.xyz", unit="nm")
+
+
+# ---- Measured files, and damaged ones ----
+
+CORPUS = Path(__file__).with_name("maps")
+
+
+@pytest.mark.parametrize(
+    "name, given, shape, step, rms, square_slope",
+    [
+        ("top-1.top.gz", {}, (256, 256), 2.34375e-9, 3.1530986e-9, 1.37799796e-2),
+        ("matrix-4.txt.gz", {}, (305, 75), 3.69862e-7, 1.17458915e-7, 2.30627953e-3),
+        ("sdf-1.sdf", {}, (4, 7), 1e-6, 1.36028973e-8, 1.42405927e-4),
+        ("nc-1.nc", {}, (10, 5), 1e-9, 5.74456265e-9, 2.0),
+        ("xyz-2.txt", {"unit": "nm"}, (4, 4), 1e-9, 4.948717e-10, 0.1875),
+    ],
+)
+def test_measured_maps_are_as_they_were(
+    name: str, given: dict[str, Any], shape: tuple[int, int], step: float, rms: float, square_slope: float
+) -> None:
+    found = surface.read(CORPUS / name, **given)
+    z = found.height_map
+    assert z.shape == shape and (found.dx, found.dy) == pytest.approx((step, step), rel=1e-9)
+    slopes = [np.nanmean((np.diff(z, axis=axis) / step) ** 2) for axis in (0, 1)]
+    assert (np.nanstd(z), np.mean(slopes)) == pytest.approx((rms, square_slope), rel=1e-6)
+
+
+def test_a_damaged_file_is_said_to_be(tmp_path: Path) -> None:
+    whole = (CORPUS / "top-1.top.gz").read_bytes()
+    (tmp_path / "map.top.gz").write_bytes(whole[:5000])
+    with pytest.raises(ValueError, match="map.top.gz: damaged gzip file .*: copy it again"):
+        surface.read(tmp_path / "map.top.gz")
+    import gzip
+
+    (tmp_path / "map.top").write_bytes(gzip.decompress(whole)[:20000])
+    with pytest.raises(ValueError, match="map.top: "):
+        surface.read(tmp_path / "map.top")
+    # Of Gwyddion's format, whole but without an image.
+    (tmp_path / "map.gwy").write_bytes(b"GWYPGwyContainer\0" + (17).to_bytes(4, "little") + b"/0/title\0s" + b"nothin\0")
+    with pytest.raises(ValueError, match="map.gwy: holds no channel with data"):
+        surface.read(tmp_path / "map.gwy")
+
+
+def test_one_of_several_maps_must_be_chosen(tmp_path: Path) -> None:
+    for name in ("Height trace", "Height retrace", "Phase"):
+        header = f"Channel: {name}\nWidth: 2 µm\nHeight: 6 µm\nValue units: µm"
+        np.savetxt(tmp_path / "one", 1e-3 * COUNTS, header=header, encoding="utf-8")
+        with open(tmp_path / "map.txt", "a", encoding="utf-8") as file:
+            file.write((tmp_path / "one").read_text(encoding="utf-8"))
+    with pytest.raises(ValueError, match=r"has 2 maps of heights: give channel = one of 0 'Height trace', 1 'Height retrace'"):
+        surface.read(tmp_path / "map.txt")
+    found = surface.read(tmp_path / "map.txt", channel=1)
+    assert (found.channel, found.channels) == ("Height retrace", ("Height trace", "Height retrace", "Phase"))
+
+
+def test_sizes_that_no_map_has_are_refused_and_may_be_given(tmp_path: Path) -> None:
+    text = sdf(tmp_path / "map.sdf").read_text(encoding="ascii")
+    for old, new, says in (
+        ("Xscale = 5.0E-7", "Xscale = 0.3125", r"the map is 1.25 m long along x, as no map is: give physical_sizes"),
+        ("Zscale = 1.0E-10", "Zscale = 0.1", r"heights range over 4.5 m, as those of no map: the unit is wrong"),
+        ("Zscale = 1.0E-10", "Zscale = 1.0E-5", r"slopes are 1.3e.02, as those of no map: a unit is wrong"),
+    ):
+        (tmp_path / "bad.sdf").write_text(text.replace(old, new), encoding="ascii", newline="")
+        with pytest.raises(ValueError, match=f"bad.sdf: {says}"):
+            surface.read(tmp_path / "bad.sdf")
+    (tmp_path / "bad.sdf").write_text(text.replace("Xscale = 5.0E-7", "Xscale = 0.3125"), encoding="ascii", newline="")
+    found = surface.read(tmp_path / "bad.sdf", physical_sizes=(2e-6, 6e-6))
+    assert (found.dx, found.dy) == pytest.approx((5e-7, 2e-6))
 
 
 def test_without_surfacetopography_it_says_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

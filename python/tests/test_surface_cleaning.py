@@ -12,7 +12,7 @@ import numpy.typing as npt
 import pytest
 from random_surfaces import GaussianSurface
 
-from asperity import Model, Params, _instrument_files, surface
+from asperity import Model, Params, Warnings, _instrument_files, surface
 from asperity._map_spikes import spikes
 
 Array = npt.NDArray[np.float64]
@@ -95,10 +95,80 @@ def test_missing_points_are_filled_like_a_membrane_and_make_no_summits(plain: Ar
 def test_a_map_of_which_much_is_filled_is_warned_of(plain: Array) -> None:
     holes = plain.copy()
     holes[:, :100] = np.nan
-    with pytest.warns(surface.MapWarning, match="39% of the map is filled, where no summits are"):
+    with pytest.warns(surface.MapWarning, match="39% of the map is filled: holes have no summits, so the density is low"):
         cleaned = surface.clean(holes, PIXEL)
     found, whole = surface.summits(cleaned.map), surface.summits(plain, PIXEL)
     assert found.density.value == pytest.approx(0.61 * whole.density.value, rel=0.15)
+
+
+def test_single_points_that_are_filled_make_summits_which_a_filter_takes_away(plain: Array) -> None:
+    scattered = np.where(np.random.default_rng(0).random(plain.shape) < 0.2, np.nan, plain)
+    with pytest.warns(surface.MapWarning, match="20% of the map is filled: single points .* the density may be high by as much; filter"):
+        cleaned = surface.clean(scattered, PIXEL)
+    whole = surface.summits(plain, PIXEL)
+    assert 1.05 < surface.summits(cleaned).density.value / whole.density.value < 1.2
+    found, expected = (surface.summits(surface.filter(one, 6 * PIXEL)) for one in (cleaned, surface.HeightMap(plain, PIXEL, PIXEL)))
+    assert found.density.value == pytest.approx(expected.density.value, rel=0.03)
+    assert found.rms_slope.value == pytest.approx(expected.rms_slope.value, rel=0.02)
+
+
+def test_spikes_are_looked_for_until_there_are_none_and_may_be_left(plain: Array) -> None:
+    bad, where = spiked(plain, 300)
+    once = surface.clean(bad, PIXEL)
+    twice = surface.clean(once.map)
+    assert once.spikes == where.sum() and twice.spikes == 0
+    np.testing.assert_allclose(twice.map.height_map, once.map.height_map, atol=1e-2 * SIGMA)
+    left = surface.clean(bad, PIXEL, spikes=False)
+    assert left.spikes == 0 and np.ptp(left.map.height_map) > 30 * SIGMA
+
+
+@pytest.mark.filterwarnings("ignore::asperity.surface.MapWarning")
+def test_a_map_in_steps_keeps_its_plateaus_and_is_said_to_be_in_steps(plain: Array) -> None:
+    """Steps merge some summits of the surface; levelling must make none of the corners of plateaus."""
+    step = 0.1 * SIGMA
+    counts = np.round((plain + 1e-3 * SIGMA * np.arange(256)) / step)
+    before, whole = surface.summits(counts * step, PIXEL), surface.summits(plain, PIXEL)
+    assert any("heights are in steps of 5e-10, 16% of neighbouring points have one height" in one for one in before.warnings)
+    cleaned = surface.clean(counts * step, PIXEL)
+    assert cleaned.steps is not None and cleaned.steps.step == pytest.approx(step, rel=1e-9)
+    assert "heights in steps of 5e-10" in str(cleaned)
+    after, again = surface.summits(cleaned), surface.summits(surface.clean(cleaned))
+    assert after.count == again.count == pytest.approx(before.count, abs=1) and after.count == pytest.approx(whole.count, rel=0.15)
+    assert any("in steps" in one for one in after.warnings)
+    filtered, expected = (surface.filter(one, 6 * PIXEL) for one in (cleaned, surface.HeightMap(plain, PIXEL, PIXEL)))
+    assert surface.summits(filtered).iso.Sdq == pytest.approx(surface.summits(expected).iso.Sdq, rel=0.01)
+    assert surface.summits(plain, PIXEL).warnings == () and surface.clean(plain, PIXEL).steps is None
+    lines = np.round(np.random.default_rng(0).normal(size=(256, 1)) * 20)
+    aligned = surface.clean((counts + lines).astype(np.int16) * step, PIXEL, rows=True)
+    assert surface.summits(aligned).count == pytest.approx(whole.count, rel=0.2)
+
+
+@pytest.mark.parametrize("transposed", [False, True])
+def test_lines_of_a_scan_are_aligned(plain: Array, transposed: bool) -> None:
+    offset = 0.5 * SIGMA * np.random.default_rng(0).normal(size=(256, 1))
+    raw = plain + offset
+    aligned = surface.clean(raw.T if transposed else raw, PIXEL, rows=True)
+    found, whole = surface.summits(aligned), surface.summits(plain, PIXEL)
+    assert found.radius.value == pytest.approx(whole.radius.value, rel=0.03)
+    assert found.rms_slope.value == pytest.approx(whole.rms_slope.value, rel=0.02)
+    assert aligned.offsets == pytest.approx(offset.std(), rel=0.1) and "lines aligned" in str(aligned)
+    assert surface.clean(plain, PIXEL, rows=True).offsets == 0
+    grooves = plain + 10 * SIGMA * np.sin(np.arange(256) / 2)[:, None]
+    assert surface.clean(grooves, PIXEL, rows=True).offsets == 0
+
+
+def test_particles_are_replaced_where_asked(plain: Array) -> None:
+    y, x = np.mgrid[:256, :256]
+    dusty = plain.copy()
+    for place in range(5):
+        far = np.hypot(x - 40 * place - 30, y - 30 * place - 40) / 5
+        dusty += np.where(far < 1, 20 * SIGMA * np.sqrt(np.maximum(1 - far**2, 0)), 0)
+    assert surface.clean(dusty, PIXEL).particles == 0
+    cleaned = surface.clean(dusty, PIXEL, dust=True)
+    assert cleaned.particles == 5 and "5 particles filled" in str(cleaned)
+    found, whole = surface.summits(cleaned), surface.summits(plain, PIXEL)
+    assert found.rms_slope.value == pytest.approx(whole.rms_slope.value, rel=0.03)
+    assert surface.clean(plain, PIXEL, dust=True).particles == 0
 
 
 def test_what_clean_returns_is_taken_as_a_map(plain: Array) -> None:
@@ -177,16 +247,21 @@ def test_contacts_smaller_than_a_point_are_warned_of(plain: Array) -> None:
 
 
 def test_the_recommended_cutoff_is_the_shortest_that_the_map_resolves(self_affine: Array, tmp_path: Path) -> None:
-    found = surface.cutoffs(self_affine, 1e-4, 5e-9, **MATERIAL)
+    rough = 0.1 * self_affine
+    found = surface.cutoffs(rough, 1e-4, 5e-9, **MATERIAL)
     width, points = 2 * found.contact_radius / 5e-9, found.cutoff / 5e-9
     good = (width >= 4) & (points >= 6)
+    for i, reason in enumerate(found.reasons):
+        assert bool(reason) == (not good[i] or found.count[i] < 30 or found.summits[i].moments.m0 < 0.5 * np.var(rough)), reason
     assert found.recommended is not None and found.recommended == found.cutoff[good][0] and not good.all()
     assert f"recommended: {found.recommended:.3g}, mu = " in str(found) and len(str(found).splitlines()) == points.size + 2
     at = int(np.nonzero(good)[0][0])
-    again = surface.summits(surface.filter(self_affine, found.recommended, 5e-9))
+    again = surface.summits(surface.filter(rough, found.recommended, 5e-9))
     with Model(Params.from_topography(again, **MATERIAL)) as model:
         assert found.friction[at] == pytest.approx(model.friction_at_load(1e-4), rel=1e-9)
-    assert found.count[at] == again.count and np.all(np.diff(found.count) < 0)
+    assert found.count[at] == again.count and np.all(np.diff(found.count[found.count > 0]) < 0)
+    low, high = found.spread
+    assert low < found.friction[at] < high and f"({low:.4f} to {high:.4f} from half to twice it)" in str(found)
     above, below = found.plot(tmp_path / "cutoffs.svg").axes
     assert (tmp_path / "cutoffs.svg").read_text(encoding="utf-8").startswith("<?xml")
     assert above.lines[0].get_ydata() == pytest.approx(found.friction)
@@ -196,7 +271,7 @@ def test_the_recommended_cutoff_is_the_shortest_that_the_map_resolves(self_affin
 
 
 def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
-    with pytest.warns(surface.MapWarning, match="no cutoff is recommended: contacts under this load are 4 points wide at none"):
+    with pytest.warns(surface.MapWarning, match="no cutoff is recommended, the nearest is 1.2e-07: contacts under this load are .* points wide: measure a finer map"):
         found = surface.cutoffs(plain, 1e-4, PIXEL, nominal_area=1e-8, cutoff=[6 * PIXEL, 4 * PIXEL], **MATERIAL)
     assert found.recommended is None and found.cutoff.tolist() == [4 * PIXEL, 6 * PIXEL]
     # The surface has no waves that these take away.
@@ -207,6 +282,23 @@ def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
         surface.cutoffs(plain, 1.0, PIXEL, cutoff=[-1.0], **MATERIAL)
     with pytest.raises(ValueError, match=r"256 x 256 points, dx = 5e-09, dy = 0.0001: too small for the shortest cutoff"):
         surface.cutoffs(plain, 5e-9, 5e-9, 1e-4, **MATERIAL)  # the load in the place of dy
+
+
+def test_cutoffs_that_fail_stay_with_the_reason(plain: Array) -> None:
+    found = surface.cutoffs(plain, 3e-3, PIXEL, cutoff=PIXEL * np.array([1.0, 6.0, 8.0, 250.0]), **MATERIAL)
+    assert found.recommended == pytest.approx(6 * PIXEL) and found.reasons[1] == ""
+    assert found.reasons[0].startswith("cutoff = 2e-08: must be from two points") and "summits on 256 x 256" in found.reasons[3]
+    assert np.isnan(found.friction[[0, 3]]).all() and found.summits[0] is None and found.params[3] is None
+    assert "2e-08  1  cutoff = 2e-08: must be" in str(found)
+    with pytest.warns(surface.MapWarning, match="no cutoff is recommended"):
+        steep = surface.cutoffs(5 * plain, 2e-2, PIXEL, **MATERIAL)
+    assert any("too steep" in reason for reason in steep.reasons)
+    for at, params in enumerate(found.params):
+        if params is not None and not found.reasons[at]:
+            with Model(params) as model:
+                assert not model.check(3e-3, 3e-3) & (Warnings.STEEP | Warnings.CROWDED | Warnings.PLASTIC | Warnings.BROAD)
+    with pytest.raises(ValueError, match="E1"):
+        surface.cutoffs(plain, 1e-2, PIXEL, **(MATERIAL | {"E1": -1.0}))
 
 
 # ---- What a map may be given as ----

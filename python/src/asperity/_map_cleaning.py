@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _caller
+from . import _caller, _map_rows, _map_spikes
 from ._instrument_files import HeightMap
 from ._map_input import checked, degree
-from ._map_spikes import MOST, spikes
+from ._map_steps import Steps, steps
 from ._map_warnings import MapWarning
 from ._progress import LARGE, Progress, teller
 from ._summit_search import basis, products_of
@@ -18,7 +18,7 @@ from ._summit_search import basis, products_of
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
-# A density that is lower by this part matters beside the standard errors of maps with some hundred summits.
+# A density that is wrong by this part matters beside the standard errors of maps with some hundred summits.
 _MUCH = 0.05
 
 
@@ -29,75 +29,129 @@ class Cleaned(NamedTuple):
         map: the levelled map with its distances; `summits` and `filter` take it as it is.
         missing: how many points were not known.
         spikes: how many points stood out and were taken for spikes.
+        particles: how many places stood out and were taken for dust.
         filled: where heights were replaced, of the shape of the map.
+        offsets: of the lines that were aligned, their standard deviation [length]; 0 if none were.
+        steps: of the heights as recorded; None if they are fine.
     """
 
     map: HeightMap
     missing: int
     spikes: int
+    particles: int
     filled: Mask
+    offsets: float
+    steps: Steps | None
 
     def __str__(self) -> str:
         rows, columns = self.filled.shape
-        part = self.filled.mean()
-        return f"{rows} x {columns} points, {self.missing} missing and {self.spikes} spikes filled, {part:.2g} of all"
+        said = [f"{rows} x {columns} points, {self.missing} missing and {self.spikes} spikes filled, {self.filled.mean():.2g} of all"]
+        if self.particles:
+            said.append(f"{self.particles} particles filled")
+        if self.offsets:
+            said.append(f"lines aligned, offsets {self.offsets:.2g}")
+        if self.steps:
+            said.append(f"heights in steps of {self.steps.step:.2g}")
+        return ", ".join(said)
 
 
 def clean(
-    height_map: Any, dx: float | None = None, dy: float | None = None, *, detrend: int = 1, progress: Progress = None
+    height_map: Any,
+    dx: float | None = None,
+    dy: float | None = None,
+    *,
+    detrend: int = 1,
+    rows: bool = False,
+    spikes: bool = True,
+    dust: bool = False,
+    progress: Progress = None,
 ) -> Cleaned:
     """Levels a map, replaces spikes and fills missing points.
 
     A spike is a point that differs from the median of the 5 x 5 points around it by more than 10 times what is usual in
-    the map, and by more than 5 times what is usual among these (1.4826 times the median of such differences). Missing
-    points and spikes are filled with the heights of a stretched membrane, each the mean of its 4 neighbours: that makes no
-    summits, so the density is low by the part filled.
+    the map, and by more than 5 times what is usual among these (1.4826 times the median of such differences). Spikes are
+    looked for again until there are none: a cleaned map has none. Missing points, spikes and dust are filled with the heights
+    of a stretched membrane, each the mean of its 4 neighbours. Points of one height beside each other stay one plateau.
 
     Args:
         height_map: as for `summits`; points that the instrument did not see are NaN, infinite or masked.
         dx: distance of columns, where the map has none.
         dy: distance of rows; by default dx.
-        detrend: degree of the polynomial that is subtracted, fitted to the points that are neither missing nor spikes.
+        detrend: degree of the polynomial that is subtracted, 0 to 8, fitted to the points that are neither missing nor spikes.
+        rows: whether lines of the scan that are offset from each other are aligned, by the medians of differences between them.
+        spikes: whether spikes are replaced.
+        dust: whether particles are replaced: places where some points are higher than 8 times what is usual in the map.
         progress: as for `summits`.
 
     Raises:
         ValueError: as `summits`; more than half of the points missing; more than 1 % of them stand out, which are no
-            spikes but what the surface is.
+            spikes but what the surface is: `spikes=False` leaves them.
         TypeError: no real numbers.
         ImportError: SciPy is not installed.
 
     Warns:
         MapWarning: more than 5 % of the map is filled.
     """
-    raw, dx, dy = checked(height_map, dx, dy, missing=True)
+    given = checked(height_map, dx, dy, missing=True)
+    raw, recorded = given.height_map, given.height_map if given.recorded is None else given.recorded
     degree(detrend)
     tell = teller(progress, raw.size > LARGE)
-    unknown = np.isnan(raw)
-    missing = int(unknown.sum())
+    bad = np.isnan(raw)
+    missing = int(bad.sum())
     if 2 * missing > raw.size:
         raise ValueError(f"height_map: {missing} of {raw.size} heights are missing: at most half may be; crop the map")
     tell(0.0, "levelling the known points")
-    level = _level(raw, unknown, detrend)
-    tell(0.2, "looking for spikes")
-    found = spikes(level)
-    count = int(found.sum())
-    if count > MOST * raw.size:
-        raise ValueError(
-            f"height_map: {count} of {raw.size} points stand out from those around them: too many for spikes, so the "
-            "surface is like that, or the map is mostly noise; filter it without cleaning, or measure again"
-        )
-    bad = unknown | found
     level = _level(raw, bad, detrend)
-    tell(0.7, f"filling {missing} missing points and {count} spikes")
-    level[bad] = _membrane(level, bad)
+    found = steps(recorded)
+    lines = _map_rows.offsets(level) if rows else None
+    if lines is not None:
+        offsets = np.expand_dims(lines[1], 1 - lines[0])
+        if found is None:
+            recorded = raw = raw - offsets
+        else:  # by whole steps, which leave plateaus as they are
+            raw = raw - found.step * np.round(offsets / found.step)
+            recorded = found.step * np.round((raw - np.nanmin(raw)) / found.step)
+        level = _level(raw, bad, detrend)
+    tell(0.2, "looking for spikes and dust")
+    particles = 0
+    if dust:
+        places, particles = _map_spikes.particles(level)
+        bad |= places
+    tell(0.3, f"filling {int(bad.sum())} points")
+    known = raw.size - int(bad.sum())
+    while True:
+        level = _level(raw, bad, detrend)
+        level[bad] = _membrane(level, bad)
+        more = _map_spikes.spikes(level) & ~bad if spikes else np.zeros_like(bad)
+        bad |= more
+        count = known - (raw.size - int(bad.sum()))
+        if count > _map_spikes.MOST * raw.size:
+            raise ValueError(
+                f"height_map: {count} of {raw.size} points stand out from those around them: too many for spikes, so the surface "
+                "is like that, or the map is mostly noise: give spikes=False to leave them, and filter the map"
+            )
+        if not more.any():
+            break
+        tell(0.5, f"filled {count} spikes")
     tell(1.0, "cleaned")
     if (part := bad.mean()) > _MUCH:
-        _caller.warn(
-            f"{part:.0%} of the map is filled, where no summits are: their density is low by as much; crop the map to what "
-            "was measured",
-            MapWarning,
-        )
-    return Cleaned(HeightMap(level, dx, dy), missing, count, bad)
+        _caller.warn(f"{part:.0%} of the map is filled: {_filling(bad)}", MapWarning)
+    deviation = 0.0 if lines is None else float(lines[1].std())
+    return Cleaned(
+        HeightMap(level, given.dx, given.dy, np.where(bad, np.nan, recorded)), missing, count, particles, bad, deviation, found
+    )
+
+
+def _filling(bad: Mask) -> str:
+    """What filling does to the summits."""
+    whole = np.pad(bad, 1)
+    inner = bad & whole[:-2, 1:-1] & whole[2:, 1:-1] & whole[1:-1, :-2] & whole[1:-1, 2:]
+    if 2 * inner.sum() > bad.sum():
+        return "holes have no summits, so the density is low by as much; crop the map to what was measured"
+    return (
+        "single points beside known ones make summits of their neighbours, so the density may be high by as much; filter the map "
+        "with a cutoff of 6 points or more"
+    )
 
 
 def _level(raw: Array, bad: Mask, detrend: int) -> Array:

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _caller, _map_warnings
+from ._instrument_files import HeightMap
 from ._map_filter import filter
 from ._map_input import checked, length
 from ._progress import LARGE, Progress, teller
@@ -20,6 +21,7 @@ from ._summit_statistics import summits
 from ._summits import Summits
 from .model import Model
 from .params import Params
+from .results import Warnings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,6 +33,8 @@ _POINTS = (2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128)
 POINTS_PER_WAVE = 6
 # Fewer summits say little; the map must have so many at a cutoff.
 _SUMMITS = 30
+# What `Model.check` says of the interface, and of the extent of the contact, which no cutoff changes.
+_WHATEVER_CUTOFF = Warnings.UNCALIBRATED | Warnings.STRONG | Warnings.FEW | Warnings.FEW_WAVES
 # A filter that leaves less of the variance of the heights takes away what makes the surface rough.
 _LEAST_VARIANCE = 0.5
 
@@ -42,17 +46,18 @@ class Cutoffs:
     Attributes:
         load: the load [force].
         cutoff: of the filters [length], ascending.
-        friction: friction coefficient.
+        friction: friction coefficient; NaN, as the other arrays, where it could not be computed.
         contact_radius: mean radius of the contacts [length].
         contacting: number of contacts.
         rms_slope: root mean square slope of what the filter leaves, on which friction and area depend.
         area_fraction: real area over nominal area.
-        count: summits of the map.
-        summits: what was found at each cutoff.
-        params: the surfaces made of them.
+        count: summits of the map; 0 where they were not found.
+        summits: what was found at each cutoff; None where nothing was.
+        params: the surfaces made of them; None likewise.
+        reasons: why each cutoff is not recommended, in words; "" for those that may be.
         step: distance of the points [length].
-        recommended: the shortest of the cutoffs that the map resolves: its waves have 6 points, contacts are 4 points wide,
-            and half of the variance of the heights is left; None if there is none.
+        recommended: the shortest of the cutoffs that may be: its waves have 6 points, contacts are 4 points wide, half of the variance
+            of the heights is left, it has 30 summits, and `Model.check` finds nothing against the surface; None if there is none.
     """
 
     load: float
@@ -63,21 +68,36 @@ class Cutoffs:
     rms_slope: Array
     area_fraction: Array
     count: npt.NDArray[np.intp]
-    summits: tuple[Summits, ...]
-    params: tuple[Params, ...]
+    summits: tuple[Summits | None, ...]
+    params: tuple[Params | None, ...]
+    reasons: tuple[str, ...]
     step: float
     recommended: float | None
+
+    @property
+    def at(self) -> int:
+        """Index of the recommended cutoff; without, of the one that comes nearest: the last with friction of those that the map
+        resolves, else the last with friction."""
+        if self.recommended is not None:
+            return int(np.argmax(self.cutoff >= self.recommended))
+        known = np.isfinite(self.friction)
+        fine = known & (self.cutoff >= POINTS_PER_WAVE * self.step)
+        return int(np.argmax(fine) if fine.any() else np.nonzero(known)[0][-1])
+
+    @property
+    def spread(self) -> tuple[float, float]:
+        """The least and the greatest friction coefficient, of cutoffs up to twice as short and as long as the one at `at`."""
+        near = (self.cutoff >= 0.49 * self.cutoff[self.at]) & (self.cutoff <= 2.01 * self.cutoff[self.at])
+        found = self.friction[near & np.isfinite(self.friction)]
+        return float(found.min()), float(found.max())
 
     @property
     def message(self) -> str:
         """What follows, in words."""
         if self.recommended is None:
-            return (
-                f"no cutoff is recommended: contacts under this load are {_map_warnings.POINTS_PER_CONTACT} points wide at none "
-                "that leaves the surface rough; measure a finer map, or take a heavier load"
-            )
-        at = int(np.argmax(self.cutoff >= self.recommended))
-        return f"recommended: {self.recommended:.3g}, mu = {self.friction[at]:.4f}"
+            return f"no cutoff is recommended, the nearest is {self.cutoff[self.at]:.3g}: {self.reasons[self.at]}"
+        low, high = self.spread
+        return f"recommended: {self.recommended:.3g}, mu = {self.friction[self.at]:.4f} ({low:.4f} to {high:.4f} from half to twice it)"
 
     def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
         """Draws friction and contact radius against the cutoff, the recommended one marked.
@@ -92,10 +112,12 @@ class Cutoffs:
 
     def __str__(self) -> str:
         lines = ["cutoff  points  rms slope  contacts  points/contact  area  mu"]
-        for row in zip(self.cutoff, self.rms_slope, self.contacting, self.contact_radius, self.area_fraction, self.friction):
-            cutoff, slope, contacting, radius, area, friction = row
-            points, width = cutoff / self.step, 2 * radius / self.step
-            lines.append(f"{cutoff:.3g}  {points:.3g}  {slope:.3g}  {contacting:.3g}  {width:.2g}  {area:.3g}  {friction:.4f}")
+        for i, cutoff in enumerate(self.cutoff):
+            line = f"{cutoff:.3g}  {cutoff / self.step:.3g}"
+            if np.isfinite(self.friction[i]):
+                width = 2 * self.contact_radius[i] / self.step
+                line += f"  {self.rms_slope[i]:.3g}  {self.contacting[i]:.3g}  {width:.2g}  {self.area_fraction[i]:.3g}  {self.friction[i]:.4f}"
+            lines.append(line + (f"  {self.reasons[i]}" if self.reasons[i] else ""))
         return "\n".join([*lines, self.message])
 
 
@@ -113,30 +135,48 @@ def cutoffs(
 
     Waves shorter than a contact is wide are pressed flat in it and are no summits; waves that the map does not resolve are
     drawn wrongly. So the recommended cutoff is the shortest whose waves have 6 points and at which contacts are 4 points wide
-    on average, if it leaves half of the variance of the heights. Where friction hardly depends on the cutoff around there,
-    the choice does not matter; elsewhere it does, and the spread is the uncertainty of the result.
+    on average, if it leaves half of the variance of the heights and the model finds nothing against the surface. Where friction
+    hardly depends on the cutoff around there, the choice does not matter; elsewhere `spread` is the uncertainty of the result.
+    Cutoffs that fail stay in the table, with the reason.
 
     Args:
         height_map: as for `summits`; `clean` it first.
         load: normal load > 0 [force], of the nominal area.
         dx: distance of columns, where the map has none.
         dy: distance of rows; by default dx.
-        cutoff: the cutoffs [length]; by default 2 to 128 points, as far as 30 summits are left.
+        cutoff: the cutoffs [length]; by default 2 to 128 points, up to a fourth of the side of the map.
         progress: as for `summits`.
         **contact: what `Params.from_topography` takes: materials, adhesion, `nominal_area`, `heights`, options.
 
     Raises:
-        ValueError: as `filter` and `summits`; `Error` for what the library refuses.
+        ValueError: none of the cutoffs gives friction: what the first that the map has says, as `filter`, `summits` and the library.
         TypeError: as `Params.from_topography`.
         ImportError: SciPy is not installed.
 
     Warns:
         MapWarning: a direction of the surface, which no filter takes away; no cutoff that is recommended.
     """
-    given = checked(height_map, dx, dy)
+    def of_contact(summits: Summits) -> tuple[Params, None]:
+        return Params.from_topography(summits, **contact), None
+
+    result = table(checked(height_map, dx, dy), load, cutoff, of_contact, progress)
+    if result.recommended is None:
+        _caller.warn(result.message, _map_warnings.MapWarning)
+    left = result.summits[result.at]
+    for warning in left.warnings if left else ():
+        _caller.warn(warning, _map_warnings.MapWarning)
+    return result
+
+
+# The surface of summits, and friction at the load if it is not that of the surface alone.
+Make = Callable[[Summits], "tuple[Params, float | None]"]
+
+
+def table(given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Make, progress: Progress) -> Cutoffs:
+    """As `cutoffs`, without its warnings, with the surfaces that `make` makes of the summits."""
     step, load = max(given.dx, given.dy), length("load", load)
-    chosen, least = (step * np.array(_POINTS), _SUMMITS) if cutoff is None else (_ascending(cutoff), 0)
     longest = min(given.height_map.shape[0] * given.dy, given.height_map.shape[1] * given.dx) / 4
+    chosen = step * np.array(_POINTS) if cutoff is None else _ascending(cutoff)
     if cutoff is None:
         chosen = chosen[chosen <= longest]
     if chosen.size == 0:
@@ -145,59 +185,57 @@ def cutoffs(
             "too small for the shortest cutoff, 2 points, which a map must be 4 times as wide and as high as"
         )
     tell = teller(progress, given.height_map.size > LARGE)
-    found: list[tuple[Summits, Params, Any]] = []
+    least = _LEAST_VARIANCE * float(np.var(without_polynomial(given.height_map, 1)))
+    numbers = np.full((5, chosen.size), np.nan)
+    left: list[Summits | None] = [None] * chosen.size
+    surfaces: list[Params | None] = [None] * chosen.size
+    reasons, errors = [], []
     for i, one in enumerate(chosen):
         tell(i / chosen.size, f"filtering with the cutoff {one:.3g}")
-        left = _summits(lambda: filter(given, float(one)), fewer_may_end=bool(found) and cutoff is None)
-        if left is None or (found and left.count < least):
-            break
-        params = Params.from_topography(left, **contact)
-        with Model(params) as model:
-            found.append((left, params, model.state_at_load(load)))
-    states = [state for _, _, state in found]
-    radius = np.array([state.mean_contact_radius for state in states])
-    taken = chosen[: len(found)]
-    variance = np.array([summits.moments.m0 for summits, _, _ in found])
-    rough = variance >= _LEAST_VARIANCE * np.var(without_polynomial(given.height_map, 1))
-    resolved = rough & (taken >= POINTS_PER_WAVE * step) & (2 * radius >= _map_warnings.POINTS_PER_CONTACT * step)
-    result = Cutoffs(
-        load,
-        taken,
-        np.array([state.friction_coefficient for state in states]),
-        radius,
-        np.array([state.contacting for state in states]),
-        np.array([summits.iso.Sdq for summits, _, _ in found]),
-        np.array([state.real_area / params.nominal_area for _, params, state in found]),
-        np.array([summits.count for summits, _, _ in found]),
-        tuple(summits for summits, _, _ in found),
-        tuple(params for _, params, _ in found),
-        step,
-        float(taken[np.argmax(resolved)]) if resolved.any() else None,
-    )
+        try:
+            left[i] = found = _summits(given, float(one))
+            params, friction = make(found)
+            surfaces[i] = params
+            with Model(params) as model:
+                state = model.state_at_load(load)
+                failing = model.check(load, load) & ~_WHATEVER_CUTOFF
+        except ValueError as error:
+            errors.append(error)
+            reasons.append(str(error).removeprefix("height_map: "))
+            continue
+        mu = state.friction_coefficient if friction is None else friction
+        area = state.real_area / params.nominal_area
+        numbers[:, i] = mu, state.mean_contact_radius, state.contacting, found.iso.Sdq, area
+        width = 2 * state.mean_contact_radius / step
+        reasons.append(_reason(one / step, width, found, least, [kind.description for kind in failing.kinds]))
+    if len(errors) == chosen.size:
+        raise errors[0]
+    good = [chosen[i] for i, reason in enumerate(reasons) if not reason]
+    counts = np.array([0 if one is None else one.count for one in left])
+    recommended = float(good[0]) if good else None
+    result = Cutoffs(load, chosen, *numbers, counts, tuple(left), tuple(surfaces), tuple(reasons), step, recommended)
     tell(1.0, result.message)
-    _warn(result)
     return result
 
 
-def _summits(filtered: Callable[[], Any], fewer_may_end: bool) -> Summits | None:
-    """The summits of a filtered map, without its warnings; None where too few are left and that may be the end."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", _map_warnings.MapWarning)
-            return summits(filtered(), progress=False)
-    except ValueError:
-        if fewer_may_end:
-            return None
-        raise
+def _reason(points: float, width: float, left: Summits, least: float, failing: list[str]) -> str:
+    """Why a cutoff is not recommended."""
+    if points < POINTS_PER_WAVE:
+        return f"waves of less than {POINTS_PER_WAVE} points"
+    if width < _map_warnings.POINTS_PER_CONTACT:
+        return f"contacts under this load are {width:.2g} points wide: measure a finer map, or take a heavier load"
+    if left.moments.m0 < least:
+        return "less than half of the variance is left"
+    if left.count < _SUMMITS:
+        return f"{left.count} summits"
+    return failing[0] if failing else ""
 
 
-def _warn(found: Cutoffs) -> None:
-    """Of what remains to be said at the recommended cutoff, or if there is none."""
-    if found.recommended is None:
-        _caller.warn(found.message, _map_warnings.MapWarning)
-    at = found.cutoff.size - 1 if found.recommended is None else int(np.argmax(found.cutoff >= found.recommended))
-    for warning in found.summits[at].warnings:
-        _caller.warn(warning, _map_warnings.MapWarning)
+def _summits(given: HeightMap, cutoff: float) -> Summits:
+    """The summits of a filtered map, without its warnings."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", _map_warnings.MapWarning)
+        return summits(filter(given, cutoff), progress=False)
 
 
 def _ascending(cutoff: npt.ArrayLike) -> Array:
@@ -214,7 +252,7 @@ def _draw(found: Cutoffs, file: str | os.PathLike[str] | None) -> Figure:
         figure = Figure(figsize=(7.5, 6), layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True)
         above.semilogx(found.cutoff, found.friction, "o-", ms=4, color="C0", label=f"friction at the load {found.load:.3g}")
-        above.set(ylabel="friction coefficient $F/P$", ylim=(0, 1.1 * float(found.friction.max())))
+        above.set(ylabel="friction coefficient $F/P$", ylim=(0, 1.1 * float(np.nanmax(found.friction))))
         below.loglog(found.cutoff, 2 * found.contact_radius, "o-", ms=4, color="C1", label="mean diameter of the contacts")
         width = _map_warnings.POINTS_PER_CONTACT * found.step
         below.axhline(width, color="black", ls=":", label=f"{_map_warnings.POINTS_PER_CONTACT} points of the map")

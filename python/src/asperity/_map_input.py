@@ -13,16 +13,19 @@ from ._instrument_files import HeightMap, of_topography
 
 Array = npt.NDArray[np.float64]
 
+MOST_DEGREE = 8
+
 
 def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
     """A map of real numbers with its distances; NaN where heights are unknown, if `missing` ones may be."""
+    recorded = None
     if isinstance(getattr(height_map, "map", None), HeightMap):  # what `clean` returns
         height_map = height_map.map
     if isinstance(height_map, HeightMap) or hasattr(height_map, "physical_sizes"):
         if dx is not None or dy is not None:
             raise TypeError("dx, dy: must not be given with a map that has them")
         given = height_map if isinstance(height_map, HeightMap) else of_topography(height_map)
-        height_map, dx, dy = given
+        height_map, dx, dy, recorded = given.height_map, given.dx, given.dy, given.recorded
     elif dx is None:
         raise TypeError("give dx, the distance of columns, and dy, that of rows, in the unit of the heights")
     array = _array(height_map)
@@ -35,7 +38,7 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
     if known.size == 0 or known.min() == known.max():
         found = f"constant at {known[0] if known.ndim == 1 else known[0, 0]}" if known.size else "without a known height"
         raise ValueError(f"height_map: {found}: must be rough")
-    return HeightMap(array, length("dx", dx), length("dy", dx if dy is None else dy))
+    return HeightMap(array, length("dx", dx), length("dy", dx if dy is None else dy), recorded)
 
 
 def _array(height_map: Any) -> Array:
@@ -68,6 +71,6 @@ def length(name: str, value: Any) -> float:
 
 def degree(detrend: Any) -> int:
     """The degree of the polynomial that is taken away."""
-    if isinstance(detrend, bool) or detrend not in (0, 1, 2):
-        raise ValueError(f"detrend = {detrend!r}: must be 0, 1 or 2")
+    if isinstance(detrend, bool) or detrend not in range(MOST_DEGREE + 1):
+        raise ValueError(f"detrend = {detrend!r}: must be a whole number from 0 to {MOST_DEGREE}")
     return int(detrend)

@@ -13,6 +13,8 @@ Mask = npt.NDArray[np.bool_]
 _FACTOR, _LOCAL_FACTOR = 10.0, 5.0
 # More than this part of the points are no spikes.
 MOST = 0.01
+# Heights over the median beside what is usual: of a particle's top and of its foot. The highest of 10^7 normal points is 5.3.
+_PARTICLE, _FOOT = 8.0, 3.0
 # The usual difference of a point from the median around it is that of so many points, which are looked at at a time.
 _SAMPLES = 20_000
 # Of a normal distribution: its standard deviation over the median of the magnitude.
@@ -41,6 +43,25 @@ def spikes(level: Array) -> Mask:
         high = np.abs(off) > np.maximum(_FACTOR * scale, _LOCAL_FACTOR * _NORMAL * spread)
         found[row[some][high], column[some][high]] = True
     return found
+
+
+def particles(level: Array) -> tuple[Mask, int]:
+    """Where particles lie on a map, and how many there are: places that are higher than anything a surface has by chance.
+
+    None if the places are a part of the map that is no dust: the surface has two levels then.
+    """
+    from scipy.ndimage import binary_dilation, label
+
+    centre = float(np.nanmedian(level))
+    usual = _NORMAL * float(np.nanmedian(np.abs(level - centre)))
+    nothing = np.zeros(level.shape, dtype=bool)
+    number, count = label(level > centre + _FOOT * usual, np.ones((3, 3)))
+    high = np.unique(number[level > centre + _PARTICLE * usual])
+    if high.size == 0 or usual == 0:
+        return nothing, 0
+    # A point more on all sides, for the foot.
+    found = binary_dilation(np.isin(number, high), np.ones((3, 3)))
+    return (nothing, 0) if found.mean() > MOST else (found, int(high.size))
 
 
 def _from_neighbours(level: Array) -> Array:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from ._map_steps import Steps
+
 Array = npt.NDArray[np.float64]
 
 # Isotropic surfaces of some hundred summits have 0.85 and more.
@@ -58,9 +60,16 @@ def noise(found: Differences) -> float | None:
     return float(variance**0.5) if bends and variance > 0 else None
 
 
-def remarks(spikes: int, points: int, found: Differences, isotropy: float, height_std: float) -> tuple[str, ...]:
+def remarks(
+    spikes: int, points: int, found: Differences, isotropy: float, height_std: float, steps: Steps | None
+) -> tuple[str, ...]:
     """In words."""
     said = []
+    if steps is not None:
+        said.append(
+            f"heights are in steps of {steps.step:.2g}, {steps.equal:.0%} of neighbouring points have one height: slopes are too "
+            "steep and summits are merged: call surface.filter with a cutoff of 6 points or more"
+        )
     if spikes:
         said.append(
             f"{spikes} points ({spikes / points:.2g} of all) stand out like spikes of an instrument, and determine the "

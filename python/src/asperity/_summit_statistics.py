@@ -11,6 +11,7 @@ import numpy.typing as npt
 from . import _caller, _map_warnings
 from ._map_input import checked, degree
 from ._map_spikes import spikes
+from ._map_steps import Steps, steps
 from ._progress import LARGE, Progress, teller
 from ._radius_trend import fit
 from ._summit_search import Found, find, without_polynomial
@@ -57,7 +58,8 @@ def summits(
     Source of the definitions: Greenwood and Williamson, Proc. R. Soc. A 295 (1966), 300; Nayak (1971).
     """
     _require_scipy()
-    raw, dx, dy = checked(height_map, dx, dy)
+    given = checked(height_map, dx, dy)
+    raw, dx, dy, recorded = given.height_map, given.dx, given.dy, given.recorded
     tell = teller(progress, raw.size > LARGE)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
         tell(0.0, f"levelling {raw.shape[0]} x {raw.shape[1]} points")
@@ -65,20 +67,23 @@ def summits(
         if np.ptp(level) <= 1e4 * np.finfo(float).eps * max(abs(raw.min()), abs(raw.max())):
             raise ValueError("height_map: flat but for rounding: must be rough, beyond what detrend takes away")
         tell(0.2, "looking for summits")
-        found = find(raw, level, dx, dy)
+        recorded = raw if recorded is None else recorded
+        found = find(recorded, level, dx, dy)
         if found.height.size < MIN_SUMMITS:
             raise ValueError(
                 f"height_map: has {found.height.size} summits on {raw.shape[0]} x {raw.shape[1]} points: "
                 f"must have at least {MIN_SUMMITS}, and some hundred for good numbers; map a larger area, or with finer steps"
             )
-        statistics = _statistics(found, level, dx, dy, tell)
+        statistics = _statistics(found, level, dx, dy, steps(recorded), tell)
     tell(1.0, f"found {statistics.count} summits")
     for warning in statistics.warnings:
         _caller.warn(warning, _map_warnings.MapWarning)
     return statistics
 
 
-def _statistics(found: Found, level: Array, dx: float, dy: float, tell: Callable[[float, str], None]) -> Summits:
+def _statistics(
+    found: Found, level: Array, dx: float, dy: float, stepped: Steps | None, tell: Callable[[float, str], None]
+) -> Summits:
     ny, nx = level.shape
     curvature = (found.first_curvature + found.second_curvature) / 2
     tell(0.4, f"slopes and curvatures of {found.height.size} summits")
@@ -101,7 +106,8 @@ def _statistics(found: Found, level: Array, dx: float, dy: float, tell: Callable
     isotropy = max(float(lesser / greater), 0.0)
     tell(0.6, "looking for spikes and noise")
     up = int(np.count_nonzero(spikes(level) & (level > 0)))
-    said = _map_warnings.remarks(up, level.size, _map_warnings.differences(level), isotropy, height_std.scaled(std).value)
+    sigma = height_std.scaled(std).value
+    said = _map_warnings.remarks(up, level.size, _map_warnings.differences(level), isotropy, sigma, stepped)
     tell(0.9, "fitting radius against height")
     arrays = (found.column * dx, found.row * dy, found.height)
     curvatures = np.stack([found.first_curvature, found.second_curvature], axis=1)

@@ -511,28 +511,11 @@ class Params:
         if not hasattr(summits, "radius_trend"):
             raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
         area = summits.nominal_area if nominal_area is None else nominal_area
-        moments = summits.moments
         if not counted:
             if heights != "gaussian":
                 raise TypeError(f"heights = {heights!r}: is for the summits of a map: give counted=True")
-            # A grid may see a little less than the least that an isotropic surface has.
-            m4 = max(moments.m4, 1.5 * moments.m2**2 / moments.m0)
-            return cls._of_roughness({"m0": moments.m0, "m2": moments.m2, "m4": m4}, area, "moments", contact)
-        law = summits.radius_trend
-        trending = trend and law.significant
-        surface: dict[str, Any] = {
-            "height_std": summits.height_std.value,
-            "summit_radius": law.radius if trending else summits.radius.value,
-            "summit_density": summits.density.value,
-            "nominal_area": area,
-            "radius_amplitude": law.amplitude if trending else 0.0,
-            "bandwidth": max(moments.bandwidth, 1.5),
-            "summit_mean_height": max(summits.height_mean.value, 0.0),
-            "rms_slope": summits.iso.Sdq,
-        }
-        if trending:
-            surface["radius_rate"] = law.rate
-        return cls.si(**surface, **_heights_of(summits, heights), **contact)
+            return cls._of_roughness(moments_of(summits), area, "moments", contact)
+        return cls.si(**counted_of(summits, heights, trend), nominal_area=area, **contact)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:
@@ -735,7 +718,32 @@ def _physical(struct: _header.asperity_params) -> dict[str, Any]:
     return {name: getattr(struct, name) for name in required}
 
 
-def _heights_of(summits: Summits, family: Any) -> dict[str, Any]:
+def moments_of(summits: Summits) -> dict[str, float]:
+    """What [roughness] of a surface file has of a map."""
+    moments = summits.moments
+    # A grid may see a little less than the least that an isotropic surface has.
+    return {"m0": moments.m0, "m2": moments.m2, "m4": max(moments.m4, 1.5 * moments.m2**2 / moments.m0)}
+
+
+def counted_of(summits: Summits, heights: str, trend: bool = True) -> dict[str, Any]:
+    """What a surface file has of the summits of a map, one by one."""
+    law = summits.radius_trend
+    trending = trend and law.significant
+    surface: dict[str, Any] = {
+        "height_std": summits.height_std.value,
+        "summit_radius": law.radius if trending else summits.radius.value,
+        "summit_density": summits.density.value,
+        "radius_amplitude": law.amplitude if trending else 0.0,
+        "bandwidth": max(summits.moments.bandwidth, 1.5),
+        "summit_mean_height": max(summits.height_mean.value, 0.0),
+        "rms_slope": summits.iso.Sdq,
+    }
+    if trending:
+        surface["radius_rate"] = law.rate
+    return surface | _heights_of(summits, heights)
+
+
+def _heights_of(summits: Summits, family: str) -> dict[str, Any]:
     """The options of a family of heights, from the summits of a map."""
     if family == "weibull":
         return {"skew": summits.skew.value}
