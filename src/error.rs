@@ -206,8 +206,8 @@ impl CalibrationFailure {
             Self::NoFriction => ("cannot be met: at this load the friction force is ", "; measure at a heavier load"),
             Self::Strength => (
                 "must be at most ",
-                ", where a slip stress is the shear modulus of the bodies; are load and friction_force totals over \
-                 asperity_count, and roughness and moduli those of the surfaces that were measured?",
+                ", where a slip stress is the shear modulus of the bodies; is the coefficient in per cent (16 for 0.16), are load \
+                 and friction_force totals over asperity_count, and roughness and moduli those of the surfaces that were measured?",
             ),
             Self::Weakness => ("must be at least ", "; are load and friction_force in the units of the parameters?"),
         }

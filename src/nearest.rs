@@ -11,22 +11,56 @@ pub struct Unknown<'a> {
     pub name: &'a [u8],
     /// What has names.
     pub thing: &'static str,
-    /// The name that is nearest.
-    pub nearest: &'a str,
+    pub instead: Instead<'a>,
 }
 
 impl Display for Unknown<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        let Self { name, thing, nearest } = self;
+        let Self { name, thing, instead } = self;
         let name = name[..name.len().min(LONGEST)].escape_ascii();
-        write!(f, "{name}: no {thing} has this name; the nearest is {nearest}")
+        write!(f, "{name}: no {thing} has this name; {instead}")
     }
 }
 
-/// The name that takes the fewest edits to become of another.
-pub fn nearest<'a>(to: &[u8], names: impl Iterator<Item = &'a str>) -> &'a str {
-    let to = &to[..to.len().min(LONGEST)];
-    names.min_by_key(|name| edits(to, name.as_bytes())).unwrap_or_default()
+/// What to give instead of a name that is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Instead<'a> {
+    /// A name that it is likely to be a slip of.
+    Nearest(&'a str),
+    /// An answer of its own, or where the names are.
+    Says(&'a str),
+}
+
+impl Display for Instead<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Nearest(name) => write!(f, "the nearest is {name}"),
+            Self::Says(says) => f.write_str(says),
+        }
+    }
+}
+
+/// As many letters may be wrong, if they are less than half of the name.
+const SLIPS: usize = 2;
+/// So long a word is looked for within names.
+const WORD: usize = 4;
+
+impl<'a> Instead<'a> {
+    /// The name that takes the fewest edits to become of another, if they are few; else the first that has it within; or where
+    /// the names are.
+    pub fn of(name: &[u8], names: impl Iterator<Item = &'a str>, otherwise: &'a str) -> Self {
+        let name = &name[..name.len().min(LONGEST)];
+        let lower = name.to_ascii_lowercase();
+        let rank = |other: &str| match edits(name, other.as_bytes()) {
+            edits if edits <= SLIPS && 2 * edits < name.len() => Some(edits),
+            _ => {
+                let has_it = |other: &[u8]| other.windows(lower.len()).any(|part| part.eq_ignore_ascii_case(&lower));
+                (name.len() >= WORD && has_it(other.as_bytes())).then_some(SLIPS + 1)
+            }
+        };
+        let ranked = names.filter_map(|other| Some((rank(other)?, other)));
+        ranked.min_by_key(|(rank, _)| *rank).map_or(Self::Says(otherwise), |(_, name)| Self::Nearest(name))
+    }
 }
 
 /// A constant name as text.
@@ -52,6 +86,24 @@ fn edits(from: &[u8], to: &[u8]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_slips_have_a_nearest_name() {
+        let names = ["summit_radius", "work_of_adhesion", "nu1", "Pt", "steel"];
+        for (name, expected) in [
+            ("sumit_radius", Instead::Nearest("summit_radius")),
+            ("STEEL", Instead::Nearest("steel")),
+            ("Stell", Instead::Nearest("steel")),
+            ("adhesion", Instead::Nearest("work_of_adhesion")),
+            ("pt", Instead::Nearest("Pt")),
+            ("nu", Instead::Says("none")),
+            ("PTFE", Instead::Says("none")),
+            ("rubber", Instead::Says("none")),
+            ("", Instead::Says("none")),
+        ] {
+            assert_eq!(Instead::of(name.as_bytes(), names.into_iter(), "none"), expected, "{name}");
+        }
+    }
 
     #[test]
     fn names_are_as_far_apart_as_their_edits() {

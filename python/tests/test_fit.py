@@ -6,6 +6,7 @@ import math
 import re
 import subprocess
 import sys
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ import pytest
 from processes import run_main
 from scipy.stats import chi2
 
-from asperity import Error, Fit, Model, Params, fit, fit_names
+from asperity import Error, Fit, Model, Params, fit, fit_names, fit_trend, uncertainty
 
 LOADS = np.geomspace(0.1, 1e4, 25)
 SEEDS = range(6)
@@ -205,6 +206,70 @@ def test_forces_are_fitted_at_negative_loads_too(sticky: Params) -> None:
     assert "below the fitted pull-off load" in stiff.message
 
 
+# ---- Bands of few points, trends of residuals ----
+
+
+def test_bands_of_few_points_are_students(params: Params) -> None:
+    load = LOADS[[3, 12]]
+    with Model(params) as model:
+        exact = model.friction_at_load(load)
+    two = fit(load, exact * [1.02, 0.99], None, ("slip_stress",), params=params)
+    assert two.reach() == pytest.approx(12.706, abs=1e-3)
+    assert "a 95 % band has 12.7 of them to either side" in two.message
+    known = fit(load, exact * [1.02, 0.99], 0.03 * exact, ("slip_stress",), params=params)
+    assert known.reach() == pytest.approx(1.95996, abs=1e-5) and "of them to either side" not in known.message
+    assert known.reach(0.5) == pytest.approx(0.67449, abs=1e-5)
+    for one in (two, known):
+        band = uncertainty(one, loads=[10.0])
+        assert math.log(band.high[0] / band.value[0]) == pytest.approx(one.reach() * float(band.deviation[0]), rel=1e-9)
+        drawn = uncertainty(one, loads=[10.0], samples=400, coverage=0.5)
+        wide = math.log(drawn.high[0] / drawn.low[0]) / (2 * one.reach(0.5) * float(band.deviation[0]))
+        assert 0.8 < wide < 1.25
+    with pytest.raises(ValueError, match="coverage = 95: must be between 0 and 1"):
+        two.reach(95)
+
+
+def test_a_pressure_coefficient_is_found_and_asked_for(params: Params) -> None:
+    """Residuals that follow the load say that it is missing."""
+    random = np.random.default_rng(5)
+    truth = params.replace(pressure_coefficient=0.3)
+    mu = friction(truth) * (1 + 0.01 * random.standard_normal(LOADS.size))
+    without = fit(LOADS, mu, 0.01 * mu, ("slip_stress",), params=params)
+    assert "the residuals follow load" in without.message and "law: free pressure_coefficient" in without.message
+    found = fit(LOADS, mu, 0.01 * mu, ("slip_stress", "pressure_coefficient"), params=params)
+    assert "the residuals" not in found.message and not found.at_bound and found.reduced_chi_square < 2
+    assert abs(found.values["pressure_coefficient"] - 0.3) < 4 * found.errors["pressure_coefficient"] < 0.1
+    # By the search that serves other names too.
+    also = fit(LOADS, mu, 0.01 * mu, ("slip_stress_1", "slip_stress_2", "kappa"), params=params)
+    assert also.success and abs(also.values["kappa"] - 0.3) < 4 * also.errors["kappa"]
+    # Friction that falls faster has another cause.
+    falls = fit(LOADS, friction(params) * LOADS**-0.1, None, ("slip_stress",), params=params)
+    assert "the residuals follow load" in falls.message and "pressure_coefficient" not in falls.message.split("calibrated")[0]
+    # What the data would have below 0 stays there.
+    assert fit(LOADS, friction(params) * LOADS**-0.1, None, ("slip_stress", "kappa"), params=params).at_bound == ("kappa",)
+
+
+def test_residuals_that_turn_are_told() -> None:
+    load = np.geomspace(1.0, 100.0, 12)
+    turning = np.array([-1.0] * 3 + [1.0] * 6 + [-1.0] * 3) + np.linspace(0, 1e-3, 12)
+    assert fit_trend.runs(load, turning) == (3, pytest.approx((2 + 10) / math.comb(12, 6)))
+    (told,) = fit_trend.trends(np.tile(load, 2), np.tile(turning, 2), np.ones(24), False) or ("",)
+    assert told == "" or "turn with load" in told
+    long = np.array([-1.0] * 6 + [1.0] * 12 + [-1.0] * 6)
+    (told,) = fit_trend.trends(np.geomspace(1, 100, 24), long + np.tile([0.1, -0.1], 12), np.ones(24), False)
+    assert "turn with load (3 runs of one sign" in told and told.endswith("free pressure_coefficient, or what sets light loads")
+    # All orders of signs, counted.
+    for up in range(1, 6):
+        for down in range(1, 6):
+            orders = [np.isin(np.arange(up + down), at) for at in combinations(range(up + down), up)]
+            counts = np.array([1 + int(np.count_nonzero(one[1:] != one[:-1])) for one in orders])
+            for one, count in zip(orders, counts):
+                found = fit_trend.runs(np.arange(up + down), np.where(one, 1.0, -1.0))
+                assert found == (count, pytest.approx(float(np.mean(counts <= count))))
+    assert fit_trend.runs(np.ones(5), np.ones(5)) == (1, 1.0)
+    assert not fit_trend.trends(load, np.zeros(12), np.ones(12), False)
+
+
 # ---- The search ----
 
 
@@ -285,6 +350,8 @@ def test_a_name_varies_its_fields_and_no_other(name: str) -> None:
     params = Params.dimensionless(alpha=0.01, beta=1000, gamma=0.001, skew=0.3, radius_amplitude=0.2)
     if name == "kurtosis":
         params = params.replace(kurtosis=3.0)
+    if name in ("pressure_coefficient", "kappa"):
+        params = params.replace(pressure_coefficient=0.1)
     if name in ("Sq", "Sdq"):
         bodies = ("composite_modulus", "effective_shear_modulus", "adhesion_range", "burgers_vector")
         given: dict[str, Any] = dict.fromkeys(bodies, 1.0) | {"work_of_adhesion": 0.0}
@@ -387,7 +454,7 @@ def test_the_figure_shows_data_fit_and_residuals(found: Fit, tmp_path: Path) -> 
     assert below.lines[-1].get_ydata() == pytest.approx(found.residuals)
     legend = above.get_legend()
     texts = "\n".join(text.get_text() for text in legend.get_texts()) if legend is not None else ""
-    assert "gamma = " in texts and "two standard errors" in texts and f"sigma = {found.values['sigma']:.4g}" in texts
+    assert "gamma = " in texts and "95 % band of the fit" in texts and f"sigma = {found.values['sigma']:.4g}" in texts
     assert texts.count("[length]") == 1 and below.get_xlabel() == "normal load $P$ [force]"
     above, below = found.plot(units="SI").axes
     legend = above.get_legend()

@@ -2,7 +2,7 @@
 
 use super::fields::FIELDS;
 use super::toml::{self, Keys, Outcome, Problem, Shown, Value};
-use crate::nearest::nearest;
+use crate::nearest::Instead;
 use std::fmt::{Display, Formatter};
 
 /// A table of a text, or the top of it.
@@ -72,14 +72,14 @@ impl Display for Table {
 const HEIGHTS: &str = "heights";
 
 /// What is said of words that people expect to be keys.
-const EXPECTED: [(&[&str], &str); 9] = [
+const EXPECTED: [(&[&str], &str); 16] = [
     (
         &["Rz", "Rt", "Rp", "Rv", "Rmax", "Sz", "Sp", "Sv"],
         "a height from peak to valley, which grows with the length measured: give Ra or Rq",
     ),
     (&["Sa"], "give it as Ra"),
     (
-        &["mu", "friction", "friction_coefficient"],
+        &["mu", "cof", "friction", "friction_coefficient"],
         "give calibration_friction_coefficient with calibration_load, in a text also measured = [[load, coefficient]]",
     ),
     (&["machining", "finish"], "give process in [roughness] of a text"),
@@ -87,12 +87,27 @@ const EXPECTED: [(&[&str], &str); 9] = [
     (&["R", "radius"], "the radius of the summits is summit_radius"),
     (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2, in a text in [materials]"),
     (&["material"], "give first and second in [materials] of a text, or pair = \"steel/steel\""),
+    (&["H", "HV", "HB", "HRC"], "give hardness in Pa, of the softer body: HV times 9.81e6"),
+    (&["w", "gamma", "adhesion", "surface_energy"], "give work_of_adhesion in N/m: of like bodies twice the surface energy"),
+    (&["h"], "the range of adhesion is adhesion_range"),
+    (&["b"], "the Burgers vector is burgers_vector"),
+    (&["A", "area"], "the nominal area is nominal_area"),
+    (&["P", "load", "force", "pressure"], "a load is given to the call and not with the surface"),
+    (
+        &["speed", "velocity", "temperature", "lubricant", "viscosity"],
+        "it is not in the model: measure friction with it, and calibrate",
+    ),
     (&["N", "count"], "the number of summits is asperity_count, or summit_density with nominal_area"),
 ];
 
+/// Of a word that is no slip of a name.
+pub const LISTED: &str = "docs/surface-file.md lists them";
+
 /// What to give in place of a word that people expect to be a name.
 pub fn meant(name: &str) -> Option<&'static str> {
-    EXPECTED.iter().find(|(words, _)| words.contains(&name)).map(|(_, meant)| *meant)
+    // Of one letter the other case is another symbol.
+    let is_meant = |word: &&str| *word == name || (word.len() > 1 && word.eq_ignore_ascii_case(name));
+    EXPECTED.iter().find(|(words, _)| words.iter().any(|word| is_meant(&word))).map(|(_, meant)| *meant)
 }
 
 /// A key with its value.
@@ -159,8 +174,8 @@ impl<'t> Entries<'t> {
             (_, Some(meant)) => Problem::new(at, format_args!("{table}{shown}: no such key; {meant}")),
             _ => {
                 let tables = TABLES[1..].iter().filter(|_| table == Table::Top).map(|table| table.name());
-                let nearest = nearest(name.as_bytes(), table.all_keys().chain(tables));
-                Problem::new(at, format_args!("{table}{shown}: no such key; the nearest is {nearest}"))
+                let instead = Instead::of(name.as_bytes(), table.all_keys().chain(tables), LISTED);
+                Problem::new(at, format_args!("{table}{shown}: no such key; {instead}"))
             }
         }
     }

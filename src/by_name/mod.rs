@@ -15,7 +15,6 @@ mod write;
 
 pub use draft::Draft;
 pub use fields::FIELDS;
-pub use keys::meant;
 pub use numbers::{Numbers, ARGUMENTS};
 pub use roughness::{Case, Machined};
 pub use surface::{describe, of_points, read, Described};

@@ -2,10 +2,11 @@
 
 use super::draft::{Draft, JOHNSON, WEIBULL};
 use super::fields::FIELDS;
+use super::keys::{meant, LISTED};
 use crate::error::Error;
 use crate::float_bits::nan;
 use crate::materials::{Bodies, Interface};
-use crate::nearest::{nearest, Unknown};
+use crate::nearest::{Instead, Unknown};
 use crate::params::{positive, Params};
 use crate::spectrum::SpectralMoments;
 use std::borrow::Cow;
@@ -62,7 +63,9 @@ impl Numbers {
 
     /// What is said of a name that is none.
     pub fn unknown(name: &[u8]) -> Unknown<'_> {
-        Unknown { name, thing: "parameter", nearest: nearest(name, names()) }
+        let word = std::str::from_utf8(name).ok().and_then(meant);
+        let instead = word.map_or_else(|| Instead::of(name, names(), LISTED), Instead::Says);
+        Unknown { name, thing: "parameter", instead }
     }
 
     /// Gives a number by its position.

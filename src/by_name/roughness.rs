@@ -12,8 +12,10 @@ use crate::spectrum::SpectralMoments;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Arguments;
 
-/// No machined surface has more [m].
+/// No surface that slides has more [m].
 const HIGHEST: f64 = 1e-3;
+/// The widest elements of a profile that a standard has a cutoff for (8 mm, ISO 4288) [m].
+const WIDEST: f64 = 4e-3;
 
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -209,17 +211,23 @@ impl Given<'_> {
         }
     }
 
-    /// Refuses heights of a machined surface that are in another unit.
+    /// Refuses lengths in another unit, where bodies of the tables, a process or the Burgers vector tell that they are to be in m.
     fn check_metres(&self, count: usize) -> Outcome<()> {
-        let heights = ["Ra", "Rq"].into_iter().flat_map(|name| (0..count).map(move |surface| (name, surface)));
-        for (name, surface) in heights.filter(|_| self.process.is_some()) {
-            if let Some(height) = self.get(name, surface).filter(|&height| height > HIGHEST) {
-                let value = Value::Number(height);
-                let says = "of a machined surface must be at most 1e-3 m: is it in um?";
-                return Err(Problem::new(
-                    self.at(name).unwrap_or(self.begin),
-                    format_args!("{}{name} = {value}: {says}", Table::Roughness),
-                ));
+        let given = |table, name| self.entries.find(table, name);
+        let of_tables = [(Table::Top, "pair"), (Table::Materials, "first"), (Table::Materials, "second")];
+        let is_crystal = given(Table::Top, "burgers_vector")
+            .is_some_and(|entry| matches!(entry.value, Value::Number(number) if (1e-10..=1e-9).contains(&number)));
+        if !is_crystal && self.process.is_none() && !of_tables.iter().any(|&(table, name)| given(table, name).is_some()) {
+            return Ok(());
+        }
+        let height = (HIGHEST, "must be at most 1e-3 m: is it in um?");
+        let width = (WIDEST, "must be at most 4e-3 m: is it in mm, or in um?");
+        let limits = [("Ra", height), ("Rq", height), ("Sq", height), ("RSm", width)];
+        for (name, (most, says)) in limits {
+            if let Some(value) = (0..count).filter_map(|surface| self.get(name, surface)).find(|&length| length > most) {
+                let at = self.at(name).unwrap_or(self.begin);
+                let value = Value::Number(value);
+                return Err(Problem::new(at, format_args!("{}{name} = {value}: {says}", Table::Roughness)));
             }
         }
         Ok(())

@@ -5,16 +5,11 @@ use super::given;
 use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
-use crate::by_name::{meant, Numbers, ARGUMENTS, FIELDS};
+use crate::by_name::{Numbers, ARGUMENTS, FIELDS};
 use std::ffi::c_char;
 
 fn position(name: &[u8]) -> Result<usize, Failure> {
-    Numbers::position(name).ok_or_else(|| {
-        match std::str::from_utf8(name).ok().and_then(|name| meant(name).zip(Some(name))) {
-            Some((meant, name)) => Failure::invalid(format_args!("{name}: no parameter has this name; {meant}")),
-            None => Failure::invalid(format_args!("{}", Numbers::unknown(name))),
-        }
-    })
+    Numbers::position(name).ok_or_else(|| Failure::invalid(format_args!("{}", Numbers::unknown(name))))
 }
 
 /// What a caller gives by names.

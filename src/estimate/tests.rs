@@ -254,6 +254,27 @@ fn a_trend_that_the_law_cannot_follow_is_told() {
 }
 
 #[test]
+fn slips_of_units_that_no_contact_has_are_asked_for() {
+    let at = |text: &str, load: f64| written(&format!("{text}{ROUGH}"), &[load]);
+    for good in [at(STEEL, 10.0), at(STEEL, 1.0), at("pair = \"steel/steel\"\nnominal_area = 1\n", 78.0)] {
+        assert!(!good.contains("check"), "{good}");
+    }
+    // In mm^2; a load without an area; a load in GN.
+    let in_square_mm = at("pair = \"steel/steel\"\nnominal_area = 100\n", 1000.0);
+    let says = "check: the nominal pressure is 10 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and nominal_area in m^2?";
+    assert!(in_square_mm.contains(says), "{in_square_mm}");
+    assert!(at(STEEL, 1e6).contains("above the hardness, which no contact bears: is load in N"), "{}", at(STEEL, 1e6));
+    // The heaviest counts, of the measured points too.
+    assert!(!at(&format!("{STEEL}measured = [10, 0.2]\n"), 1e-3).contains("check"));
+    // In per cent: more than the bodies bear, than any surfaces have, or to be asked for.
+    assert!(refused(&format!("{STEEL}measured = [1000, 16]\n{ROUGH}")).contains("is the coefficient in per cent (16 for 0.16)"));
+    assert!(refused(&format!("{STEEL}measured = [1000, 30]\n{ROUGH}")).contains("at most 20; is it in per cent, or a force?"));
+    let sticky = written(&format!("{SILICON}measured = [1e-6, 6]\n{SMOOTH}"), &[1e-6]);
+    assert!(sticky.contains("check: the measured friction coefficient is 6: is it in per cent (0.06)?"), "{sticky}");
+    assert!(!written(&format!("{SILICON}measured = [1e-6, 4]\n{SMOOTH}"), &[1e-6]).contains("per cent"));
+}
+
+#[test]
 fn what_cannot_be_read_is_refused_where_it_is() {
     for (text, says) in [
         ("measured = 0.16\n", "line 1: measured = 0.16: must be points [load, coefficient] or"),
@@ -294,9 +315,12 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         ("process = 3", "[roughness] process = 3: must be one of superfinished"),
         ("process = \"ground\"\nSq = 1e-6\nSdq = 0.1", "[roughness] process: is not for areal parameters, as Sq is"),
         ("Ra = 0.8e-6", "[roughness] Ra: give with it RSm or Rdq, or process, or Sdq, or m2"),
+        ("Ra = 0.8e-6\nRSm = 0.08", "line 5: [roughness] RSm = 0.08: must be at most 4e-3 m: is it in mm, or in um?"),
+        ("Ra = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 60]", "line 5: [roughness] RSm = 60: must be at most 4e-3 m"),
+        ("Sq = 0.8\nSdq = 0.1", "line 4: [roughness] Sq = 0.8: must be at most 1e-3 m: is it in um?"),
         (
             "process = \"ground\"\nRa = 0.8",
-            "line 5: [roughness] Ra = 0.8: of a machined surface must be at most 1e-3 m: is it in um?",
+            "line 5: [roughness] Ra = 0.8: must be at most 1e-3 m: is it in um?",
         ),
     ] {
         let found = refused(&format!("{STEEL}[roughness]\n{rough}\n"));

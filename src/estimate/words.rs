@@ -5,12 +5,17 @@ use super::{Answer, Estimate, Rests};
 use crate::materials::Interface;
 use crate::model::validity::WARNINGS;
 use crate::nearest::text;
+use crate::params::Params;
 use std::fmt::{Display, Formatter, Result, Write};
 
 /// Shares of the variance below this are not worth a measurement.
 const WORTHWHILE: f64 = 0.01;
 /// Points this many of their errors off the curve, root mean square, are not of its law.
 pub const OFF: f64 = 2.0;
+/// Clean metals in vacuum and sticky microstructures have friction coefficients of some ones; beyond it is asked for the unit.
+const LARGE: f64 = 5.0;
+/// Of a steel sheet of 1 mm under its weight [Pa]: where the heaviest load makes less, a unit may be wrong.
+const LIGHT: f64 = 77.0;
 /// More points are told by their number.
 const SHOWN: usize = 3;
 /// In the order of their bits.
@@ -31,6 +36,7 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut d
     }
     write_strength(estimate, out)?;
     write_roughness(estimate, out)?;
+    write_units(estimate, answers, out)?;
     if estimate.yields {
         let index = Figures(estimate.plasticity_index);
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
@@ -114,6 +120,32 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
         )?;
     }
     Ok(())
+}
+
+/// Slips of units that make numbers which no contact has.
+fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+    let points = &estimate.described.points;
+    let ratios = points.iter().filter(|point| point.load > 0.0).map(|point| point.force / point.load);
+    if let Some(ratio) = ratios.filter(|&ratio| ratio > LARGE).reduce(f64::max) {
+        let [ratio, part] = [ratio, 0.01 * ratio].map(Figures);
+        writeln!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?")?;
+    }
+    let Params { nominal_area, hardness, .. } = estimate.params;
+    let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));
+    let pressure = loads.fold(0.0, f64::max) / nominal_area;
+    let units = "is load in N, and nominal_area in m^2?";
+    let shown = Figures(pressure);
+    if !(nominal_area > 0.0 && pressure > 0.0) {
+        return Ok(());
+    }
+    if pressure < LIGHT {
+        let light = Figures(LIGHT);
+        writeln!(out, "check: the nominal pressure is {shown} Pa, and a steel sheet of 1 mm has {light} Pa: {units}")
+    } else if hardness > 0.0 && pressure > hardness {
+        writeln!(out, "check: the nominal pressure is {shown} Pa, above the hardness, which no contact bears: {units}")
+    } else {
+        Ok(())
+    }
 }
 
 fn write_roughness(estimate: &Estimate, out: &mut dyn Write) -> Result {

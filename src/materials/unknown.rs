@@ -1,18 +1,39 @@
 //! What is said of a name that no material, pair or interface has.
 
 use super::{halves, Bodies, Material, INTERFACES, MATERIALS, PAIRS};
-use crate::nearest::{nearest, text, Unknown};
+use crate::nearest::{text, Instead, Unknown};
 use std::fmt::{Display, Formatter};
+
+const LISTED: &str = "docs/materials.md lists them";
+
+/// Bodies that people expect, and why they are not in the table.
+const EXPECTED: [(&[&str], &str); 3] = [
+    (
+        &["rubber", "elastomer", "NBR", "EPDM", "SBR", "FKM", "silicone", "polyurethane", "latex"],
+        "rubber is viscoelastic, and outside the domain of the model: docs/domain.md",
+    ),
+    (
+        &[
+            "PTFE", "teflon", "nylon", "polyamide", "PA6", "PA66", "POM", "acetal", "PEEK", "PE", "HDPE", "UHMWPE", "PP", "PVC",
+            "ABS", "PC", "PMMA", "epoxy", "polymer", "plastic",
+        ],
+        "a polymer is viscoelastic, and outside the domain of the model: docs/domain.md",
+    ),
+    (
+        &["brass", "bronze", "cast iron", "cast_iron", "iron, cast", "zinc", "Zn", "tin", "Sn", "invar", "inconel", "chrome steel"],
+        "it is not in the table, where each number has a source: give E1, nu1, E2 and nu2, hardness and burgers_vector",
+    ),
+];
 
 /// Of the name of a material that is none.
 pub fn no_material(name: &[u8]) -> Unknown<'_> {
-    Unknown { name, thing: "material", nearest: nearest_material(name) }
+    Unknown { name, thing: "material", instead: instead(name) }
 }
 
 /// Of the name of an interface that is none.
 pub fn no_interface(name: &[u8]) -> Unknown<'_> {
     let names = INTERFACES.iter().map(|interface| text(interface.name));
-    Unknown { name, thing: "interface", nearest: nearest(name, names) }
+    Unknown { name, thing: "interface", instead: Instead::of(name, names, LISTED) }
 }
 
 /// Of the name of a pair that is none, or of which no work of adhesion is known.
@@ -21,26 +42,77 @@ pub struct NoPair<'a>(pub &'a [u8]);
 impl Display for NoPair<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         let name = self.0.escape_ascii();
-        match halves(self.0) {
-            Some(_) if Bodies::find(self.0).is_some() => {
-                write!(f, "work_of_adhesion: none is known for {name}: give that of your surfaces, 0 for none")
+        let Some((first, second)) = halves(self.0) else {
+            let instead = match instead(self.0) {
+                Instead::Says(says) if says != LISTED => Instead::Says(says),
+                _ => Instead::of(self.0, PAIRS.iter().map(|pair| text(pair.name)), LISTED),
+            };
+            return Unknown { name: self.0, thing: "pair", instead }.fmt(f);
+        };
+        if Bodies::find(self.0).is_some() {
+            return write!(f, "work_of_adhesion: none is known for {name}: give that of your surfaces, 0 for none");
+        }
+        write!(f, "{name}: no pair has this name")?;
+        let unknown = [first, second].into_iter().filter(|body| Material::find(body).is_none());
+        match [first, second].map(instead) {
+            [Instead::Nearest(one), Instead::Nearest(other)] => {
+                write!(f, "; the nearest is {one}/{other}; no material is called ")?;
+                for (i, body) in unknown.enumerate() {
+                    write!(f, "{}{}", if i == 0 { "" } else { " or " }, body.escape_ascii())?;
+                }
+                Ok(())
             }
-            Some((first, second)) => {
-                let [one, other] = [first, second].map(nearest_material);
-                let unknown = [first, second].map(|body| if Material::find(body).is_some() { b"" } else { body });
-                let or = if unknown.contains(&&b""[..]) { "" } else { " or " };
-                let [first, second] = unknown.map(<[u8]>::escape_ascii);
-                write!(f, "{name}: no pair has this name; the nearest is {one}/{other}; no material is called {first}{or}{second}")
-            }
-            None => {
-                let names = PAIRS.iter().map(|pair| text(pair.name));
-                Unknown { name: self.0, thing: "pair", nearest: nearest(self.0, names) }.fmt(f)
+            _ => {
+                for body in unknown.take(if first == second { 1 } else { 2 }) {
+                    write!(f, "; {}", no_material(body))?;
+                }
+                Ok(())
             }
         }
     }
 }
 
-fn nearest_material(name: &[u8]) -> &'static str {
-    let meant = Material::meant(name).map(|material| text(material.name));
-    meant.unwrap_or_else(|| nearest(name, MATERIALS.iter().map(|material| text(material.name))))
+/// What to give instead of a name.
+fn instead(name: &[u8]) -> Instead<'static> {
+    if let Some(material) = Material::meant(name) {
+        return Instead::Nearest(text(material.name));
+    }
+    let is_meant = |word: &&str| word.as_bytes().eq_ignore_ascii_case(name);
+    match EXPECTED.iter().find(|(words, _)| words.iter().any(|word| is_meant(&word))) {
+        Some((_, says)) => Instead::Says(says),
+        None => Instead::of(name, MATERIALS.iter().map(|material| text(material.name)), LISTED),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bodies_that_people_expect_have_an_answer_of_their_own() {
+        for (name, says) in [
+            ("rubber", "rubber: no material has this name; rubber is viscoelastic, and outside the domain of the model"),
+            ("PTFE", "PTFE: no material has this name; a polymer is viscoelastic, and outside the domain of the model"),
+            ("Brass", "Brass: no material has this name; it is not in the table, where each number has a source: give E1"),
+            ("cast iron", "cast iron: no material has this name; it is not in the table"),
+            ("Gold", "Gold: no material has this name; the nearest is Au"),
+            ("stel", "stel: no material has this name; the nearest is steel"),
+            ("unobtainium", "unobtainium: no material has this name; docs/materials.md lists them"),
+        ] {
+            let said = no_material(name.as_bytes()).to_string();
+            assert!(said.starts_with(says), "{said}");
+        }
+        for (name, says) in [
+            ("PTFE/steel", "PTFE/steel: no pair has this name; PTFE: no material has this name; a polymer is viscoelastic"),
+            ("steel/rubber", "steel/rubber: no pair has this name; rubber: no material has this name; rubber is visco"),
+            ("rubber", "rubber: no pair has this name; rubber is viscoelastic"),
+            ("stel/gold", "stel/gold: no pair has this name; the nearest is steel/Au; no material is called stel or gold"),
+        ] {
+            let said = NoPair(name.as_bytes()).to_string();
+            assert!(said.starts_with(says), "{said}");
+        }
+        for (word, _) in EXPECTED.iter().flat_map(|(words, says)| words.iter().map(move |word| (word, says))) {
+            assert!(Material::meant(word.as_bytes()).is_none(), "{word}");
+        }
+    }
 }

@@ -23,9 +23,7 @@ from .params import Params
 Array = npt.NDArray[np.float64]
 
 # Fields that a fit does not search, but whose values matter to friction or to what the model warns of.
-_OTHERS = (
-    "hardness", "pressure_coefficient", "tangential_modulus", "nominal_area", "bandwidth", "max_friction_coefficient",
-)  # fmt: skip
+_OTHERS = ("hardness", "tangential_modulus", "nominal_area", "bandwidth", "max_friction_coefficient")
 # Names that choose the heights, which are put one after the other.
 _HEIGHTS = ("skew", "kurtosis", "weibull_shape")
 # No verdict on a surface, but on the library or the machine.

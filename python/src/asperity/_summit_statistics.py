@@ -16,7 +16,7 @@ from ._progress import LARGE, Progress, teller
 from ._radius_trend import fit
 from ._summit_search import Found, find, without_polynomial
 from ._summits import Iso25178, SpectralMoments, Summits
-from ._tile_errors import estimates, height_and_slope, tiles
+from ._tile_errors import estimates, height_and_slope, tiles, with_waves
 
 Array = npt.NDArray[np.float64]
 
@@ -118,7 +118,7 @@ def _statistics(
         curvatures,
         density=density,
         height_mean=height_mean.scaled(std, mean),
-        height_std=height_std.scaled(std),
+        height_std=with_waves(height_std.scaled(std), rms_height),
         skew=skew,
         kurtosis=kurtosis,
         radius=radius,

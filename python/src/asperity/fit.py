@@ -17,9 +17,10 @@ import numpy.typing as npt
 
 from . import fit_robust
 from ._friction_law import FrictionLaw
-from .fit_names import free_names
+from .fit_names import PRESSURE, free_names
 from .fit_result import End, Estimate, Fit
 from .fit_search import STEP, Data, Search
+from .fit_trend import trends
 from .params import Params
 
 Array = npt.NDArray[np.float64]
@@ -28,9 +29,13 @@ Array = npt.NDArray[np.float64]
 _CORRELATED = 0.99
 # A fit with sigma this improbable is called a bad one.
 _IMPROBABLE = 1e-3
+# Standard errors to either end of a 95 % band of the normal distribution; one that is so many times wider is told.
+_NORMAL_REACH = 1.96
+_WIDER = 1.1
 # Trial steps of the search at most; a narrow, curved valley of chi-square takes some fifty.
 _STEPS = 200
-
+# So far from its bounds a search starts: at a bound its first steps would be too short to change anything.
+_INSIDE = 0.01
 
 # Ends of searches whose losses differ by less than this part are one minimum.
 _SAME = 1e-3
@@ -73,7 +78,8 @@ def fit(
             and negative loads too. There a trial surface whose pull-off load lies above has no friction.
         mu: measured friction coefficients F/P > 0 at them; `max_friction_coefficient` plays no part.
         sigma: standard errors > 0 of the measured friction, one for all or one for each. Without, all points weigh
-            the same, and the errors of the parameters are scaled by the scatter of the residuals.
+            the same, and the errors of the parameters are scaled by the scatter of the residuals: of few points bands are
+            Student's then (`Fit.reach`).
         free: names of the parameters to be found, at least one. Each may be a field of `Params` or a symbol of the
             paper: see `asperity.fit_names`. All others stay as they are in `params`.
         params: where the search starts, and the parameters that are known.
@@ -116,8 +122,9 @@ def fit(
 
     def minimum(start: Array, loss: str, unit: float) -> Any:
         ends = (search.low, search.high)
+        inside = np.minimum(_INSIDE, 0.1 * (search.high - search.low))
         return least_squares(
-            search.residuals, start, search.jacobian, ends, method="trf", loss=loss, f_scale=unit, max_nfev=_STEPS
+            search.residuals, np.clip(start, search.low + inside, search.high - inside), search.jacobian, ends, method="trf", loss=loss, f_scale=unit, max_nfev=_STEPS
         )
 
     found, tried = _best(minimum, search, starts, np.random.default_rng(seed))
@@ -213,6 +220,7 @@ def _remarks_on_search(loss: str, far: int, ends: list[float]) -> list[str]:
 
 def _remarks(fit: Fit, estimate: Estimate) -> list[str]:
     """How the search ended, and then what is to be said against the result."""
+    varied = {field for name in free_names(fit.free, fit.params) for field in name.varies}
     reduced = fit.reduced_chi_square
     spread = f"residuals scatter by {fit.scatter:.3g}" if reduced is None else f"reduced chi-square {reduced:.3g}"
     spread += f", {fit.degrees_of_freedom} degrees of freedom"
@@ -234,11 +242,16 @@ def _remarks(fit: Fit, estimate: Estimate) -> list[str]:
         remarks.append(f"at a bound: {name} = {fit.values[name]:.6g}; the data would have it beyond")
     if fit.sigma is not None and fit.loss == "linear" and _improbable(fit):
         remarks.append("the residuals are larger than sigma explains: the model, or sigma, is wrong")
+    if fit.reach() > _WIDER * _NORMAL_REACH:
+        remarks.append(f"errors are from the scatter of few points: a 95 % band has {fit.reach():.3g} of them to either side")
+    remarks += trends(fit.load, fit.residuals, fit.measured if fit.sigma is None else fit.measured / fit.sigma, PRESSURE in varied)
     remarks += _remark_on_strength(fit)
-    with FrictionLaw(fit.params) as law:
-        pull_off = law.summary().pull_off_load
-    apart = int(np.count_nonzero(fit.load < pull_off))
-    if apart:
+    if (fit.load <= 0).any():
+        with FrictionLaw(fit.params) as law:
+            pull_off = law.summary().pull_off_load
+        apart = int(np.count_nonzero(fit.load < pull_off))
+        if not apart:
+            return remarks
         remarks.append(f"{apart} loads are below the fitted pull-off load, {pull_off:.4g}: no friction there")
     return remarks
 

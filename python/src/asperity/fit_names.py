@@ -17,6 +17,7 @@
 | radius_rate | rho | > 0 |
 | slip_radius_1, slip_stress_1, slip_radius_2, slip_stress_2 | | > 0 |
 | slip_stress | | slip_stress_1 > 0, and slip_stress_2 in proportion: the strength of the interface |
+| pressure_coefficient | kappa | 0 to 1000: what pressure adds to friction, which may start at 0 |
 | alpha | | (sigma/R)^(1/2) > 0: height_std and summit_radius, their product fixed |
 | beta | | (R sigma)^(1/2)/b > 0: height_std and summit_radius, their ratio fixed |
 | gamma | | w/(E* b) > 0: work_of_adhesion |
@@ -24,7 +25,7 @@
 | Sq | | [length] > 0, of parameters made from m0 and m2: the surface stretched in height, its slope fixed |
 | Sdq | | > 0, of parameters made from m0 and m2: the slope of the surface, its height fixed |
 
-All of them but skew and radius_amplitude are positive and searched in their logarithm. A group keeps its value in the
+All of them but skew, radius_amplitude and pressure_coefficient are positive and searched in their logarithm. A group keeps its value in the
 result also where E* or b are free. Two names that vary the same field exclude each other, alpha and beta, Sq and Sdq excepted.
 """
 
@@ -225,6 +226,8 @@ def _stress(params: Params) -> float:
 
 _POSITIVE = (0.0, math.inf)
 _EPSILON = "radius_amplitude"
+# What pressure adds to friction.
+PRESSURE = "pressure_coefficient"
 _SYMBOLS = {
     "E*": "composite_modulus",
     "G*": "effective_shear_modulus",
@@ -237,6 +240,7 @@ _SYMBOLS = {
     "omega": "weibull_shape",
     "epsilon": _EPSILON,
     "rho": "radius_rate",
+    "kappa": PRESSURE,
 }
 _DIMENSIONS = {
     **dict.fromkeys(("composite_modulus", "effective_shear_modulus"), "stress"),
@@ -245,12 +249,14 @@ _DIMENSIONS = {
 }
 _SLIP = ("slip_radius_1", "slip_stress_1", "slip_radius_2", "slip_stress_2")
 _FIELDS = (*_SYMBOLS.values(), *_SLIP)
+_LARGEST_PRESSURE = 1000.0
 _ROUGHNESS = ("height_std", "summit_radius")
 _MOMENTS = (*_ROUGHNESS, "asperity_count", "summit_mean_height", "rms_slope")
 
 _KINDS: dict[str, tuple[tuple[str, ...], Get, Put, tuple[float, float]]] = {
     **{name: ((name,), _get_field(name), _put_field(name), _POSITIVE) for name in _FIELDS},
     _EPSILON: ((_EPSILON,), _get_field(_EPSILON), _put_field(_EPSILON), (-1.0, 1.0)),
+    PRESSURE: ((PRESSURE,), _get_field(PRESSURE), _put_field(PRESSURE), (0.0, _LARGEST_PRESSURE)),
     "kurtosis": (("kurtosis",), _get_field("kurtosis"), _put_field("kurtosis"), _POSITIVE),
     "skew": (("weibull_shape",), _get_skew, _put_field("skew"), (-1.11, 2.0)),
     "slip_stress": (("slip_stress_1", "slip_stress_2"), _get_field("slip_stress_1"), _put_slip_stress, _POSITIVE),

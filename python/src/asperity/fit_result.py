@@ -144,6 +144,25 @@ class Fit:
         """chi_square/degrees_of_freedom: about 1 for a good fit. None without sigma: nothing says then how good it can be."""
         return None if self.sigma is None else self.chi_square / self.degrees_of_freedom
 
+    def reach(self, coverage: float = 0.95) -> float:
+        """Standard errors from a value to either end of its band: of the normal distribution, or, where the scatter of the residuals
+        gave the errors, of Student's with the degrees of freedom: 12.7 for two points and one free name.
+
+        Args:
+            coverage: probability of the band, between 0 and 1.
+        """
+        from scipy.stats import norm, t
+
+        if not 0 < coverage < 1:
+            raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
+        part = 0.5 + 0.5 * coverage
+        return float(norm.ppf(part) if self.knows_errors else t.ppf(part, self.degrees_of_freedom))
+
+    @property
+    def knows_errors(self) -> bool:
+        """Whether the errors of the points were given, and not taken from the scatter of the residuals."""
+        return self.sigma is not None and self.loss == "linear"
+
     @property
     def scatter(self) -> float:
         """Standard deviation of the measured friction from the fitted, in its unit."""
@@ -180,7 +199,7 @@ class Fit:
         return difference if self.sigma is None else difference / self.sigma
 
     def plot(self, file: str | os.PathLike[str] | None = None, *, units: Literal["SI"] | None = None) -> Figure:
-        """Draws data and fit over the load with its band of two standard errors, the residuals below.
+        """Draws data and fit over the load with its band of 95 %, the residuals below.
 
         Args:
             file: to write the figure to; its ending is its format, for example "fit.svg".
@@ -228,8 +247,8 @@ def _draw(fit: Fit, file: str | os.PathLike[str] | None, units: str | None) -> F
                 law.warn(float(pressing.min()), float(pressing.max()))
         curve, deviation = fit.predict(load)
         if np.isfinite(deviation).all():
-            above.fill_between(load, curve - 2 * deviation, curve + 2 * deviation, color="C0", alpha=0.25, lw=0,
-                               label="two standard errors of the fit")  # fmt: skip
+            reach = fit.reach() * deviation
+            above.fill_between(load, curve - reach, curve + reach, color="C0", alpha=0.25, lw=0, label="95 % band of the fit")
         above.plot(load, curve, color="C0", label=f"fitted\n{named}")
         above.set_ylabel("friction coefficient $F/P$" if fit.quantity == "mu" else f"friction force $F${unit('force')}")
         above.legend()

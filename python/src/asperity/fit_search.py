@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numbers
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, Callable, Mapping
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy.typing as npt
 
 from ._friction_law import FrictionLaw
 from .errors import Error, Status
-from .fit_names import FreeName, put_all
+from .fit_names import PRESSURE, FreeName, put_all
 from .params import Params
 from .sensitivity import LINEAR, NAMES
 
@@ -26,6 +27,8 @@ STEP = 1e-3
 _SHORT = 1e-4
 # Further starts of a search lie within this factor of the first.
 _SPREAD = 10.0
+# What friction is linear in: the strength of the interface, and what pressure adds.
+_LINEAR = {"slip_stress", PRESSURE}
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,9 +127,29 @@ class Search:
 
     def friction(self, x: Array) -> Array:
         """What the model has for the data; raises what the library refuses."""
-        with FrictionLaw(self.surfaces(x)) as law:
-            force = law.friction_force_at_load(self.data.load)
+        found = self._linear(x)
+        if found is None:
+            with FrictionLaw(self.surfaces(x)) as law:
+                force = law.friction_force_at_load(self.data.load)
+        else:
+            force = found.sum(axis=0)
         return force / self.data.load if self.data.quantity == "mu" else force
+
+    def _linear(self, x: Array) -> Array | None:
+        """The parts of the force by the strength and by pressure, (2, loads), where nothing else is free: models are then the same
+        for all x. None for other names, or for a strength that the library refuses."""
+        if not {name.field for name in self.names} <= _LINEAR:
+            return None
+        surface = self.surfaces(x)
+        if not max(surface.slip_stress_1, surface.slip_stress_2) <= 1:
+            return None
+        factor, kappa = surface.slip_stress_1 / self.params.slip_stress_1, surface.pressure_coefficient
+        strength = self._with_pressure(0.0)
+        return np.stack([factor * strength, kappa * (self._with_pressure(1.0) - strength) if kappa > 0 else 0 * strength])
+
+    def _with_pressure(self, kappa: float) -> Array:
+        """The force at the loads, with a pressure coefficient and the strength of the start."""
+        return _forces(self.params.replace(pressure_coefficient=kappa), tuple(self.data.load.tolist()))
 
     def at_loads(self, load: Array) -> Search:
         """The same at other loads, where nothing was measured: its residuals are the friction, its Jacobian that of it."""
@@ -148,12 +171,19 @@ class Search:
             return np.full(self.data.load.shape, np.nan)
 
     def jacobian(self, x: Array) -> Array:
+        if self._linear(x) is not None:
+            return self.exact_jacobian(x)
         return np.stack([self._derivative(x, i) for i in range(x.size)], axis=1)
 
     def exact_jacobian(self, x: Array) -> Array:
         """The same by the library's sensitivities. Up to the pull-off load, where they are infinite, data do not count."""
         load = self.data.load
         slopes = np.zeros((load.size, x.size))
+        if (parts := self._linear(x)) is not None:
+            unit = self.data.weight / (load if self.data.quantity == "mu" else 1.0)
+            for i, name in enumerate(self.names):
+                slopes[:, i] = unit * (self._with_pressure(1.0) - self._with_pressure(0.0) if name.field == PRESSURE else parts[0])
+            return slopes
         with FrictionLaw(self.surfaces(x)) as law:
             counts = load > law.summary().pull_off_load
             slopes[counts] = log_slopes(self.surfaces, x, self.low, self.high, law, load[counts])
@@ -178,6 +208,13 @@ class Search:
             return None
         residuals = self.residuals(at)
         return residuals if np.isfinite(residuals).all() else None
+
+
+@lru_cache(maxsize=8)
+def _forces(params: Params, loads: tuple[float, ...]) -> Array:
+    """Friction forces, kept for the next step, and for the next fit to the same loads, as those of a bootstrap."""
+    with FrictionLaw(params) as law:
+        return law.friction_force_at_load(np.array(loads))
 
 
 def log_slopes(

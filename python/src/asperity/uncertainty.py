@@ -162,9 +162,10 @@ def uncertainty(
     measurement, independently of the roughness here: the roughness of the surface that was measured counts as known.
 
     Args:
-        params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included.
+        params: the surfaces; or a fit, which brings the spread of its parameters with it, correlations included: Student's where
+            the scatter of its residuals gave their errors.
         spread: name to standard deviation, relative to the value for names that are positive (0.1 is 10 %; 1e-6 to 2, or 0),
-            absolute for skew and radius_amplitude. The names are those of `fit`, see `asperity.fit_names`. For calibrated
+            absolute for skew, radius_amplitude and pressure_coefficient. The names are those of `fit`, see `asperity.fit_names`. For calibrated
             parameters, how well they were known before the measurement. May be left out unless the strength of the interface
             is given without a measurement; `{"slip_stress": 0}` takes the strength as known.
         loads: normal loads [force], one-dimensional; > 0 for coefficients. By default those of the fit.
@@ -181,8 +182,8 @@ def uncertainty(
         ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
         TypeError: params is neither.
     """
-    names, params, covariance, given, measured, rests_on = _distribution(params, spread)
-    loads = given if loads is None else loads
+    names, params, covariance, fit, measured, rests_on = _distribution(params, spread)
+    loads = fit.load if fit is not None and loads is None else loads
     if loads is None:
         raise ValueError("loads: must be given")
     load = np.atleast_1d(np.asarray(loads, dtype=np.float64))
@@ -216,6 +217,9 @@ def uncertainty(
 
         def draw() -> Array | None:
             at = random.multivariate_normal(x, before)
+            if fit is not None and not fit.knows_errors:
+                # Student's, as the scatter of the residuals is of so few.
+                at = x + (at - x) * math.sqrt(fit.degrees_of_freedom / random.chisquare(fit.degrees_of_freedom))
             by_measurement, luck = random.normal(0, params.calibration_error), random.random()
             if strength is not None:
                 at[strength] = x[strength]
@@ -254,15 +258,15 @@ def uncertainty(
         deviation = np.std(drawn, axis=0) / np.where(force > 0, force / unit, 1)
     else:
         deviation = np.sqrt(np.einsum("li,ij,lj->l", slopes, covariance, slopes))
-        reach = NormalDist().inv_cdf(0.5 + 0.5 * coverage) * deviation
+        reach = (NormalDist().inv_cdf(0.5 + 0.5 * coverage) if fit is None else fit.reach(coverage)) * deviation
         band = force / unit * np.exp([-reach, reach])
     return Uncertainty(load, force / unit, band[0], band[1], deviation, parts, coverage, quantity, drawn, refused, rests_on)
 
 
 def _distribution(
     params: Params | Fit, spread: Mapping[str, float] | None
-) -> tuple[tuple[FreeName, ...], Params, Array, Array | None, bool, tuple[str, ...]]:
-    """Names, parameters and the covariance of their coordinates before a measurement; the loads of a fit; whether there is a
+) -> tuple[tuple[FreeName, ...], Params, Array, Fit | None, bool, tuple[str, ...]]:
+    """Names, parameters and the covariance of their coordinates before a measurement; the fit, if it is one; whether there is a
     measurement on these surfaces; in words."""
     if isinstance(params, Fit):
         if spread is not None:
@@ -274,7 +278,7 @@ def _distribution(
             lost = ", ".join(name for name in params.free if math.isinf(params.errors[name]))
             raise ValueError(f"the fit does not determine {lost}: friction has no band; fit it without")
         fitted = f"a fit of {', '.join(params.free)} to {params.load.size} points"
-        return names, params.params, covariance, params.load, False, (fitted,)
+        return names, params.params, covariance, params, False, (fitted,)
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params or a Fit")
     given: Any = {} if spread is None else spread
