@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Which changes of the Rust sources no test notices: one operator, one function's answer, one arm of a match at a time.
 
-usage: tests/harden/mutants.py FOLDER [--re EXPRESSION] [--shard K/N] [--seconds S]
+usage: tests/harden/mutants.py FOLDER [--re EXPRESSION] [--shard K/N] [--groups NAMES] [--seconds S] [--slowest S]
 
 cargo-mutants lists the changes. All stand in one build of a copy of the sources, each behind its number, which a variable of the
-environment chooses: `a + b` becomes `(if on(7) { a - b } else { a + b })`. Each test runs once and tells which of them it reaches;
-each change is then tried by the tests that reach it, the fastest first, up to --seconds (60) of them. Results are in FOLDER. It
+environment chooses: `a + b` becomes `(if on(7) { a - b } else { a + b })`. Each unit test and each
+test of --groups (all that concern the answers, with commas) runs once and tells which of them it reaches;
+each change is then tried by the tests that reach it, the fastest first, up to --seconds (60) of the processor; tests that take longer than --slowest (60) are left out. Results are in FOLDER. It
 fails if more are missed in a function than tests/harden/survivors.txt explains. Needs tree-sitter and its grammar of Rust
 (tests/setup.sh harden).
 """
@@ -16,19 +17,21 @@ import argparse
 import collections
 import json
 import os
+import random
 import re
 import shutil
 import subprocess
 import sys
+import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import tree_sitter
 import tree_sitter_rust
 
 ROOT = Path(__file__).resolve().parents[2]
-GROUPS = ("c_api", "law", "numerics", "physics")
+GROUPS = "abi,c_api,law,numerics,physics"
 # Reads the number without an allocation: the allocator of the library is among what is changed.
 SWITCH = """
 #[allow(missing_docs, unsafe_code, dead_code)]
@@ -86,17 +89,19 @@ class Change:
         self.place = (told["function"] or {"function_name": "constants"})["function_name"]
 
 
-def listed(tree: Path, options: list[str]) -> list[Change]:
+def listed(tree: Path, expression: str, shard: str) -> list[Change]:
     """The changes of the sources. cargo-mutants passes over functions that are `unsafe`, which those of C are: so they are none
     while it looks."""
     kept = {}
     for file in (tree / "src").rglob("*.rs"):
         kept[file] = file.read_text()
         file.write_text(re.sub(r"\bunsafe (?=extern|fn)", "       ", kept[file]))
-    told = subprocess.run(["cargo", "mutants", "--list", "--json", "--no-shuffle", *options], cwd=tree, check=True, capture_output=True)
+    told = subprocess.run(["cargo", "mutants", "--list", "--json", "--no-shuffle", "--re", expression, "--shard", shard], cwd=tree, check=True, capture_output=True)
     for file, text in kept.items():
         file.write_text(text)
-    return [Change(number, one) for number, one in enumerate(json.loads(told.stdout), 1)]
+    # It lists fields of structs of all files.
+    told = [one for one in json.loads(told.stdout) if re.search(expression, one["name"])]
+    return [Change(number, one) for number, one in enumerate(told, 1)]
 
 
 class File:
@@ -200,6 +205,12 @@ class File:
         return part(0, len(self.text))
 
 
+def write_if_other(file: Path, content: bytes) -> None:
+    """What is not written is not compiled again."""
+    if not file.exists() or file.read_bytes() != content:
+        file.write_bytes(content)
+
+
 def marked(number: int, text: str) -> str:
     return f"/*<{number}*/{text}/*{number}>*/"
 
@@ -214,7 +225,7 @@ def ancestors(node: tree_sitter.Node | None):
         node = node.parent
 
 
-def build(tree: Path, sources: dict[str, bytes], changes: list[Change], env: dict[str, str]) -> tuple[list[Path], set[int]]:
+def build(tree: Path, sources: dict[str, bytes], changes: list[Change], groups: str, env: dict[str, str]) -> tuple[list[Path], set[int]]:
     """The test programs with all changes that compile, and the numbers of the others."""
     left_out: set[int] = set()
     while True:
@@ -223,11 +234,11 @@ def build(tree: Path, sources: dict[str, bytes], changes: list[Change], env: dic
             for change in changes:
                 if change.file == name and change.number not in left_out and not file.add(change):
                     left_out.add(change.number)
-            (tree / name).write_text(file.written())
+            write_if_other(tree / name, file.written().encode())
         entry = tree / "src/lib.rs"
-        entry.write_text(sources.get("src/lib.rs", (ROOT / "src/lib.rs").read_bytes()).decode() + SWITCH.replace("COUNT", str(len(changes) + 1)))
+        write_if_other(entry, (sources.get("src/lib.rs", (ROOT / "src/lib.rs").read_bytes()).decode() + SWITCH.replace("COUNT", str(len(changes) + 1))).encode())
         command = ["cargo", "test", "--no-run", "--locked", "--profile", "mutants", "--lib", "--message-format", "json"]
-        command += [argument for group in GROUPS for argument in ("--test", group)]
+        command += [argument for group in groups.split(",") for argument in ("--test", group)]
         done = subprocess.run(command, cwd=tree, env=env, text=True, stdout=subprocess.PIPE)
         told = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
         if done.returncode == 0:
@@ -264,9 +275,9 @@ def blamed(tree: Path, message: dict) -> set[int]:
 
 
 class Tests:
-    """Each test: its program, its name, seconds, and the changes that it reaches."""
+    """Each test: its program, its name, seconds of the processor, and the changes that it reaches."""
 
-    def __init__(self, programs: list[Path], tree: Path, folder: Path, env: dict[str, str]) -> None:
+    def __init__(self, programs: list[Path], tree: Path, folder: Path, env: dict[str, str], slowest: float) -> None:
         self.tree, self.env = tree, env
         jobs = []
         for program in programs:
@@ -274,19 +285,19 @@ class Tests:
             jobs += [(program, line.removesuffix(": test")) for line in told.stdout.splitlines() if line.endswith(": test")]
         self.all: list[tuple[float, Path, str]] = []
         self.reaching: dict[int, list[int]] = collections.defaultdict(list)
+        # By file: what noticed changes there, and how often.
+        self.noticing: dict[str, collections.Counter[int]] = collections.defaultdict(collections.Counter)
 
         def one(job: tuple[int, tuple[Path, str]]) -> tuple[tuple[float, Path, str], set[int]] | None:
             index, (program, name) = job
             reached = folder / f"reached.{index}"
             reached.unlink(missing_ok=True)
-            start = time.monotonic()
-            passed = self.run(program, name, {"ASPERITY_CHANGES": str(reached)}, 600)
-            seconds = time.monotonic() - start
-            if not passed:
-                print(f"fails without a change, left out: {program.name.rsplit('-', 1)[0]} {name}")
-                return None
+            passed, seconds = self.run(program, name, {"ASPERITY_CHANGES": str(reached)}, slowest)
             numbers = set(memoryview(reached.read_bytes()).cast("I")) if reached.exists() else set()
             reached.unlink(missing_ok=True)
+            if not passed:
+                print(f"left out, takes longer than {slowest:g} s, or fails: {program.name.rsplit('-', 1)[0]} {name}")
+                return None
             return (seconds, program, name), numbers
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -295,23 +306,29 @@ class Tests:
                     self.reaching[number].append(len(self.all))
                 self.all.append(found[0])
 
-    def run(self, program: Path, name: str, env: dict[str, str], limit: float) -> bool:
-        try:
-            done = subprocess.run(
-                [program, "--exact", name], cwd=self.tree, env=self.env | env, timeout=limit, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-            )  # fmt: skip
-        except subprocess.TimeoutExpired:
-            return False
-        return done.returncode == 0
+    def run(self, program: Path, name: str, env: dict[str, str], seconds: float) -> tuple[bool, float]:
+        """Whether a test passes within seconds of the processor, and how many it took."""
+        command = ["sh", "-c", 'ulimit -t "$0" && exec "$@"', f"{seconds + 1:.0f}", program, "--exact", name]
+        process = subprocess.Popen(command, cwd=self.tree, env=self.env | env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        asleep = threading.Timer(900, process.kill)  # threads that wait for each other
+        asleep.start()
+        _, status, used = os.wait4(process.pid, 0)
+        asleep.cancel()
+        process.returncode = status
+        return status == 0, used.ru_utime + used.ru_stime
 
-    def noticed(self, number: int, most: float) -> str:
-        """The test that notices a change, or ""."""
+    def noticed(self, change: Change, most: float) -> str:
+        """The test that notices a change, or "": first those that have noticed others in its file, then the fastest ones."""
+        reaching, often = set(self.reaching[change.number]), self.noticing[change.file]
+        first = [index for index, _ in often.most_common() if index in reaching][:4]
         spent = 0.0
-        for seconds, program, name in sorted(self.all[index] for index in self.reaching[number]):
+        for index in first + sorted(reaching - set(first), key=lambda index: self.all[index][0]):
+            seconds, program, name = self.all[index]
             spent += seconds
             if spent > most and spent > seconds:
                 break
-            if not self.run(program, name, {"ASPERITY_CHANGE": str(number)}, 10 + 20 * seconds):
+            if not self.run(program, name, {"ASPERITY_CHANGE": str(change.number)}, 2 + 10 * seconds)[0]:
+                often[index] += 1
                 return f"{program.name.rsplit('-', 1)[0]} {name}"
         return ""
 
@@ -332,7 +349,9 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--re", default=".")
     parser.add_argument("--shard", default="0/1")
+    parser.add_argument("--groups", default=GROUPS)
     parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--slowest", type=float, default=60.0)
     given = parser.parse_args()
     folder = given.folder.resolve()
     tree = folder / "tree"
@@ -340,26 +359,28 @@ def main() -> None:
     for name in files:
         if name and (ROOT / name).is_file():
             (tree / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(ROOT / name, tree / name)
+            write_if_other(tree / name, (ROOT / name).read_bytes())
     env = os.environ | {"CARGO_TARGET_DIR": str(folder / "target"), "RUSTFLAGS": "--cap-lints=allow", "CARGO_TERM_COLOR": "never"}
-    changes = listed(tree, ["--re", given.re, "--shard", given.shard])
+    changes = listed(tree, given.re, given.shard)
     sources = {name: (ROOT / name).read_bytes() for name in sorted({change.file for change in changes})}
     start = time.monotonic()
-    programs, left_out = build(tree, sources, changes, env)
+    programs, left_out = build(tree, sources, changes, given.groups, env)
     print(f"{len(changes)} changes, of which {len(left_out)} do not compile or are of constants; built in {time.monotonic() - start:.0f} s", flush=True)
     (folder / "left_out.txt").write_text("".join(f"{change.name}\n" for change in changes if change.number in left_out))
     start = time.monotonic()
-    tests = Tests(programs, tree, folder, env)
+    tests = Tests(programs, tree, folder, env, given.slowest)
     print(f"{len(tests.all)} tests in {time.monotonic() - start:.0f} s, one by one", flush=True)
-    missed, results = [], (folder / "results.txt").open("w")
+    missed: list[Change] = []
+    results = (folder / "results.txt").open("w")
 
-    def tried(change: Change) -> tuple[Change, str]:
-        return change, tests.noticed(change.number, given.seconds)
-
+    # In no order, so that a run that is ended early has tried a sample.
+    rest = [change for change in changes if change.number not in left_out]
+    random.Random(1).shuffle(rest)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for change, test in pool.map(tried, [change for change in changes if change.number not in left_out]):
-            reached = len(tests.reaching[change.number])
-            print(f"{change.name}: {test or ('missed' if reached else 'not reached')}", file=results, flush=True)
+        trying = {pool.submit(tests.noticed, change, given.seconds): change for change in rest}
+        for done in as_completed(trying):
+            change, test = trying[done], done.result()
+            print(f"{change.name}: {test or ('missed' if tests.reaching[change.number] else 'not reached')}", file=results, flush=True)
             if not test:
                 missed.append(change)
     (folder / "missed.txt").write_text("".join(f"{change.name}\n" for change in missed))

@@ -42,7 +42,7 @@ def main() -> None:
     for change in gone:
         print(f"{change['file']}: must have once what is changed: {change['find']}", file=sys.stderr)
     chosen = [one for one in changes if not quick or one.get("quick")]
-    chosen = [one for one in chosen if one not in gone and all(word in one["file"] + one["tests"] for word in words)]
+    chosen = [one for one in chosen if one not in gone and (not words or any(word in one["file"] + " " + one["tests"] for word in words))]
     environment = subprocess.run([ROOT / "python/environment.sh"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
     python = Path(environment, "bin/python")
     installed = next(Path(environment).glob("lib/python3*/site-packages/asperity"))
