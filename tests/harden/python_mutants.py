@@ -42,7 +42,9 @@ def main() -> None:
     for change in gone:
         print(f"{change['file']}: must have once what is changed: {change['find']}", file=sys.stderr)
     chosen = [one for one in changes if not quick or one.get("quick")]
-    chosen = [one for one in chosen if one not in gone and (not words or any(word in one["file"] + " " + one["tests"] for word in words))]
+    chosen = [one for one in chosen if one not in gone]
+    if words:
+        chosen = [one for one in chosen if any(word in one["file"] + " " + one["tests"] for word in words)]
     environment = subprocess.run([ROOT / "python/environment.sh"], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
     python = Path(environment, "bin/python")
     installed = next(Path(environment).glob("lib/python3*/site-packages/asperity"))
@@ -58,7 +60,8 @@ def main() -> None:
             found = noticed(python, change["tests"], package)
             file.write_text(text)
             missed += not found
-            print(f"{time.monotonic() - start:5.1f} s  {change['file']}: {change['find']!r:.60}: {found or 'MISSED'}"[:250], flush=True)
+            says = f"{change['file']}: {change['find']!r:.60}: {found or 'MISSED'}"
+            print(f"{time.monotonic() - start:5.1f} s  {says}"[:250], flush=True)
     print(f"{len(chosen)} slips, {missed} missed, {len(gone)} whose text is gone")
     sys.exit(bool(missed or gone))
 
