@@ -61,6 +61,7 @@ tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh
 tests/harden/supply_chain.sh
+tests/harden/python_mutants.py --quick
 packaging/size.py
 tests/dist/same_bits.sh
 tests/dist/refusals.sh

@@ -36,6 +36,7 @@ machine_targets="armv7-unknown-linux-gnueabihf i686-unknown-linux-gnu riscv64gc-
 # Of PyPI, at the versions that were tried, in environments of their own under the target directory.
 dist_packages="ziglang==0.17.1 cargo-zigbuild==0.24.0 build==1.6.1 setuptools==84.2.1 wheel==0.48.0 twine==7.0.0
     conan==2.34.0 py-rattler==0.28.0 check-jsonschema==0.39.0"
+harden_packages="tree-sitter==0.26.1 tree-sitter-rust==0.24.2"
 validation_packages="tamaas==2.9.0 Adhesion==0.93 mpmath>=1.3 matplotlib>=3.5 scipy>=1.9 pytest>=7"
 
 groups=${*:-core} packages="" tools=""
@@ -93,6 +94,7 @@ environment() {
     echo "$2" >"$venv/packages"
 }
 environments() {
+    environment harden "$harden_packages"
     environment validation "$validation_packages"
     environment dist "$dist_packages"
 }

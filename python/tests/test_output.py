@@ -81,7 +81,7 @@ def test_links_modes_and_names_stay(tmp_path: Path) -> None:
 def test_pipes_and_devices_are_written_in_place(tmp_path: Path) -> None:
     pipe, found = tmp_path / "pipe", []
     os.mkfifo(pipe)
-    reader = threading.Thread(target=lambda: found.append(pipe.read_bytes()))
+    reader = threading.Thread(target=lambda: found.append(pipe.read_bytes()), daemon=True)
     reader.start()
     _output.write(pipe, "through\n")
     reader.join(60)

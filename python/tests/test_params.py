@@ -46,7 +46,8 @@ def test_one_body_may_be_rigid() -> None:
 
 
 def test_summits_are_counted_or_density_times_area() -> None:
-    assert Params.si(**SURFACE, **STIFFNESS, summit_density=1e13, nominal_area=2e-8).asperity_count == 1e13 * 2e-8
+    made = Params.si(**SURFACE, **STIFFNESS, summit_density=1e13, nominal_area=2e-8)
+    assert made.asperity_count == 1e13 * 2e-8 and made.nominal_area == 2e-8
 
 
 @pytest.mark.parametrize(
@@ -255,6 +256,8 @@ def test_a_table_means_tabulated_heights(params: Params) -> None:
         Model(params.replace(table_height=[0, 1, 1, 3], table_density=[0, 1, 1, 0]))
     with pytest.raises(Error, match="table_density: 2 numbers for 0 heights"):
         params.replace(table_density=[1, 2])
+    with pytest.raises(Error, match="table_density: 3 numbers for 4 heights"):  # which the library would read beyond
+        params.replace(table_height=[0, 1, 2, 3], table_density=[0, 1, 1])
     with pytest.raises(TypeError, match=r"table_height\[1\] = '1': must be a real number"):
         params.replace(table_height=[0, "1"], table_density=[1, 2])
     with pytest.raises(TypeError, match="do not give table_density or table_height too"):

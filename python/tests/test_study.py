@@ -14,7 +14,7 @@ import xarray
 from scipy import stats
 from study_workers import LOADS, PARAMS, SMALL
 
-from asperity import Model, Status, Warnings, __version__
+from asperity import Error, Model, Status, Warnings, __version__
 from asperity.study import plot_sobol_indices, sobol_indices, study
 
 
@@ -59,6 +59,12 @@ def test_a_load_that_is_too_heavy_is_nan_alone() -> None:
     found = study(PARAMS, {"height_std": [10.0, 11.0]}, loads, progress=False)
     assert np.isnan(found["friction_force"].values).tolist() == [[False, True, False]] * 2
     assert (found["status"] != 0).all() and "load = 1e200" in str(found["reason"][0].values)
+
+
+def test_a_lack_of_memory_is_no_verdict_on_a_surface() -> None:
+    with mock.patch("asperity._many_surfaces.Handle", side_effect=Error("no memory", Status.OUT_OF_MEMORY)):
+        with pytest.raises(Error, match="^no memory$"):
+            study(PARAMS, **SMALL)
 
 
 def test_below_pull_off_friction_is_zero_and_there_is_nothing_to_warn_of() -> None:

@@ -13,16 +13,16 @@ from study_workers import PARAMS, SMALL
 from test_study_checkpoint import stop_after
 from test_study_engines import bits
 
-from asperity import _study_store
+from asperity import _study_lock, _study_store
 from asperity.study import study
 
 
-def test_a_block_of_another_study_is_computed_anew(tmp_path: Path) -> None:
+@pytest.mark.parametrize("other", ["other.nc.blocks/block-0000001.nc", "found.nc.blocks/block-0000000.nc"])
+def test_a_block_of_another_study_or_of_other_surfaces_is_computed_anew(other: str, tmp_path: Path) -> None:
     # All is alike but for the draws: neither name, nor size, nor the loads tell the blocks apart.
     stop_after(3, tmp_path / "found.nc")
     stop_after(3, tmp_path / "other.nc", seed=6)
-    block = "block-0000001.nc"
-    shutil.copyfile(tmp_path / "other.nc.blocks" / block, tmp_path / "found.nc.blocks" / block)
+    shutil.copyfile(tmp_path / other, tmp_path / "found.nc.blocks/block-0000001.nc")
     told: list[str] = []
     given = {**SMALL, "progress": lambda part, doing: told.append(doing)}
     with warnings.catch_warnings():
@@ -55,3 +55,18 @@ def test_what_replaces_a_file_is_what_was_written_and_flushed_not_a_copy(
     # The old one was written over in no part.
     assert file.read_text() == "new" and (tmp_path / "kept").read_text() == "old"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["found.nc", "kept"]
+
+
+def test_a_lock_is_that_of_the_file_that_is_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its holder may remove the file just before it is locked: another process would then lock a file of its own."""
+    file, take, removed = tmp_path / "found.nc.lock", _study_lock._take, []
+
+    def late(descriptor: int) -> None:
+        take(descriptor)
+        if not removed:
+            file.unlink()
+            removed.append(file)
+
+    monkeypatch.setattr(_study_lock, "_take", late)
+    with _study_lock.locked(file, "found.nc"):
+        assert removed and file.exists()

@@ -15,8 +15,8 @@
 #   make supply-chain    known faults of crates, licences, bans, sources   needs cargo-deny and the network
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
-#   make mutants         changes to the source that no test notices       SHARD (k/n), MUTANTS (a regular expression of
-#                                                                         paths); needs cargo-mutants
+#   make mutants         changes to the source that no test notices,      SHARD (k/n), MUTANTS (a regular expression of
+#                        of Rust and of Python                            paths); needs cargo-mutants, tree-sitter
 
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
@@ -90,4 +90,5 @@ coverage:
 	$(LOW) tests/harden/coverage.sh
 
 mutants:
-	$(LOW) tests/harden/mutants.sh $(TARGET)/mutants --shard $(SHARD) --re '$(MUTANTS)'
+	$(LOW) $(TARGET)/harden-venv/bin/python tests/harden/mutants.py $(TARGET)/mutants --shard $(SHARD) --re '$(MUTANTS)'
+	$(LOW) tests/harden/python_mutants.py
