@@ -57,17 +57,25 @@
 #define ASPERITY_EVAL_MUL(a, b) __dmul_rn((a), (b))
 #define ASPERITY_EVAL_ADDF(a, b) __fadd_rn((a), (b))
 #define ASPERITY_EVAL_MULF(a, b) __fmul_rn((a), (b))
-#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+#define ASPERITY_EVAL_ROUNDED
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(__EDG__) && !defined(__CUDACC__) && __GNUC__ >= 12
 /* Not to be summed in another order, as -ffast-math would. Clang is told by a pragma. */
 #define ASPERITY_EVAL_ADD(a, b) __builtin_assoc_barrier((a) + (b))
 #define ASPERITY_EVAL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
 #define ASPERITY_EVAL_ADDF(a, b) __builtin_assoc_barrier((a) + (b))
 #define ASPERITY_EVAL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
+#define ASPERITY_EVAL_ROUNDED
 #else
 #define ASPERITY_EVAL_ADD(a, b) ((a) + (b))
 #define ASPERITY_EVAL_MUL(a, b) ((a) * (b))
 #define ASPERITY_EVAL_ADDF(a, b) ((a) + (b))
 #define ASPERITY_EVAL_MULF(a, b) ((a) * (b))
+/* What others must round under -ffast-math, MSVC's /fp:fast, goes by the memory. */
+#if (defined(__FAST_MATH__) || defined(_M_FP_FAST)) && !(defined(__clang__) && __clang_major__ > 12)
+#define ASPERITY_EVAL_ROUNDED volatile
+#else
+#define ASPERITY_EVAL_ROUNDED
+#endif
 #endif
 
 #if defined(__clang__) && !defined(__CUDA_ARCH__) && __clang_major__ > 12
@@ -76,13 +84,6 @@
 #define ASPERITY_EVAL_NO_CONTRACTION _Pragma("clang fp contract(off)")
 #else
 #define ASPERITY_EVAL_NO_CONTRACTION
-#endif
-
-/* Other compilers are not told: there -ffast-math (MSVC's /fp:fast) meets numbers in memory. */
-#if !defined(__CUDA_ARCH__) && ((defined(__FAST_MATH__) && !defined(__clang__) && __GNUC__ < 12) || defined(_M_FP_FAST))
-#define ASPERITY_EVAL_ROUNDED volatile
-#else
-#define ASPERITY_EVAL_ROUNDED
 #endif
 
 #if defined(__HIPCC__) && !defined(__CUDACC__)
