@@ -22,11 +22,6 @@ subroutine stop_analysis(message)
   call xplb_exit
 end subroutine stop_analysis
 
-subroutine warn_analysis(message)
-  character(*), intent(in) :: message
-  call tell_analysis(-1, message)
-end subroutine warn_analysis
-
 ! To the message file. severity  -1 a warning, -2 an error
 subroutine tell_analysis(severity, message)
   include 'vaba_param.inc'

@@ -35,10 +35,11 @@ module asperity_models
       character(*), intent(in) :: message
     end subroutine stop_analysis
 
-    ! Prints the message as a warning.
-    subroutine warn_analysis(message)
+    ! Prints the message; severity -1: a warning.
+    subroutine tell_analysis(severity, message)
+      integer, intent(in) :: severity
       character(*), intent(in) :: message
-    end subroutine warn_analysis
+    end subroutine tell_analysis
   end interface
 
 contains
@@ -77,7 +78,7 @@ contains
     if (stat /= 0) return
     write (named, '(a, i0, a)') 'surface ', number, ': '
     do bit = 0, 62
-      if (btest(warnings, bit)) call warn_analysis(trim(named) // ' ' // asperity_warning_text(shiftl(1_c_int64_t, bit)))
+      if (btest(warnings, bit)) call tell_analysis(-1, trim(named) // ' ' // asperity_warning_text(shiftl(1_c_int64_t, bit)))
     end do
   end subroutine warn
 

@@ -19,11 +19,6 @@ subroutine stop_analysis(message)
   call xit
 end subroutine stop_analysis
 
-subroutine warn_analysis(message)
-  character(*), intent(in) :: message
-  call tell_analysis(-1, message)
-end subroutine warn_analysis
-
 ! To the .msg file. severity  -1 a warning, -2 an error
 subroutine tell_analysis(severity, message)
   integer, intent(in) :: severity
