@@ -17,13 +17,20 @@ subroutine vexternaldb(lop, i_array, niarray, r_array, nrarray)
 end subroutine vexternaldb
 
 subroutine stop_analysis(message)
+  character(*), intent(in) :: message
+  call tell_analysis(-2, message)
+  call xplb_exit
+end subroutine stop_analysis
+
+! To the message file. severity  -1 a warning, -2 an error
+subroutine tell_analysis(severity, message)
   include 'vaba_param.inc'
+  integer, intent(in) :: severity
   character(*), intent(in) :: message
   dimension no_integers(1), zero_reals(1)
   character(8) :: no_texts(1)
   no_integers = 0
   zero_reals = 0
   no_texts = ' '
-  call xplb_abqerr(-2, 'asperity: ' // trim(message), no_integers, zero_reals, no_texts)
-  call xplb_exit
-end subroutine stop_analysis
+  call xplb_abqerr(severity, 'asperity: ' // trim(message), no_integers, zero_reals, no_texts)
+end subroutine tell_analysis

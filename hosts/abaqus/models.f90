@@ -4,10 +4,10 @@
 ! the models are only read, which needs no lock. Nothing is made on demand: a friction routine that finds no model
 ! stops the analysis and says why.
 module asperity_models
-  use, intrinsic :: iso_c_binding, only: c_double
+  use, intrinsic :: iso_c_binding, only: c_double, c_int64_t
   use asperity, only: asperity_check, asperity_microslip, asperity_params, asperity_params_init, asperity_params_read, &
-    asperity_params_set_units, ASPERITY_INVALID_PARAMETER, ASPERITY_SEPARATED, friction_model
-  use asperity_surfaces, only: MOST_FRICTION, SURFACES, UNIT_OF_FORCE, UNIT_OF_LENGTH
+    asperity_params_set_units, asperity_warning_text, ASPERITY_INVALID_PARAMETER, ASPERITY_SEPARATED, friction_model
+  use asperity_surfaces, only: MOST_FRICTION, PRESSURES, SURFACES, UNIT_OF_FORCE, UNIT_OF_LENGTH
   implicit none
   private
   public :: make_models, free_models, read_surface, friction_coefficients, shear_strength, microslip_length, microslip_step
@@ -34,6 +34,12 @@ module asperity_models
     subroutine stop_analysis(message)
       character(*), intent(in) :: message
     end subroutine stop_analysis
+
+    ! Prints the message; severity -1: a warning.
+    subroutine tell_analysis(severity, message)
+      integer, intent(in) :: severity
+      character(*), intent(in) :: message
+    end subroutine tell_analysis
   end interface
 
 contains
@@ -45,11 +51,12 @@ contains
     character(500) :: message
     integer :: number, stat
     refused = .false.
-    if (made) return
+    call free_models    ! of an analysis before this one in the process, whose files may have been others
     do number = 1, NUMBER_OF_SURFACES
       call read_surface(number, params, stat, message)
       if (stat == 0) call laws(number)%create(params, stat, message)
       nominal_areas(number) = params%nominal_area
+      if (stat == 0) call warn(number, stat, message)
       if (stat == 0) cycle
       write (refusal, '(a, i0, 2a)') 'surface ', number, ': ', trim(message)
       refused = .true.
@@ -57,6 +64,23 @@ contains
     end do
     made = .true.
   end subroutine make_models
+
+  ! Warns where the law does not hold for a surface at the pressures that it is to meet.
+  subroutine warn(number, stat, message)
+    integer, intent(in) :: number
+    integer, intent(out) :: stat
+    character(*), intent(inout) :: message
+    integer(c_int64_t) :: warnings
+    integer :: bit
+    character(20) :: named
+    call laws(number)%check_loads(PRESSURES(1, number) * nominal_areas(number), PRESSURES(2, number) * nominal_areas(number), &
+                                  warnings, stat, message)
+    if (stat /= 0) return
+    write (named, '(a, i0, a)') 'surface ', number, ': '
+    do bit = 0, 62
+      if (btest(warnings, bit)) call tell_analysis(-1, trim(named) // ' ' // asperity_warning_text(shiftl(1_c_int64_t, bit)))
+    end do
+  end subroutine warn
 
   ! The parameters of a surface file, in the units of the model. A pressure is the load on nominal_area.
   subroutine read_surface(number, params, stat, message)

@@ -38,6 +38,10 @@ make_host() {
         gfortran $flags -I"$includes" -c "$here/mock/$file.f90"
     done && gfortran -fopenmp ./*.o -L"$target/release" -lasperity -o host)
 }
+fail() {
+    echo "abaqus  FAIL  $*" >&2
+    exit 1
+}
 standard="surfaces.f90 models.f90 standard.f90 fric.f90"
 explicit="surfaces.f90 models.f90 explicit.f90 vfric_coef.f90"
 make_host slip_rate standard "$standard fric_coef_slip_rate.f90" call_slip_rate standard_host
@@ -77,6 +81,39 @@ stops surface 'surface 1: hosts/surface.toml: line 9: hardnes: no such key; the 
     >"$surfaces/hosts/surface.toml"
 stops surface 'surface 1: hosts/surface.toml: nominal_area must be given' "$surfaces"
 stops depvar 'PROPERTIES=1 computes microslip and needs DEPVAR=.*; it has 1'
+
+# Files, units and analyses are altered: each analysis gives what it gives in a process of its own.
+for name in film smoother calibrated; do mkdir -p "$build/$name/hosts/abaqus"; cp hosts/abaqus/smooth.toml "$build/$name/hosts/abaqus"; done
+cp hosts/surface.toml "$build/film/hosts"
+sed 's/^Sq = .*/Sq = 6e-9/' hosts/surface.toml >"$build/smoother/hosts/surface.toml"
+{ printf 'calibration_load = 100\ncalibration_friction_coefficient = 0.2\n'; cat hosts/surface.toml; } >"$build/calibrated/hosts/surface.toml"
+mkdir -p "$build/si_source"
+sed 's/UNIT_OF_LENGTH = 1e-3_c_double/UNIT_OF_LENGTH = 1/' hosts/abaqus/surfaces.f90 >"$build/si_source/surfaces.f90"
+make_host si standard "$build/si_source/surfaces.f90 ${standard#* } fric_coef_slip_data.f90" call_slip_data standard_host
+#   analyses HOST FOLDER...     prints what each has
+analyses() {
+    local host=$build/$1/host folders=()
+    shift
+    for name in "$@"; do [ "$name" = - ] && folders+=(-) || folders+=("$build/$name"); done
+    "$host" analyses "${folders[@]}" 2>"$build/analyses.txt" || { cat "$build/analyses.txt" >&2; fail "analyses $* end with status $?"; }
+}
+in_turn="film smoother - calibrated - smoother film"
+# shellcheck disable=SC2086
+analyses slip_data $in_turn >"$build/in_turn.txt"
+for name in ${in_turn//-/}; do analyses slip_data "$name"; done >"$build/alone.txt"
+cmp "$build/in_turn.txt" "$build/alone.txt" || fail "an analysis depends on the one before it in the process"
+[ "$(sort -u "$build/alone.txt" | wc -l)" = 4 ] || fail "another surface file makes no difference, or in the other surface does"
+analyses si film smoother >"$build/si.txt"
+analyses slip_data film smoother | paste - "$build/si.txt" | awk '
+    { for (k = 2; k <= 4; k++) if (!(($k - $(k + 4))^2 <= 1e-18 * $k^2)) exit wrong = 1 } END { exit wrong || NR != 4 }' ||
+    fail "the law depends on the units of the model"
+# Where the law does not hold for the pressures of surfaces.f90, a warning says so, and only there.
+warned() { grep -q "^\*\*\*WARNING: asperity: surface $1: *${2:-}" "$build/analyses.txt"; }
+sed 's/^hardness = .*/hardness = 5e9/' hosts/surface.toml >"$build/smoother/hosts/surface.toml"
+analyses slip_data calibrated >"$build/told.txt"
+! warned 1 && warned 2 "the strength of the interface" || fail "warnings of a calibrated surface are wrong"
+analyses slip_data smoother >"$build/told.txt"
+warned 1 "summits yield" || fail "no warning of a soft surface"
 
 # How Newton's method converges on the block: increments of stick, of slip, of reversal.
 awk '$1 == "residual" && ($2 == 1 || $2 == 5 || $2 == 11 || $2 == 20) { row[$2] = row[$2] "  " $4; if (!seen[$2]++) order[++n] = $2 }

@@ -15,12 +15,19 @@ end subroutine uexternaldb
 
 subroutine stop_analysis(message)
   character(*), intent(in) :: message
+  call tell_analysis(-2, message)
+  call xit
+end subroutine stop_analysis
+
+! To the .msg file. severity  -1 a warning, -2 an error
+subroutine tell_analysis(severity, message)
+  integer, intent(in) :: severity
+  character(*), intent(in) :: message
   integer :: no_integers(1)
   double precision :: no_reals(1)
   character(8) :: no_texts(1)
   no_integers = 0
   no_reals = 0
   no_texts = ' '
-  call stdb_abqerr(-2, 'asperity: ' // trim(message), no_integers, no_reals, no_texts)
-  call xit
-end subroutine stop_analysis
+  call stdb_abqerr(severity, 'asperity: ' // trim(message), no_integers, no_reals, no_texts)
+end subroutine tell_analysis

@@ -11,6 +11,11 @@ module asperity_surfaces
   ! The units of length and force of the model, in m and N. Here mm and N, so that stresses are in MPa.
   real(c_double), parameter, public :: UNIT_OF_LENGTH = 1e-3_c_double, UNIT_OF_FORCE = 1
 
+  ! The least and the greatest pressure that each surface is to meet, in the units of the model: where the law does not hold
+  ! between them, the analysis warns at its start.
+  real(c_double), parameter, public :: PRESSURES(2, size(SURFACES)) = reshape([0.01_c_double, 50.0_c_double, 0.3_c_double, &
+                                                                               0.8_c_double], [2, size(SURFACES)])
+
   ! Near zero pressure F/p has no bound; the host multiplies by p again.
   real(c_double), parameter, public :: MOST_FRICTION = 100
 

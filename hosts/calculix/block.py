@@ -1,5 +1,5 @@
-"""A block on a base in CalculiX, with the contact that `python -m asperity export` writes: pressed, dragged and heated, against the
-exact states of the law. Then each input is changed once. usage: block.py FOLDER
+"""A block on a base in CalculiX, with the contact that `python -m asperity export` writes: pressed, dragged and heated, against
+the exact states of the law. Then each input is changed once. usage: block.py FOLDER
 """
 
 import subprocess
@@ -16,8 +16,8 @@ import verdict
 TOLERANCE = 1e-3  # of the tables
 LIMIT = 2e-3
 FACES = 3
-# Of CalculiX 2.20 a table of overclosure works with nodes on surfaces only, and conductance by pressure with surfaces on surfaces and
-# linear overclosure. In SI: edge and height of the block, conductivity of both bodies, warmth of the block's upper face.
+# Of CalculiX 2.20 a table of overclosure works with nodes on surfaces only, and conductance by pressure with surfaces on surfaces
+# and linear overclosure. In SI: edge and height of the block, conductivity of both bodies, warmth of the block's upper face.
 EDGE, HEIGHT, CONDUCTIVITY, WARMTH = 10e-3, 1e-3, 50.0, 10.0
 BASE = {"surface": "", "load": 8e6, "length": 1e-3, "pressure": 1e6}
 ALTERED = {
@@ -104,7 +104,8 @@ RFL
 """
     everything = "*NSET, NSET=ALL\nBLOCKLOWER, BLOCKUPPER, BASELOWER, BASEUPPER\n"
     return {
-        "dragged": f"{bodies.format(name='dragged', type='NODE')}*STEP, INC=1000\n*STATIC\n0.1, 1., , 0.1\n{pressed}{dragged}*END STEP\n",
+        "dragged": bodies.format(name="dragged", type="NODE")
+        + f"*STEP, INC=1000\n*STATIC\n0.1, 1., , 0.1\n{pressed}{dragged}*END STEP\n",
         "heated": bodies.format(name="heated", type="SURFACE") + everything + heated,
     }
 

@@ -99,13 +99,16 @@ contains
 end program explicit_host
 
 ! The utility routines of Abaqus/Explicit that the user subroutines call.
-subroutine xplb_abqerr(lop, message)
+subroutine xplb_abqerr(lop, message, integers, reals, texts)
   use, intrinsic :: iso_fortran_env, only: error_unit
   implicit none
-  integer, intent(in) :: lop
+  include 'kind.inc'
+  integer, intent(in) :: lop, integers(*)
+  real(HOST), intent(in) :: reals(*)
+  character(8), intent(in) :: texts(*)
   character(*), intent(in) :: message
-  if (lop /= -2) error stop 1
-  write (error_unit, '(a)') '***ERROR: ' // trim(message)
+  if (lop /= -2 .and. lop /= -1) error stop 1
+  write (error_unit, '(a)') trim(merge('***ERROR:  ', '***WARNING:', lop == -2)) // ' ' // trim(message)
 end subroutine xplb_abqerr
 
 subroutine xplb_exit

@@ -2,6 +2,8 @@
 ! against the law by another path, against differences, and inside Newton iterations.
 !
 ! usage: standard_host [unmade | surface | stiffness | depvar]    the argument provokes an error that must stop the analysis
+!        standard_host analyses FOLDER...    one analysis after another with the surface files of these folders; - for one that
+!                                            does not end before the next begins
 program standard_host
   use, intrinsic :: iso_c_binding
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
@@ -27,6 +29,10 @@ program standard_host
 
   time = 0
   call get_command_argument(1, provoked)
+  if (provoked == 'analyses') then
+    call analyses
+    stop
+  end if
   if (provoked /= 'unmade') call uexternaldb(0, 0, time, 0d0, 1, 0)
   select case (provoked)
   case ('unmade')
@@ -56,6 +62,36 @@ program standard_host
   end select
 
 contains
+
+  ! Prints what both surfaces have at some pressures, in each analysis of this process.
+  subroutine analyses
+    use asperity_surfaces, only: UNIT_OF_FORCE, UNIT_OF_LENGTH
+    real(c_double), parameter :: MEGAPASCAL = 1e6_c_double * UNIT_OF_LENGTH**2 / UNIT_OF_FORCE
+    character(400) :: folder, next
+    real(c_double) :: tau(1), ddtddg(1, 1), ddtddp(1)
+    integer :: k, surface, lm
+    interface
+      integer(c_int) function chdir(path) bind(c)
+        import :: c_char, c_int
+        character(kind=c_char), intent(in) :: path(*)
+      end function chdir
+    end interface
+    do k = 2, command_argument_count()
+      call get_command_argument(k, folder)
+      if (folder == '-') cycle
+      if (chdir(trim(folder) // c_null_char) /= 0) error stop 1
+      call uexternaldb(0, 0, time, 0d0, 1, 0)
+      do surface = 1, 2
+        call ask_fric_coef(dble(surface), [0.5_c_double * MEGAPASCAL], 1, mu, slope, untouched)
+        lm = 0
+        tau = 0
+        call point(1, surface, STIFFNESS, 0.5_c_double * MEGAPASCAL, [1d3], lm, tau, ddtddg, ddtddp)
+        write (*, '(i2, 3es24.15)') surface, mu, slope * MEGAPASCAL, tau / MEGAPASCAL
+      end do
+      call get_command_argument(k + 1, next)
+      if (next /= '-') call uexternaldb(3, 0, time, 0d0, 1, 9)
+    end do
+  end subroutine analyses
 
   ! mu(p) and its slope, in blocks, against the patch.
   subroutine coefficients
@@ -630,8 +666,8 @@ subroutine stdb_abqerr(lop, message, integers, reals, texts)
   character(*), intent(in) :: message
   double precision, intent(in) :: reals(*)
   character(8), intent(in) :: texts(*)
-  if (lop /= -2) error stop 1
-  write (error_unit, '(a)') '***ERROR: ' // trim(message)
+  if (lop /= -2 .and. lop /= -1) error stop 1
+  write (error_unit, '(a)') trim(merge('***ERROR:  ', '***WARNING:', lop == -2)) // ' ' // trim(message)
 end subroutine stdb_abqerr
 
 subroutine xit

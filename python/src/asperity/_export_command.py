@@ -48,7 +48,7 @@ def add(commands: Any) -> None:
         "--length-unit", type=float, default=1.0, metavar="M", help="unit of lengths in m: 1e-3 for mm (%(default)g)"
     )
     command.add_argument(
-        "--stiffness", action="store_true", help="also pressure against overclosure and elastic slip: abaqus; calculix always does"
+        "--stiffness", action="store_true", help="also pressure against overclosure and elastic slip: abaqus; calculix always"
     )
     command.add_argument(
         "--conductivity",

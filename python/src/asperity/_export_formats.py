@@ -13,8 +13,8 @@ Rows = List[Tuple[str, str]]
 
 
 class Contact(NamedTuple):
-    """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, in the middle and at the
-    highest; normal compliance; conductance."""
+    """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, in the middle and at
+    the highest; normal compliance; conductance."""
 
     stiffness: Optional[Tuple[Stiffness, Stiffness, Stiffness]] = None
     overclosure: Optional[Overclosure] = None
@@ -22,7 +22,7 @@ class Contact(NamedTuple):
 
 
 class _Table(NamedTuple):
-    """What a format may tell: rows of pressure and coefficient, units of pressure and length in Pa and m, a number for the table."""
+    """What a format may tell: rows of pressure and coefficient, units of pressure and length in Pa and m, the table's number."""
 
     name: str
     title: str
@@ -88,8 +88,8 @@ def _calculix(table: _Table) -> str:
         normal = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{middle.normal / table.pascal * table.metre:.9g}\n"
     return (
         f"** {table.title}\n"
-        f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {middle.friction:.4g} in the middle, {high.friction:.4g} "
-        f"at the highest.\n{table.slips()}{normal}*FRICTION\n{middle.friction:.9g}, {stick:.9g}\n"
+        f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {middle.friction:.4g} in the middle, "
+        f"{high.friction:.4g} at the highest.\n{table.slips()}{normal}*FRICTION\n{middle.friction:.9g}, {stick:.9g}\n"
         f"{table.conductance('*GAP CONDUCTANCE')}"
     )
 
