@@ -1,4 +1,5 @@
-/* A box that slides down an incline, for programs in C and C++: hosts/incline.py says what it is. The program defines HOST. SI units. */
+/* A box that slides down an incline, for programs in C and C++: hosts/incline.py says what it is. The program defines HOST. SI
+ * units. */
 #ifndef HOSTS_INCLINE_H
 #define HOSTS_INCLINE_H
 

@@ -4,7 +4,8 @@
 # `import asperity.mujoco` does the same.
 #
 # usage: hosts/mujoco/build.sh [PREFIX]
-# PREFIX: where the library is installed (PREFIX/lib/pkgconfig/asperity.pc); no cargo is needed. Without it cargo builds the library.
+# PREFIX: where the library is installed (PREFIX/lib/pkgconfig/asperity.pc); no cargo is needed.
+# Without it cargo builds the library.
 # MUJOCO=DIR has include/mujoco and the library, in it or in lib/, as MuJoCo's archives do; that of python3 unless given.
 # PLUGIN=FILE: libasperity_mujoco.so here with PREFIX, in target/release without.
 set -euo pipefail
