@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 runs=${RUNS:-5}
 log=$(realpath -m "${CARGO_TARGET_DIR:-target}")/hosts/costs.txt
 mkdir -p "$(dirname "$log")"
-[ $# -gt 0 ] || set -- ode mujoco dart siconos lammps simbody exudyn getfem
+[ $# -gt 0 ] || set -- mujoco lammps
 
 echo "$(date -u +%Y-%m-%d), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores," \
     "load average $(cut -d' ' -f1 /proc/loadavg); medians of $runs runs (least to greatest)"

@@ -1,4 +1,5 @@
-# Read by the run.sh of each host, which is then in the root of the tree. The last line of a host is HOST  PASS or FAIL, and what was found.
+# Read by the run.sh of each host, which is then in the root of the tree. The last line of a host is HOST  PASS or FAIL, and what
+# was found.
 # shellcheck shell=bash
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -7,6 +7,7 @@ at that load. The box lies on a plane, and gravity is inclined.
 import math
 
 import asperity
+import verdict
 from surface import demand, surface
 
 MASS, GRAVITY, ANGLE, AREA = 1.0, 9.81, math.radians(24), 1e-4
@@ -17,9 +18,10 @@ TIME_CONSTANT = 0.02  # of the mean of the loads [s]
 LIMIT = 0.05
 
 
-def law():
-    """The law of the box on the incline, checked from a half to twice the load."""
-    model = asperity.Model(surface(AREA))
+def law(work_of_adhesion=None):
+    """The law of the box on the incline, checked from a half to twice the load; of another surface with a work of adhesion."""
+    params = surface(AREA)
+    model = asperity.Model(params if work_of_adhesion is None else params.replace(work_of_adhesion=work_of_adhesion))
     demand(model, MASS * NORMAL / 2, MASS * NORMAL * 2)
     return model
 
@@ -35,9 +37,19 @@ def acceleration(times, speeds):
     return sum((t - mean_t) * (v - mean_v) for t, v in points) / sum((t - mean_t) ** 2 for t, _ in points)
 
 
-def judge(mean, right, lagged=None):
-    """The verdict. The lagged load, where given, must miss: else the test would show nothing."""
-    error = abs(mean / right - 1)
-    good = error <= LIMIT and (lagged is None or abs(lagged / right - 1) > LIMIT)
-    missed = "" if lagged is None else f"; {lagged:.3f} at the load of the step before"
-    return good, f"box on an incline: {mean:.3f} in place of {right:.3f} m/s2, {error:.1e} (limit {LIMIT:g}){missed}"
+def run(host, slide, lagged=None, limit=LIMIT):
+    """The verdict on the accelerations that `slide` gives for the laws of two surfaces, one after the other in one process. `lagged`,
+    with the load of the step before, must miss: else the test would show nothing."""
+
+    def main():
+        worst, found = 0.0, []
+        for of_surface in (law(), law(work_of_adhesion=0.02)):
+            right, mean = right_acceleration(of_surface), slide(of_surface)
+            worst = max(worst, abs(mean / right - 1)) if mean == mean else mean
+            found.append(f"{mean:.3f} in place of {right:.3f}")
+        late = lagged and lagged(law())
+        good = worst <= limit and (not lagged or abs(late / right_acceleration(law()) - 1) > limit)
+        missed = f"; {late:.3f} at the load of the step before" if lagged else ""
+        return good, f"box on an incline: {', '.join(found)} m/s2, {worst:.1e} (limit {limit:g}){missed}"
+
+    verdict.run(host, main)

@@ -1,4 +1,4 @@
-/* How a host's program in C fails: with one line that says so, and with status 1; and calls whose failure is a verdict.
+/* How a host's program in C or C++ fails: with one line that says so, and with status 1; and calls whose failure is a verdict.
  * The program defines HOST, the host's name, and _GNU_SOURCE. */
 #ifndef HOSTS_VERDICT_H
 #define HOSTS_VERDICT_H
@@ -10,7 +10,7 @@
 
 #include "surface.h"
 
-static inline _Noreturn void fail(const char *format, ...) {
+__attribute__((noreturn)) static inline void fail(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     printf(HOST "  FAIL  ");
@@ -38,7 +38,8 @@ static inline asperity_model *law_of_contact(void) {
 }
 
 static inline double exact_mu(const asperity_model *model, double load) {
-    asperity_state state = {.struct_size = sizeof state};
+    asperity_state state;
+    state.struct_size = sizeof state;
     if (asperity_state_at_load(model, load, &state) != ASPERITY_OK) fail("no exact state at %g N", load);
     return state.friction_coefficient;
 }

@@ -11,7 +11,6 @@ from asperity.loads import PairLoads
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 import incline  # noqa: E402
-import verdict  # noqa: E402
 
 STEP = 1 / 120  # [s]; in shorter ones the box comes to lie still on its points
 
@@ -51,11 +50,6 @@ def slide(law, time_constant):
     return incline.acceleration(times, speeds)
 
 
-def main():
-    law = incline.law()
-    pybullet.connect(pybullet.DIRECT)
-    return incline.judge(slide(law, incline.TIME_CONSTANT), incline.right_acceleration(law), lagged=slide(law, None))
-
-
 if __name__ == "__main__":
-    verdict.run("bullet", main)
+    pybullet.connect(pybullet.DIRECT)
+    incline.run("bullet", lambda law: slide(law, incline.TIME_CONSTANT), lagged=lambda law: slide(law, None), limit=0.03)

@@ -1,14 +1,7 @@
 #!/usr/bin/env bash
 # Runs Debian's CalculiX on a block with the exported contact; the last line says PASS or FAIL.
-set -euo pipefail
-cd "$(dirname "$0")/../.."
-
-fail() {
-    echo "calculix  FAIL  $*"
-    exit 1
-}
 # shellcheck source=hosts/environment.sh
-. hosts/environment.sh
+. "$(dirname "$0")/../environment.sh"
 command -v ccx >/dev/null || fail "CalculiX is missing: apt-get install calculix-ccx"
 library
 packages calculix numpy

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs DART, runs the sled; the last line says PASS or FAIL.
+# Installs DART, runs the box on an incline; the last line says PASS or FAIL.
 # shellcheck source=hosts/environment.sh
 . "$(dirname "$0")/../environment.sh"
-example sled.py dartpy==6.20.0 numpy
+example incline.py dartpy==6.20.0 numpy

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs Exudyn, runs the stick-slip oscillator; the last line says PASS or FAIL.
+# Installs Exudyn, runs the box on an incline; the last line says PASS or FAIL.
 # shellcheck source=hosts/environment.sh
 . "$(dirname "$0")/../environment.sh"
-example stick_slip.py exudyn==1.13.6 scipy
+example incline.py exudyn==1.13.6 numpy

@@ -106,7 +106,8 @@ def shared_incline():
     """What the step before, the line and the mean give on the incline of all hosts [m/s2]."""
     law = incline.law()
     right = incline.right_acceleration(law)
-    for name, time_constant in (("right", None), ("the load of the step before", 1e-9), ("the line", 0), ("the mean", 0.02), ("default", "")):
+    cases = {"right": None, "the load of the step before": 1e-9, "the line": 0, "the mean": 0.02, "default": ""}
+    for name, time_constant in cases.items():
         error = 0 if time_constant is None else slide(
             law, math.degrees(incline.ANGLE), text=law.params._as_text(), impratio=1, config=key("time_constant", time_constant)
         )  # fmt: skip

@@ -4,9 +4,10 @@
 # `import asperity.mujoco` does the same.
 #
 # usage: hosts/mujoco/build.sh [PREFIX]
-# PREFIX: where the library is installed (PREFIX/lib/pkgconfig/asperity.pc); no cargo is needed. Without it cargo builds the library.
+# PREFIX: where the library is installed (PREFIX/lib/pkgconfig/asperity.pc); no cargo is needed.
+# Without it cargo builds the library.
 # MUJOCO=DIR has include/mujoco and the library, in it or in lib/, as MuJoCo's archives do; that of python3 unless given.
-# PLUGIN=FILE: libasperity_mujoco.so here with PREFIX, in target/release without.
+# OUTPUT=FILE: libasperity_mujoco.so here with PREFIX, in target/release without.
 set -euo pipefail
 fail() {
     echo "hosts/mujoco/build.sh: $*" >&2
@@ -30,10 +31,10 @@ if [ $# -gt 0 ]; then
     flags=$(pkg-config --cflags asperity)
     library=$(pkg-config --variable=libdir asperity)/libasperity.a
     libraries=$(pkg-config --static --libs-only-l asperity | sed 's/-lasperity//')
-    plugin=$(realpath -m "${PLUGIN:-libasperity_mujoco.so}")
+    plugin=$(realpath -m "${OUTPUT:-libasperity_mujoco.so}")
 else
     flags=-Iinclude library=$target/release/libasperity.a libraries="-lm -lpthread -ldl"
-    plugin=$(realpath -m "${PLUGIN:-$target/release/libasperity_mujoco.so}")
+    plugin=$(realpath -m "${OUTPUT:-$target/release/libasperity_mujoco.so}")
 fi
 cd "$root"
 [ $# -gt 0 ] || { cmake/check_rust.sh && cargo build --quiet --release --locked -j1; }

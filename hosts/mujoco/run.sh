@@ -5,10 +5,10 @@
 packages mujoco mujoco==4.0.0
 MUJOCO=$(echo "$environment"/lib/python3*/site-packages/mujoco)
 export MUJOCO
-PLUGIN=$build/libasperity_mujoco.so hosts/mujoco/build.sh || fail "the plugin does not build"
+OUTPUT=$build/libasperity_mujoco.so hosts/mujoco/build.sh || fail "the plugin does not build"
 # On a cluster: an installed library, and neither cargo nor a variable that names its folder.
 make install PREFIX="$build/prefix" >"$build/install.log" 2>&1 || fail "make install: $build/install.log"
-(cd "$build" && env -i PATH=/usr/bin:/bin MUJOCO="$MUJOCO" PLUGIN=installed.so "$root/hosts/mujoco/build.sh" prefix) ||
+(cd "$build" && env -i PATH=/usr/bin:/bin MUJOCO="$MUJOCO" OUTPUT=installed.so "$root/hosts/mujoco/build.sh" prefix) ||
     fail "the plugin does not build against an installed library"
 
 # MuJoCo writes its messages to a file where it runs; the plugin that Python makes is kept with them.

