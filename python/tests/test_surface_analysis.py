@@ -165,12 +165,14 @@ def test_a_bandwidth_beyond_the_validation_is_said(plain: Array, monkeypatch: py
         (np.ones((64, 64)), {}, "not usable because map: constant at 1.0: must be rough"),
         (np.where(np.arange(4096).reshape(64, 64) % 3, np.nan, 1e-9 * np.arange(64)), {}, "not usable because map: .* are missing: at most half"),
         (1e-9 * np.arange(25.0).reshape(5, 5) ** 2, {}, "not usable because map: 5 x 5 points, .*too small for the shortest cutoff"),
+        (1e-9 * np.random.default_rng(0).normal(size=(4, 60)), {}, "not usable because map: 4 x 60 points, .*too small"),
+        (1e-9 * np.random.default_rng(0).normal(size=(4, 60)), {"detrend": 3}, "not usable because map: detrend = 3"),
         (np.ones((1, 400)), {}, r"not usable because map: has shape \(1, 400\): must be 2-D, with at least 3 rows"),
         (np.full((64, 64), np.nan), {}, "not usable because map: without a known height"),
         (5 * GaussianSurface(64, 8).map(0), {"dx": 20.0}, "not usable because units: the map is .* m long .*: give heights and distances in metres"),
         ((1e3 * GaussianSurface(64, 8).map(0)).astype(np.int16), {}, "not usable because units: heights range over .* m"),
     ],
-    ids=["constant", "missing", "tiny", "one row", "nothing", "nanometres", "counts"],
+    ids=["constant", "missing", "tiny", "few rows", "degree", "one row", "nothing", "nanometres", "counts"],
 )
 def test_a_map_that_is_none_is_not_usable(height: Array, given: dict[str, Any], verdict: str) -> None:
     import re

@@ -302,7 +302,7 @@ def _cleaned(
     ny, nx = level.shape
     steps.append(f"form: polynomial of degree {detrend} removed from {ny} x {nx} points")
     m0 = float(np.var(level))
-    for higher in range(detrend + 1, min(detrend + _FORM_DEGREE, MOST_DEGREE) + 1):
+    for higher in range(detrend + 1, min(detrend + _FORM_DEGREE, MOST_DEGREE, min(level.shape) - 2) + 1):
         rest = without_polynomial(level, higher)
         if np.var(rest) < (1 - _FORM) * m0:
             height = float(np.ptp(level - rest))

@@ -94,7 +94,7 @@ def clean(
     """
     given = checked(height_map, dx, dy, missing=True)
     raw, recorded = given.height_map, given.height_map if given.recorded is None else given.recorded
-    degree(detrend)
+    degree(detrend, raw.shape)
     tell = teller(progress, raw.size > LARGE)
     bad = np.isnan(raw)
     missing = int(bad.sum())
