@@ -142,7 +142,7 @@ def test_text_is_read_however_it_is_written(tmp_path: Path, sep: str, encoding: 
     (tmp_path / "map.txt").write_bytes(("# Größe\n" + text).encode(encoding))
     found = surface.read(tmp_path / "map.txt", **NM)
     np.testing.assert_allclose(found.height_map, 1e-9 * z, rtol=1e-12)
-    assert (found.dx, found.dy, found.channels) == (pytest.approx(1e-9), pytest.approx(1e-9), ("Default",))
+    assert (found.dx, found.dy) == pytest.approx((1e-9, 1e-9)) and found.channels == ("Default",)
 
 
 @pytest.mark.parametrize("word", ["---", "--", "N/A", "null", "***", "BAD", "nan", "missing"])

@@ -191,7 +191,7 @@ def _in_metres(name: str, channel: Any, channels: list[Any], unit: str | None, s
     wrong = None
     if channel.physical_sizes is not None and sizes is not None:  # which the library refuses, unless those of the file are wrong
         found = of_topography(channel.topography(**({} if unit is None else {"unit": unit})))
-        wrong = _implausible(found)
+        wrong = implausible(found)
     if wrong is not None and sizes is not None:
         rows, columns = found.height_map.shape
         heights, dx, dy = found.height_map, sizes[0] / columns, sizes[1] / rows
@@ -199,12 +199,12 @@ def _in_metres(name: str, channel: Any, channels: list[Any], unit: str | None, s
         given = {"unit": unit, "physical_sizes": sizes}
         heights, dx, dy = of_topography(channel.topography(**{key: value for key, value in given.items() if value is not None}))
     result = HeightMap(heights, dx, dy, None, str(channel.name), tuple(str(one.name) for one in channels))
-    if (wrong := _implausible(result)) is not None:
+    if (wrong := implausible(result)) is not None:
         raise _Said(f"{name}: {wrong}")
     return result
 
 
-def _implausible(found: HeightMap) -> str | None:
+def implausible(found: HeightMap) -> str | None:
     """What of the sizes of a map no map has, in words."""
     rows, columns = found.height_map.shape
     for axis, side in (("x", columns * found.dx), ("y", rows * found.dy)):
@@ -258,7 +258,7 @@ def _of_points(name: str, points: Array, unit: str | None) -> HeightMap:
     heights = np.full((row.max() + 1, column.max() + 1), np.nan)
     heights[row, column] = z
     found = HeightMap(heights, dx, dy, None, "points", ("points",))
-    if (wrong := _implausible(found)) is not None:
+    if (wrong := implausible(found)) is not None:
         raise _Said(f"{name}: {wrong}")
     return found
 

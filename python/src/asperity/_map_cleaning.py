@@ -94,7 +94,7 @@ def clean(
     """
     given = checked(height_map, dx, dy, missing=True)
     raw, recorded = given.height_map, given.height_map if given.recorded is None else given.recorded
-    degree(detrend)
+    degree(detrend, raw.shape)
     tell = teller(progress, raw.size > LARGE)
     bad = np.isnan(raw)
     missing = int(bad.sum())
@@ -142,11 +142,16 @@ def clean(
     )
 
 
-def _filling(bad: Mask) -> str:
-    """What filling does to the summits."""
+def holes(bad: Mask) -> bool:
+    """Whether points that are filled are mostly in holes: have no known neighbour along rows and columns."""
     whole = np.pad(bad, 1)
     inner = bad & whole[:-2, 1:-1] & whole[2:, 1:-1] & whole[1:-1, :-2] & whole[1:-1, 2:]
-    if 2 * inner.sum() > bad.sum():
+    return bool(2 * inner.sum() > bad.sum())
+
+
+def _filling(bad: Mask) -> str:
+    """What filling does to the summits."""
+    if holes(bad):
         return "holes have no summits, so the density is low by as much; crop the map to what was measured"
     return (
         "single points beside known ones make summits of their neighbours, so the density may be high by as much; filter the map "

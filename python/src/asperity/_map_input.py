@@ -69,8 +69,10 @@ def length(name: str, value: Any) -> float:
     return length
 
 
-def degree(detrend: Any) -> int:
-    """The degree of the polynomial that is taken away."""
+def degree(detrend: Any, shape: tuple[int, ...] = (MOST_DEGREE + 2,)) -> int:
+    """The degree of the polynomial that is taken away from a map."""
     if isinstance(detrend, bool) or detrend not in range(MOST_DEGREE + 1):
         raise ValueError(f"detrend = {detrend!r}: must be a whole number from 0 to {MOST_DEGREE}")
+    if detrend > min(shape) - 2:
+        raise ValueError(f"detrend = {detrend}: is too high for a map of {' x '.join(map(str, shape))} points")
     return int(detrend)

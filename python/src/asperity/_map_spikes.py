@@ -15,6 +15,8 @@ _FACTOR, _LOCAL_FACTOR = 10.0, 5.0
 MOST = 0.01
 # Heights over the median beside what is usual: of a particle's top and of its foot. The highest of 10^7 normal points is 5.3.
 _PARTICLE, _FOOT = 8.0, 3.0
+# More than this part of the map is no dust.
+_MOST_DUST = 0.05
 # The usual difference of a point from the median around it is that of so many points, which are looked at at a time.
 _SAMPLES = 20_000
 # Of a normal distribution: its standard deviation over the median of the magnitude.
@@ -61,7 +63,7 @@ def particles(level: Array) -> tuple[Mask, int]:
         return nothing, 0
     # A point more on all sides, for the foot.
     found = binary_dilation(np.isin(number, high), np.ones((3, 3)))
-    return (nothing, 0) if found.mean() > MOST else (found, int(high.size))
+    return (nothing, 0) if found.mean() > _MOST_DUST else (found, int(high.size))
 
 
 def _from_neighbours(level: Array) -> Array:

@@ -12,7 +12,7 @@ from ._map_steps import Steps
 Array = npt.NDArray[np.float64]
 
 # Isotropic surfaces of some hundred summits have 0.85 and more.
-_ISOTROPIC = 0.5
+ISOTROPIC = 0.5
 # Of white noise the mean square of second differences is the same over one point and over two; of waves of a few points it
 # grows faster the longer the distance, of smooth surfaces 16-fold, of rough ones as a power. Noise on any of these grows
 # less from one point to two than from two to four, by this factor, or not at all.
@@ -81,7 +81,7 @@ def remarks(
             f"neighbouring points differ as by noise of {deviation:.2g} (summits: sigma {height_std:.2g}), which adds "
             "summits: call surface.filter to remove it, and surface.cutoffs to find the cutoff"
         )
-    if isotropy < _ISOTROPIC:
+    if isotropy < ISOTROPIC:
         said.append(
             f"isotropy {isotropy:.2f}: the surface has grooves or another direction, and a model with one radius for a "
             "summit does not hold"

@@ -63,7 +63,7 @@ def summits(
     tell = teller(progress, raw.size > LARGE)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
         tell(0.0, f"levelling {raw.shape[0]} x {raw.shape[1]} points")
-        level = without_polynomial(raw, degree(detrend))
+        level = without_polynomial(raw, degree(detrend, raw.shape))
         if np.ptp(level) <= 1e4 * np.finfo(float).eps * max(abs(raw.min()), abs(raw.max())):
             raise ValueError("height_map: flat but for rounding: must be rough, beyond what detrend takes away")
         tell(0.2, "looking for summits")

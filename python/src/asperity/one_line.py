@@ -73,7 +73,7 @@ def friction(
         raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
     if not 0 < coverage < 1:
         raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
-    given = dict(_of_pair(pair)) | {"nominal_area": nominal_area, "coverage": coverage} | surface
+    given = dict(of_pair(pair)) | {"nominal_area": nominal_area, "coverage": coverage} | surface
     try:
         found = estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
     except Error as error:
@@ -85,7 +85,7 @@ def friction(
     return found
 
 
-def _of_pair(pair: str | Pair) -> Iterator[tuple[str, Any]]:
+def of_pair(pair: str | Pair) -> Iterator[tuple[str, Any]]:
     """The keys of a pair: its name, and the numbers that are not those of the library."""
     if isinstance(pair, str):
         yield "pair", pair

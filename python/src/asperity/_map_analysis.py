@@ -1,0 +1,419 @@
+"""From a measured map to a friction coefficient and a verdict on the map, in one call."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, field
+from statistics import NormalDist
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _map_warnings
+from ._instrument_files import HeightMap, implausible
+from ._map_cleaning import Cleaned, clean, holes
+from ._map_cutoffs import Cutoffs, table
+from ._map_filter import filter, noise_slope
+from ._map_input import MOST_DEGREE, checked, degree, length
+from ._map_rows import offsets
+from ._map_spikes import particles, spikes as spikes_of
+from ._progress import Progress
+from ._summit_search import without_polynomial
+from ._summit_statistics import summits
+from ._summits import Summits
+from ._surface_text import literal, text_of, without_line
+from .errors import Error
+from .estimate import Estimate, estimate
+from .materials import Pair
+from .one_line import of_pair
+from .params import Params, counted_of, moments_of
+from .results import Warnings
+
+FAMILIES = ("gaussian", "weibull", "johnson", "tabulated")
+
+# A polynomial that takes this part of the mean square away is the form of the specimen. On pieces of self-affine surfaces of Hurst
+# exponents 0.8 and 1 one of degree 2 takes at most 0.74 (40 surfaces each), and one of degree 5 at most 0.93, so that is not tried.
+_FORM, _FORM_DEGREE = 0.9, 2
+# Filtered with 6 points a wave, maps of which fewer neighbours have one height have slopes within 3 %; at 0.9 they are 15 % off.
+_EQUAL = 0.8
+_MISSING = 0.05
+# Noise with this part of the mean square slope; with a third of it friction is 9 % too low.
+_NOISE = 0.1
+# Boundary elements were computed up to here (docs/validation.md).
+_BANDWIDTH = 300.0
+# Spectra as narrow as this have summits that theory of moments does not know; fewer waves a side are no statistics.
+_NARROW, _WAVES = 3.0, 8.0
+# Counted summits of broader spectra stand on each other, and have too little area.
+_BROAD = 6.0
+# Summits whose families of heights give friction that differs by more than this factor are not described by any of them.
+_FAMILY = 1.5
+# More than this either way, at 95 %, is no number.
+_LOST = 3.0
+# What `check` says of the interface, which the band has; and what the map's own findings say better.
+_SAID = Warnings.UNCALIBRATED | Warnings.STRONG | Warnings.FEW_WAVES
+
+
+class Finding(NamedTuple):
+    """What speaks against a map.
+
+    Attributes:
+        kind: "form", "rows", "spikes", "missing", "steps", "dust", "noise", "direction", "waves", "bandwidth", "heights", "cutoff",
+            "contact", "friction" or "map".
+        says: what is wrong.
+        remedy: what to do about it.
+        fatal: whether no friction coefficient of this map can be used.
+    """
+
+    kind: str
+    says: str
+    remedy: str
+    fatal: bool = False
+
+    def __str__(self) -> str:
+        return f"{self.kind}: {self.says}: {self.remedy}"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Analysis:
+    """What a map says of friction, and whether to believe it. `print(analysis)` says all of it.
+
+    Attributes:
+        load: the load [N].
+        value: friction coefficient; NaN if none could be computed.
+        low: lower end of the band: strength of the interface, and `spread` of the map.
+        high: upper end.
+        coverage: probability of the band.
+        spread: standard deviations of ln(mu) of the map alone, by "sampling" (one map of the surface), "cutoffs" and "heights".
+        findings: what speaks against the map, each with its remedy; empty if it is usable.
+        steps: what was done, in order.
+        families: friction coefficient by the family of the heights of counted summits; NaN where the family has none such.
+        counted: whether friction is that of the counted summits, not of the moments.
+        cleaned: the map without form, offsets of lines, spikes and holes; None if it could not be.
+        cutoffs: friction against the cutoff of the S-filter; None likewise.
+        summits: of the filtered map; None likewise.
+        estimate: friction as `asperity.friction` gives it, whose band has only the strength of the interface; None likewise.
+        params: the surface, for `Model`; None likewise.
+    """
+
+    load: float
+    value: float = math.nan
+    low: float = math.nan
+    high: float = math.nan
+    coverage: float = 0.95
+    spread: dict[str, float] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+    steps: tuple[str, ...] = ()
+    families: dict[str, float] = field(default_factory=dict)
+    counted: bool = False
+    cleaned: Cleaned | None = None
+    cutoffs: Cutoffs | None = None
+    summits: Summits | None = None
+    estimate: Estimate | None = None
+    params: Params | None = None
+
+    @property
+    def usable(self) -> bool:
+        """Whether nothing speaks against the map."""
+        return not self.findings
+
+    @property
+    def verdict(self) -> str:
+        """ "usable", "usable if ..." or "not usable because ...", each with remedies."""
+        if not self.findings:
+            return "usable"
+        fatal = [one for one in self.findings if one.fatal]
+        if fatal:
+            return f"not usable because {'; and '.join(map(str, fatal))}"
+        return f"usable if {'; and if '.join(map(str, self.findings))}"
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __repr__(self) -> str:
+        lines = [*self.steps]
+        if math.isfinite(self.value):
+            band = f"{self.coverage:.0%} band {self.low:.3g} to {self.high:.3g}"
+            parts = ", ".join(f"{name} {deviation:.0%}" for name, deviation in self.spread.items())
+            lines.append(f"friction: mu({self.load:g} N) = {self.value:.3g}, {band}; of the map: {parts}")
+        return "\n".join([*lines, f"verdict: {self.verdict}"])
+
+
+def analyse(
+    height_map: Any,
+    load: float,
+    dx: float | None = None,
+    dy: float | None = None,
+    *,
+    pair: str | Pair | None = None,
+    nominal_area: float | None = None,
+    detrend: int = 1,
+    rows: bool | None = None,
+    spikes: bool = True,
+    dust: bool = False,
+    cutoff: float | None = None,
+    longest: float | None = None,
+    counted: bool | None = None,
+    coverage: float = 0.95,
+    progress: Progress = None,
+    **surface: Any,
+) -> Analysis:
+    """A friction coefficient with its band, and a verdict: from a map as the instrument gave it, in SI units.
+
+    >>> analysis = surface.analyse(surface.read("scan.gwy"), 1e-3, pair="Si/Si")
+    >>> print(analysis)
+
+    In this order: form is removed (`detrend`), lines of the scan aligned, spikes replaced until there are none, missing points filled,
+    steps of the heights looked for, waves longer than `longest` and shorter than the recommended cutoff filtered away, isotropy
+    looked at, and friction computed: from the mean squares of heights and slopes, or from the summits, one by one, where the spectrum is
+    narrow, with a bandwidth below 3, or below 6 with less than 8 waves a side. Where summits yield, the contact law is elastic-plastic, as in `asperity.friction`. The band has the
+    strength of the interface, what another map of the surface would give, cutoffs from half to twice the one taken, and the
+    families of the heights of summits.
+
+    Args:
+        height_map: as for `clean`, in metres.
+        load: normal load > 0 [N], of the nominal area.
+        dx: distance of columns [m], where the map has none.
+        dy: distance of rows; by default dx.
+        pair: of materials, as for `asperity.friction`; or their numbers in `surface`: `E1`, `nu1`, ...
+        nominal_area: of the contact [m^2]; by default that of the map.
+        detrend: degree of the polynomial that is taken for the form, 0 to 8.
+        rows: whether lines of the scan are aligned; by default if they are offset.
+        spikes: whether spikes are replaced.
+        dust: whether particles are replaced.
+        cutoff: of the S-filter [m]; by default the recommended one.
+        longest: of the L-filter [m]: longer waves are removed; by default none.
+        counted: whether friction is that of the counted summits.
+        coverage: probability of the band, between 0 and 1.
+        progress: as for `summits`.
+        **surface: keys of surface files but for the roughness: `measured`, `interface`, `hardness`, `work_of_adhesion`, ...
+
+    Raises:
+        ValueError: a load, degree or coverage that cannot be, or what the library refuses of `surface`. What is wrong with the map is
+            in the findings.
+        TypeError: no real numbers; distances missing, or given twice.
+        ImportError: SciPy is not installed.
+    """
+    load = length("load", load)
+    degree(detrend)
+    if not 0 < coverage < 1:
+        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
+    # What the map cannot be blamed for is refused at once, of a plain surface.
+    given = {} if pair is None else dict(of_pair(pair))
+    given |= {"coverage": coverage} | surface
+    _estimate(given | {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, 1e5, coverage)
+    steps: list[str] = []
+    findings: list[Finding] = []
+
+    def stopped(error: ValueError, kind: str = "map", **more: Any) -> Analysis:
+        says = str(error).removeprefix("height_map: ")
+        says, _, remedy = says.partition(": ")
+        last = Finding(kind, says, remedy or "measure a larger or finer map", True)
+        return Analysis(load, coverage=coverage, findings=(*findings, last), steps=tuple(steps), **more)
+
+    try:
+        raw = checked(height_map, dx, dy, missing=True)
+        if (wrong := implausible(raw)) is not None:
+            return stopped(ValueError(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
+        cleaned = _cleaned(raw, detrend, rows, spikes, dust, progress, steps, findings)
+    except ValueError as error:
+        return stopped(error)
+    map_ = cleaned.map
+    area = nominal_area or map_.height_map.size * map_.dx * map_.dy
+    given["nominal_area"] = area
+    try:
+        if longest is not None:
+            map_ = filter(map_, longest=longest)
+            steps.append(f"L-filter: waves longer than {longest:.3g} m removed")
+
+        def of_moments(left: Summits) -> tuple[Params, float]:
+            return _params(given | moments_of(left), load, coverage)
+
+        found = table(map_, load, None if cutoff is None else [cutoff], of_moments, progress)
+    except ValueError as error:
+        return stopped(error, cleaned=cleaned)
+    left = found.summits[found.at]
+    assert left is not None
+    steps.append(f"S-filter: cutoff {found.cutoff[found.at]:.3g} m, {found.cutoff[found.at] / found.step:.3g} points, {left.count} summits")
+    waves = math.sqrt(map_.height_map.size * map_.dx * map_.dy) / (2 * math.pi * math.sqrt(left.moments.m0 / left.moments.m2))
+    _judged(left, found, waves, cleaned, steps, findings)
+    bandwidth = left.moments.bandwidth
+    taken = bandwidth < _NARROW or (waves < _WAVES and bandwidth < _BROAD) if counted is None else counted
+
+    families = {name: _friction_of(given | counted_of(left, name), load, coverage) for name in FAMILIES}
+    try:
+        number = _estimate(given | (counted_of(left, "gaussian") if taken else moments_of(left)), load, coverage)
+    except ValueError as error:
+        return stopped(error, "friction", cleaned=cleaned, cutoffs=found, summits=left, families=families)
+    by = "counted summits" if taken else "moments"
+    steps.append(f"by {by}: bandwidth {bandwidth:.3g}, {waves:.2g} waves a side")
+    steps.append("heights: " + ", ".join(f"{name} {mu:.3g}" for name, mu in families.items()))
+    steps.append("contact: elastic-plastic" if _yields(number) else "contact: elastic, with adhesion")
+    spread = _spread(given, load, coverage, left, found, families, taken, float(number))
+    if not any(one.kind == "dust" for one in findings):
+        _judged_heights(left, families, findings)
+    failing = (number.warnings & ~(_SAID if nominal_area is None else _SAID & ~Warnings.FEW_WAVES)).kinds
+    reason = found.reasons[found.at]
+    if found.recommended is None and cutoff is None and reason not in [kind.description for kind in failing]:
+        says, _, remedy = reason.partition(": ")
+        findings.append(Finding("cutoff", f"none is recommended, {says}", remedy or "take another load or map"))
+    for kind in failing:
+        says, _, remedy = kind.description.partition("; ")
+        findings.append(Finding("contact", says, remedy or "take another load"))
+    own = math.hypot(*spread.values())
+    if not math.exp(1.96 * own) < _LOST:
+        findings.append(
+            Finding(
+                "friction",
+                f"the map alone leaves mu within {float(number) * math.exp(-1.96 * own):.2g} to {float(number) * math.exp(1.96 * own):.2g}",
+                "measure friction once, and give measured=(load, coefficient)" if "measured" not in given else "measure a better map",
+                True,
+            )
+        )
+    reach = NormalDist().inv_cdf((1 + coverage) / 2)
+    strength = 0.0 if number.low is None else math.log(number.high / number.low) / 2
+    factor = math.exp(math.hypot(strength, reach * own))
+    value = float(number)
+    return Analysis(
+        load, value, value / factor, value * factor, coverage, spread, tuple(findings), tuple(steps), families, taken, cleaned, found, left,
+        number, _params(given | (counted_of(left, "gaussian") if taken else moments_of(left)), load, coverage)[0],
+    )  # fmt: skip
+
+
+def _cleaned(
+    raw: HeightMap, detrend: int, rows: bool | None, spikes: bool, dust: bool, progress: Progress, steps: list[str], findings: list[Finding]
+) -> Cleaned:
+    """The map without form, offsets, spikes and holes."""
+
+    def cleaned(spikes: bool) -> Cleaned:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", _map_warnings.MapWarning)
+            return clean(raw, detrend=detrend, rows=rows is not False, spikes=spikes, dust=dust, progress=progress)
+
+    try:
+        found = cleaned(spikes)
+    except ValueError as error:
+        if "too many for spikes" not in str(error):
+            raise
+        says = str(error).removeprefix("height_map: ").partition(":")[0]
+        findings.append(Finding("spikes", says, "if the surface is like that, give spikes=False; if not, measure again"))
+        found = cleaned(False)
+    level = found.map.height_map
+    ny, nx = level.shape
+    steps.append(f"form: polynomial of degree {detrend} removed from {ny} x {nx} points")
+    m0 = float(np.var(level))
+    for higher in range(detrend + 1, min(detrend + _FORM_DEGREE, MOST_DEGREE, min(level.shape) - 2) + 1):
+        rest = without_polynomial(level, higher)
+        if np.var(rest) < (1 - _FORM) * m0:
+            height = float(np.ptp(level - rest))
+            share = 1 - float(np.var(rest)) / m0
+            says = f"a polynomial of degree {higher}, {height:.2g} m high, has {share:.1%} of the mean square of the heights"
+            findings.append(Finding("form", says, f"give detrend={higher}"))
+            break
+    if found.offsets:
+        steps.append(f"rows: lines aligned, offsets of {found.offsets:.2g} m; if these are grooves give rows=False")
+    elif rows is False and offsets(level) is not None:
+        findings.append(Finding("rows", "lines of the scan are offset from each other", "give rows=True, unless these are grooves"))
+    steps.append(f"spikes: {found.spikes} replaced" if spikes else "spikes: left")
+    if not spikes and (count := int(spikes_of(level).sum())):
+        findings.append(Finding("spikes", f"{count} points stand out like spikes of an instrument", "give spikes=True"))
+    steps.append(f"missing: {found.missing} points filled")
+    if found.missing > _MISSING * level.size and holes(found.filled):
+        part = found.missing / level.size
+        findings.append(Finding("missing", f"{part:.0%} of the points are missing, in holes", "crop the map to what was measured"))
+    if dust:
+        steps.append(f"dust: {found.particles} particles replaced")
+    elif spikes and (count := particles(level)[1]) > 0:
+        says = f"places higher than 8 times what is usual in the map, {count} of them, carry the load"
+        findings.append(Finding("dust", says, "if they are dust, give dust=True; if not, measure friction once"))
+    if found.steps is not None:
+        steps.append(f"steps: heights are in steps of {found.steps.step:.2g} m, {found.steps.equal:.0%} of neighbours have one height")
+        if found.steps.equal > _EQUAL:
+            says = f"heights are in steps of {found.steps.step:.2g} m, coarser than the surface"
+            findings[:] = [one for one in findings if one.kind != "spikes"]  # the edges of steps
+            findings.append(Finding("steps", says, "measure with a finer range of heights"))
+    return found
+
+
+def _judged(left: Summits, found: Cutoffs, waves: float, cleaned: Cleaned, steps: list[str], findings: list[Finding]) -> None:
+    """What speaks against a filtered map."""
+    steps.append(f"isotropy: {left.isotropy:.2f}; Sq {left.rms_height} m, Sdq {left.rms_slope}")
+    cutoff = float(found.cutoff[found.at])
+    deviation = _map_warnings.noise(_map_warnings.differences(cleaned.map.height_map))
+    if deviation is not None:
+        steps.append(f"noise: of {deviation:.2g} m before the filter")
+        part = noise_slope(deviation, cutoff, left.dx, left.dy) / left.iso.Sdq**2
+        if part > _NOISE:
+            longer = cutoff * (part / _NOISE) ** 0.25
+            says = f"of {deviation:.2g} m, has {min(part, 1.0):.0%} of the mean square slope after the filter"
+            findings.append(Finding("noise", says, f"give cutoff={longer:.2g}, or average several scans"))
+    if left.isotropy < _map_warnings.ISOTROPIC:
+        says = f"isotropy {left.isotropy:.2f}: the surface has grooves, and the model one radius for a summit"
+        findings.append(Finding("direction", says, "compare with counted=True, and measure friction once in the direction of sliding"))
+    if waves < _WAVES:
+        findings.append(Finding("waves", f"only {waves:.2g} mean waves a side: one place is not like another", "measure a larger map"))
+    if left.moments.bandwidth > _BANDWIDTH:
+        says = f"bandwidth {left.moments.bandwidth:.4g}, where boundary elements reach {_BANDWIDTH:g}"
+        about = 20 * cutoff
+        findings.append(Finding("bandwidth", says, f"give longest={about:.2g} if waves longer than the contact do not matter, or detrend=2"))
+
+
+def _judged_heights(left: Summits, families: dict[str, float], findings: list[Finding]) -> None:
+    """Whether the heights of the summits are of a family."""
+    known = [mu for mu in families.values() if math.isfinite(mu)]
+    if len(known) > 1 and max(known) < _FAMILY * min(known):
+        return
+    among = f"mu is {', '.join(f'{mu:.2g} ({name})' for name, mu in families.items())}"
+    says = f"summits are not Gaussian, skew {left.skew.value:.2g}, kurtosis {left.kurtosis.value:.3g}, and {among}"
+    findings.append(Finding("heights", says, "measure friction once, and give measured=(load, coefficient); or look for dust and scratches"))
+
+
+def _spread(
+    given: dict[str, Any], load: float, coverage: float, left: Summits, found: Cutoffs, families: dict[str, float], taken: bool, mu: float
+) -> dict[str, float]:
+    """Standard deviations of ln(mu): rectangular over cutoffs and families."""
+    moments = moments_of(left)
+    parts = []
+    for height, slope in ((left.rms_height.error / left.rms_height.value, 0.0), (0.0, left.rms_slope.error / left.rms_slope.value)):
+        other = {
+            "m0": moments["m0"] * (1 + height) ** 2,
+            "m2": moments["m2"] * (1 + slope) ** 2,
+            "m4": moments["m4"] * (1 + slope) ** 4 / (1 + height) ** 2,
+        }
+        parts.append(math.log(_friction_of(given | other, load, coverage) / found.friction[found.at]))
+    known = [one for one in families.values() if math.isfinite(one) and one > 0]
+    low, high = found.spread
+    return {
+        "sampling": float(np.hypot(*np.nan_to_num(parts, nan=0.5))),
+        "cutoffs": math.log(high / low) / math.sqrt(12),
+        "heights": math.log(max(known) / min(known)) / math.sqrt(12) if known else 0.5,
+    }
+
+
+def _estimate(given: dict[str, Any], load: float, coverage: float) -> Estimate:
+    try:
+        return estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
+    except Error as error:
+        raise without_line(error) from None
+
+
+def _friction_of(given: dict[str, Any], load: float, coverage: float) -> float:
+    """NaN where the library has none."""
+    try:
+        return float(_estimate(given, load, coverage))
+    except ValueError:
+        return math.nan
+
+
+def _yields(number: Estimate) -> bool:
+    return any(one.startswith("asperities yield") for one in number.rests_on)
+
+
+def _params(given: dict[str, Any], load: float, coverage: float) -> tuple[Params, float]:
+    """The surface, with the contact law that the estimate takes, and friction."""
+    number = _estimate(given, load, coverage)
+    kept = {name: value for name, value in given.items() if name not in ("measured", "coverage")}
+    params = Params.from_text(text_of((name, literal(name, value)) for name, value in kept.items()))
+    if _yields(number):
+        params = params.replace(contact_law="elastic-plastic", work_of_adhesion=0.0)
+    return params, float(number)
