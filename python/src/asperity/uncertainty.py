@@ -215,9 +215,8 @@ def uncertainty(
 
         def draw() -> Array | None:
             at = random.multivariate_normal(x, before)
-            if fit is not None and not fit.knows_errors:
-                # Student's, as the scatter of the residuals is of so few.
-                at = x + (at - x) * math.sqrt(fit.degrees_of_freedom / random.chisquare(fit.degrees_of_freedom))
+            if fit is not None and fit.student is not None:
+                at = x + (at - x) * math.sqrt(fit.student / random.chisquare(fit.student))
             by_measurement, luck = random.normal(0, params.calibration_error), random.random()
             if strength is not None:
                 at[strength] = x[strength]
