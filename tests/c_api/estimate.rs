@@ -128,10 +128,14 @@ fn a_text_that_is_refused_has_the_reason() {
     let mut buffer = [1_u8; 64];
     for room in [64, 20] {
         // SAFETY: the text and the buffer have so many bytes.
-        let whole = unsafe { asperity_estimate_text(c"mu = 1".as_ptr(), 6, 0, null(), buffer.as_mut_ptr().cast(), room) };
+        let whole =
+            unsafe { asperity_estimate_text(c"mu = 1".as_ptr(), 6, 0, null(), buffer.as_mut_ptr().cast(), room) };
         assert_eq!(whole, 0);
         let shown = CStr::from_bytes_until_nul(&buffer).expect("a NUL").to_str().expect("UTF-8");
-        assert!(message().starts_with(shown) && shown.starts_with("line 1: mu: no such") && shown.len() == room - 1, "{shown}");
+        assert!(
+            message().starts_with(shown) && shown.starts_with("line 1: mu: no such") && shown.len() == room - 1,
+            "{shown}"
+        );
     }
 }
 

@@ -162,7 +162,8 @@ def covered() -> str:
     for row in coverage.frozen():
         part = f"{100 * row.part:.1f} %" if row.repeats > row.refused else "no band"
         refused = f" (of {100 * row.refused / row.repeats:.0f} % it says that there is none)" if 0 < row.refused < row.repeats else ""
-        kinds.setdefault((row.call, row.what, row.errors or "–"), []).append(f"{row.points}: {part}{refused}")
+        fewer = f" of {row.repeats}" if row.repeats < coverage.REPEATS else ""
+        kinds.setdefault((row.call, row.what, row.errors or "–"), []).append(f"{row.points}: {part}{fewer}{refused}")
     return "\n".join([*rows, *(f"| {' | '.join(kind)} | {'; '.join(cells)} |" for kind, cells in kinds.items())])
 
 
