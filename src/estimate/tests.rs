@@ -269,8 +269,7 @@ fn slips_of_units_that_no_contact_has_are_asked_for() {
     // In per cent: more than the bodies bear, than any surfaces have, or to be asked for.
     assert!(refused(&format!("{STEEL}measured = [1000, 16]\n{ROUGH}"))
         .contains("is the coefficient in per cent (16 for 0.16)"));
-    assert!(refused(&format!("{STEEL}measured = [1000, 30]\n{ROUGH}"))
-        .contains("or is it in per cent?"));
+    assert!(refused(&format!("{STEEL}measured = [1000, 30]\n{ROUGH}")).contains("or is it in per cent?"));
     let sticky = written(&format!("{SILICON}measured = [1e-6, 6]\n{SMOOTH}"), &[1e-6]);
     assert!(sticky.contains("check: the measured friction coefficient is 6: is it in per cent (0.06)?"), "{sticky}");
     assert!(!written(&format!("{SILICON}measured = [1e-6, 4]\n{SMOOTH}"), &[1e-6]).contains("per cent"));
