@@ -155,12 +155,16 @@ def yields() -> str:
     return "\n".join(rows)
 
 
+# Of fewer bands no part is told.
+FEWEST = 100
+
+
 def covered() -> str:
     """How many of the bands called 95 % have the truth, by kind."""
     rows = ["| Call | Of | Errors of the points | Points, or waves a side: bands with the truth |", "|---|---|---|---|"]
     kinds: dict[tuple[str, str, str], list[str]] = {}
     for row in coverage.frozen():
-        part = f"{100 * row.part:.1f} %" if row.repeats > row.refused else "no band"
+        part = f"{100 * row.part:.1f} %" if row.repeats - row.refused >= FEWEST else "no band"
         refused = f" (of {100 * row.refused / row.repeats:.0f} % it says that there is none)" if 0 < row.refused < row.repeats else ""
         fewer = f" of {row.repeats}" if row.repeats < coverage.REPEATS else ""
         kinds.setdefault((row.call, row.what, row.errors or "–"), []).append(f"{row.points}: {part}{fewer}{refused}")
