@@ -46,6 +46,8 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
   ! Of strength_source: measured on these surfaces
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
+  ! A default strength and a true one are within this factor either way with a probability of 95 %
+  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_FACTOR = 10
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0  ! Gaussian heights, eq (17): the default
   ! Weibull heights, eqs (18)-(21): their skew follows from weibull_shape
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1

@@ -89,6 +89,8 @@
 #define ASPERITY_STRENGTH_GIVEN 2
 /** Of `strength_source`: measured on these surfaces. */
 #define ASPERITY_STRENGTH_MEASURED 3
+/** A default strength and a true one are within this factor either way with a probability of 95 %. */
+#define ASPERITY_STRENGTH_FACTOR 10
 /** Gaussian heights, eq (17): the default. */
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 /** Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`. */
@@ -533,8 +535,8 @@ asperity_status asperity_estimate_at_loads(const char *surface, size_t length, s
  * @param surface,length,n,load  as of `asperity_estimate_at_loads`
  * @param buffer         receives the lines, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param buffer_length  size of `buffer` [bytes]
- * @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure,
- *         which `asperity_last_error` describes */
+ * @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure:
+ *         the buffer has what `asperity_last_error` has then */
 size_t asperity_estimate_text(const char *surface, size_t length, size_t n, const double *load, char *buffer,
     size_t buffer_length);
 
@@ -827,17 +829,15 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
  *
  * What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
  * Keys are the names of `asperity_params_set_values`, in SI units, and what docs/surface-file.md lists: materials, roughness,
- * interface, a measured friction.
+ * interface, a measured friction. The contact law is Maugis' unless the text has another, also where summits yield: models warn
+ * then (`ASPERITY_WARNING_PLASTIC`), and estimates take the elastic-plastic law.
  *
  * ```c
  * const char surface[] =
  *     "pair = \"steel/steel\"\n"
  *     "nominal_area = 1e-4\n"
- *     "calibration_load = 1000\n"
- *     "calibration_friction_coefficient = 0.16\n"
- *     "[roughness]\n"
- *     "Ra = 0.8e-6\n"
- *     "RSm = 80e-6\n";
+ *     "measured = [1000, 0.16]\n"
+ *     "roughness = {Ra = 0.8e-6, RSm = 80e-6}\n";
  * asperity_params_set_text(&params, surface, sizeof surface - 1);
  * ```
  *

@@ -2,7 +2,7 @@
 import { $, element, head } from "./dom.js";
 import { FIELDS, parsed, shifted } from "./fields.js";
 import { page, readLoad } from "./state.js";
-import { coefficient, count, percent, rests, short, spanText, strength, title, withUnit } from "./text.js";
+import { bandOf, coefficient, count, percent, rests, short, spanText, strength, title, withUnit } from "./text.js";
 
 /** Shows the values at the load that is read. */
 export function readValues() {
@@ -37,7 +37,7 @@ function columnOf({ surface, curve: { model, band } }, load) {
   const exact = model.stateAtLoad(load);
   return {
     "Friction coefficient μ": coefficient(mu),
-    "95 % between": `${coefficient(low)} and ${coefficient(high)}`,
+    Band: bandOf(surface, { low, high }),
     "Friction force": withUnit(exact.friction_force, "N"),
     "Summits in contact": count(exact.contacting),
     "Real area / nominal area": percent(exact.real_area / shifted(parsed(surface.nominal_area), FIELDS.nominal_area.power)),

@@ -56,6 +56,12 @@ export function strength(surface) {
   return uncalibrated(surface) ? "not measured" : "as given";
 }
 
+/** A band in the words of an estimate: a default strength is no more than an order of magnitude. */
+export function bandOf(surface, { low, high }) {
+  if (low === high) return "none: all inputs count as known";
+  return `${uncalibrated(surface) ? "an order of magnitude" : "95 %"}, ${coefficient(low)} to ${coefficient(high)}`;
+}
+
 /** What the band of a surface rests on. */
 export function rests(surface) {
   const measured = measuredOf(surface);

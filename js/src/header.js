@@ -20,6 +20,7 @@ export const CONSTANTS = /** @type {const} */ ({
   "STRENGTH_TABLE": 1,
   "STRENGTH_GIVEN": 2,
   "STRENGTH_MEASURED": 3,
+  "STRENGTH_FACTOR": 10,
   "HEIGHTS_GAUSSIAN": 0,
   "HEIGHTS_WEIBULL": 1,
   "HEIGHTS_JOHNSON": 2,

@@ -12,7 +12,7 @@ import { curveOf, findSpans, isPartial } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
-import { decade, missing, rests, SHORT, spanText, strength, unmeasured, withUnit } from "../explorer/text.js";
+import { bandOf, decade, missing, rests, SHORT, spanText, strength, unmeasured, withUnit } from "../explorer/text.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
 
@@ -182,17 +182,23 @@ test("the band is the library's estimate of the surface file, and its middle the
 
 test("a strength that nobody measured is an order of magnitude, and the page says so", () => {
   const silicon = start(asperity);
-  const of = (surface) => ({ ...shown(surface).band(1e-3), text: rests(surface) });
+  const of = (surface) => {
+    const band = shown(surface).band(1e-3);
+    return { ...band, text: rests(surface), words: bandOf(surface, band) };
+  };
   const bare = of(silicon);
   near(bare.high / bare.mu, 10, 1e-6, "ten times higher");
   near(bare.mu / bare.low, 10, 1e-6, "ten times lower");
   assert.equal(bare.text, "strength not measured: an order of magnitude");
+  assert.match(bare.words, /^an order of magnitude, 0\.\d+ to \d\.\d+$/);
   const given = of({ ...silicon, slip_stress_1: "0.02" });
   assert.ok(given.low === given.mu && given.high === given.mu);
   assert.equal(given.text, "strength as given, taken as known");
+  assert.equal(given.words, "none: all inputs count as known");
   const measured = of({ ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3" });
   near(measured.high / measured.mu, Math.exp(1.959963984540054 * 0.05), 1e-2, "at the point");
   assert.equal(measured.text, "strength measured at 1.00 mN to 5 %");
+  assert.match(measured.words, /^95 %, 0\.\d+ to 0\.\d+$/);
 });
 
 test("warnings hold in the part of the loads that the library says", () => {

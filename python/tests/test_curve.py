@@ -14,8 +14,9 @@ import pandas
 import pytest
 import xarray
 
-from asperity import Error, Model, Params, ValidityWarning, Warnings, pads, uncertainty
+from asperity import Error, Model, Params, ValidityWarning, Warnings, materials, pads, uncertainty
 from asperity._library import LIBRARY
+from asperity.estimate import estimate
 
 LOADS = np.geomspace(1.0, 100.0, 7)
 
@@ -27,6 +28,19 @@ def params() -> Params:
 
 
 # ---- Curves ----
+
+
+@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
+def test_a_band_of_the_strength_is_that_of_the_estimate(tmp_path: Path) -> None:
+    """Of the library, which knows how far a default may be off and what a measurement tells."""
+    loads, file = np.geomspace(0.1, 10.0, 5), tmp_path / "surface.toml"
+    silicon = Params.from_iso25178(Sq=5e-9, Sdq=0.08, nominal_area=1e-6, **materials.PAIRS["Si/Si"].contact)
+    for params in (silicon, silicon.calibrated(1.0, 0.4)):
+        params.to_toml(file)
+        found, expected = Model(params).curve(loads), estimate(file.read_text(encoding="utf-8"), loads)
+        for name, of_estimate in (("friction_coefficient", "value"), ("low", "low"), ("high", "high")):
+            assert getattr(found, name) == pytest.approx(getattr(expected, of_estimate), rel=1e-9), name
+
 
 
 def test_a_curve_is_the_friction_of_the_model_with_the_band_of_its_spread(model: Model) -> None:

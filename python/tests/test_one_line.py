@@ -100,7 +100,7 @@ def test_a_pair_that_was_measured_elsewhere_begins_with_that() -> None:
 @pytest.mark.parametrize(
     "arguments, error, message",
     [
-        ({"pair": "steel/wood"}, Error, "steel/wood: no pair has this name; the nearest is steel/"),
+        ({"pair": "steel/wood"}, Error, "steel/wood: no pair has this name; wood: no material has this name; docs/materials.md lists them"),
         ({"pair": "Si/gold"}, Error, "Si/gold: no pair has this name; the nearest is Si/Au"),
         ({"pair": 5}, TypeError, "pair = 5: must be a name"),
         ({"load": math.nan}, Error, "element 0: load = NaN: must be finite"),
@@ -156,6 +156,7 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
     assert 2.0 * np.asarray(found, dtype=np.float32) == pytest.approx(2 * found.value, rel=1e-6)
     assert f"{found:.2f}" == f"{found.value:.2f} ({found.low:.2f} to {found.high:.2f})" and f"{found}" == repr(found)
     assert re.fullmatch(r"0\.\d\d\d", f"{friction('Si/Si', **ROUGH, load=1e5, slip_stress_1=0.02):.3f}")
+    assert f"{friction('Si/Si', **ROUGH, load=0.0):.3f}" == "no limit"
     many = friction("Si/Si", **ROUGH, load=pandas.Series([1e4, 0.0, -1e20], index=list("abc")))
     assert many.high.index.tolist() == list("abc") and many.high["a"] == pytest.approx(10 * many.value["a"])
     assert many.low["b"] == many.value["b"] == math.inf and many.low["c"] == many.value["c"] == 0.0

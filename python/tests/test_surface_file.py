@@ -260,7 +260,7 @@ def test_an_interface_is_taken_by_its_name(surface_file: SurfaceFile) -> None:
     assert Params.from_toml(surface_file(point + named + WHOLE)) == found.calibrated(1e-3, 0.4)
     for text, message in (
         (named + "slip_stress_1 = 0.01\n", "slip_stress_1: interface sets it already, leave one out"),
-        ('interface = "KCl"\n', "KCl: no interface has this name; the nearest is "),
+        ('interface = "KCl"\n', "KCl: no interface has this name; docs/materials.md lists them"),
         ("interface = 3\n", "interface = 3: must be the name of an interface"),
         ('interface = "Al/Al clean"\n', "Al/Al clean: its shear strength is not known, only a friction coefficient of 1.05 "),
     ):

@@ -88,7 +88,10 @@ const EXPECTED: [(&[&str], &str); 16] = [
     (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2, in a text in [materials]"),
     (&["material"], "give first and second in [materials] of a text, or pair = \"steel/steel\""),
     (&["H", "HV", "HB", "HRC"], "give hardness in Pa, of the softer body: HV times 9.81e6"),
-    (&["w", "gamma", "adhesion", "surface_energy"], "give work_of_adhesion in N/m: of like bodies twice the surface energy"),
+    (
+        &["w", "gamma", "adhesion", "surface_energy"],
+        "give work_of_adhesion in N/m: of like bodies twice the surface energy",
+    ),
     (&["h"], "the range of adhesion is adhesion_range"),
     (&["b"], "the Burgers vector is burgers_vector"),
     (&["A", "area"], "the nominal area is nominal_area"),

@@ -217,14 +217,16 @@ impl Given<'_> {
         let of_tables = [(Table::Top, "pair"), (Table::Materials, "first"), (Table::Materials, "second")];
         let is_crystal = given(Table::Top, "burgers_vector")
             .is_some_and(|entry| matches!(entry.value, Value::Number(number) if (1e-10..=1e-9).contains(&number)));
-        if !is_crystal && self.process.is_none() && !of_tables.iter().any(|&(table, name)| given(table, name).is_some()) {
+        if !is_crystal && self.process.is_none() && !of_tables.iter().any(|&(table, name)| given(table, name).is_some())
+        {
             return Ok(());
         }
         let height = (HIGHEST, "must be at most 1e-3 m: is it in um?");
         let width = (WIDEST, "must be at most 4e-3 m: is it in mm, or in um?");
         let limits = [("Ra", height), ("Rq", height), ("Sq", height), ("RSm", width)];
         for (name, (most, says)) in limits {
-            if let Some(value) = (0..count).filter_map(|surface| self.get(name, surface)).find(|&length| length > most) {
+            if let Some(value) = (0..count).filter_map(|surface| self.get(name, surface)).find(|&length| length > most)
+            {
                 let at = self.at(name).unwrap_or(self.begin);
                 let value = Value::Number(value);
                 return Err(Problem::new(at, format_args!("{}{name} = {value}: {says}", Table::Roughness)));

@@ -1,10 +1,12 @@
 //! Friction from the text of a surface in one call, with its band, as C asks for it.
 
 use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
+use super::last_error::asperity_last_error;
 use super::reserve;
 use super::status::{asperity_status, ASPERITY_OK};
 use super::text::write_text;
 use crate::by_name::LONGEST;
+use crate::estimate::known::DEFAULT_FACTOR;
 use crate::estimate::{write, Answer, Estimate, Rests};
 use std::ffi::c_char;
 use std::mem::{align_of, size_of};
@@ -17,6 +19,9 @@ pub const ASPERITY_STRENGTH_TABLE: i32 = 1;
 pub const ASPERITY_STRENGTH_GIVEN: i32 = 2;
 /// Of `strength_source`: measured on these surfaces.
 pub const ASPERITY_STRENGTH_MEASURED: i32 = 3;
+/// A default strength and a true one are within this factor either way with a probability of 95 %.
+pub const ASPERITY_STRENGTH_FACTOR: i32 = 10;
+const _: () = assert!(ASPERITY_STRENGTH_FACTOR as f64 == DEFAULT_FACTOR);
 
 /// Friction at one load, with its band. SI units.
 #[repr(C)]
@@ -160,8 +165,8 @@ const LARGEST: u64 = 4096;
 /// @param surface,length,n,load  as of `asperity_estimate_at_loads`
 /// @param buffer         receives the lines, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param buffer_length  size of `buffer` [bytes]
-/// @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure,
-///         which `asperity_last_error` describes
+/// @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure:
+///         the buffer has what `asperity_last_error` has then
 #[no_mangle]
 pub unsafe extern "C" fn asperity_estimate_text(
     surface: *const c_char,
@@ -183,7 +188,8 @@ pub unsafe extern "C" fn asperity_estimate_text(
         })
     });
     if status != ASPERITY_OK {
-        return write_text(buffer, buffer_length, []);
+        let _ = asperity_last_error(buffer, buffer_length);
+        return 0;
     }
     whole
 }

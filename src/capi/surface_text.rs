@@ -57,17 +57,15 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 ///
 /// What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
 /// Keys are the names of `asperity_params_set_values`, in SI units, and what docs/surface-file.md lists: materials, roughness,
-/// interface, a measured friction.
+/// interface, a measured friction. The contact law is Maugis' unless the text has another, also where summits yield: models warn
+/// then (`ASPERITY_WARNING_PLASTIC`), and estimates take the elastic-plastic law.
 ///
 /// ```c
 /// const char surface[] =
 ///     "pair = \"steel/steel\"\n"
 ///     "nominal_area = 1e-4\n"
-///     "calibration_load = 1000\n"
-///     "calibration_friction_coefficient = 0.16\n"
-///     "[roughness]\n"
-///     "Ra = 0.8e-6\n"
-///     "RSm = 80e-6\n";
+///     "measured = [1000, 0.16]\n"
+///     "roughness = {Ra = 0.8e-6, RSm = 80e-6}\n";
 /// asperity_params_set_text(&params, surface, sizeof surface - 1);
 /// ```
 ///

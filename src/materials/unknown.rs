@@ -14,13 +14,44 @@ const EXPECTED: [(&[&str], &str); 3] = [
     ),
     (
         &[
-            "PTFE", "teflon", "nylon", "polyamide", "PA6", "PA66", "POM", "acetal", "PEEK", "PE", "HDPE", "UHMWPE", "PP", "PVC",
-            "ABS", "PC", "PMMA", "epoxy", "polymer", "plastic",
+            "PTFE",
+            "teflon",
+            "nylon",
+            "polyamide",
+            "PA6",
+            "PA66",
+            "POM",
+            "acetal",
+            "PEEK",
+            "PE",
+            "HDPE",
+            "UHMWPE",
+            "PP",
+            "PVC",
+            "ABS",
+            "PC",
+            "PMMA",
+            "epoxy",
+            "polymer",
+            "plastic",
         ],
         "a polymer is viscoelastic, and outside the domain of the model: docs/domain.md",
     ),
     (
-        &["brass", "bronze", "cast iron", "cast_iron", "iron, cast", "zinc", "Zn", "tin", "Sn", "invar", "inconel", "chrome steel"],
+        &[
+            "brass",
+            "bronze",
+            "cast iron",
+            "cast_iron",
+            "iron, cast",
+            "zinc",
+            "Zn",
+            "tin",
+            "Sn",
+            "invar",
+            "inconel",
+            "chrome steel",
+        ],
         "it is not in the table, where each number has a source: give E1, nu1, E2 and nu2, hardness and burgers_vector",
     ),
 ];
@@ -91,9 +122,15 @@ mod tests {
     #[test]
     fn bodies_that_people_expect_have_an_answer_of_their_own() {
         for (name, says) in [
-            ("rubber", "rubber: no material has this name; rubber is viscoelastic, and outside the domain of the model"),
+            (
+                "rubber",
+                "rubber: no material has this name; rubber is viscoelastic, and outside the domain of the model",
+            ),
             ("PTFE", "PTFE: no material has this name; a polymer is viscoelastic, and outside the domain of the model"),
-            ("Brass", "Brass: no material has this name; it is not in the table, where each number has a source: give E1"),
+            (
+                "Brass",
+                "Brass: no material has this name; it is not in the table, where each number has a source: give E1",
+            ),
             ("cast iron", "cast iron: no material has this name; it is not in the table"),
             ("Gold", "Gold: no material has this name; the nearest is Au"),
             ("stel", "stel: no material has this name; the nearest is steel"),
@@ -103,10 +140,16 @@ mod tests {
             assert!(said.starts_with(says), "{said}");
         }
         for (name, says) in [
-            ("PTFE/steel", "PTFE/steel: no pair has this name; PTFE: no material has this name; a polymer is viscoelastic"),
+            (
+                "PTFE/steel",
+                "PTFE/steel: no pair has this name; PTFE: no material has this name; a polymer is viscoelastic",
+            ),
             ("steel/rubber", "steel/rubber: no pair has this name; rubber: no material has this name; rubber is visco"),
             ("rubber", "rubber: no pair has this name; rubber is viscoelastic"),
-            ("stel/gold", "stel/gold: no pair has this name; the nearest is steel/Au; no material is called stel or gold"),
+            (
+                "stel/gold",
+                "stel/gold: no pair has this name; the nearest is steel/Au; no material is called stel or gold",
+            ),
         ] {
             let said = NoPair(name.as_bytes()).to_string();
             assert!(said.starts_with(says), "{said}");

@@ -47,7 +47,8 @@ impl Params {
             return Err(Error::invalid("calibration_load", load, allowed));
         }
         if !finite(friction_coefficient) || friction_coefficient <= 0.0 || friction_coefficient > LARGEST_COEFFICIENT {
-            let allowed = "must be > 0 and at most 20; is it in per cent, or a force? Calibrate with the friction force then";
+            let allowed =
+                "must be > 0 and at most 20; is it a force? Calibrate with the friction force then; or is it in per cent?";
             return Err(Error::invalid("calibration_friction_coefficient", friction_coefficient, allowed));
         }
         Ok(friction_coefficient * load)

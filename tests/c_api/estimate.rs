@@ -1,6 +1,7 @@
 //! One call answers from a text: the same as its parts, whole or not at all, in text as in numbers.
 
 use crate::interface::*;
+use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
 const GROUND: &str =
@@ -119,6 +120,22 @@ fn elements_are_as_far_apart_as_the_caller_says() {
         for (i, one) in expected.iter().enumerate() {
             assert_eq!(memory[words * i + 1..words * i + 3], [one.load, one.friction_coefficient], "{words}");
         }
+    }
+}
+
+#[test]
+fn a_text_that_is_refused_has_the_reason() {
+    let mut buffer = [1_u8; 64];
+    for room in [64, 20] {
+        // SAFETY: the text and the buffer have so many bytes.
+        let whole =
+            unsafe { asperity_estimate_text(c"mu = 1".as_ptr(), 6, 0, null(), buffer.as_mut_ptr().cast(), room) };
+        assert_eq!(whole, 0);
+        let shown = CStr::from_bytes_until_nul(&buffer).expect("a NUL").to_str().expect("UTF-8");
+        assert!(
+            message().starts_with(shown) && shown.starts_with("line 1: mu: no such") && shown.len() == room - 1,
+            "{shown}"
+        );
     }
 }
 

@@ -15,6 +15,7 @@ import numpy as np
 
 import adhesion
 import boundary_elements
+import coverage
 import yielding
 from asperity.figures import calibrated, contacts, defaults, measured
 from boundary_elements import PRESSURES, AnyRow
@@ -154,6 +155,22 @@ def yields() -> str:
     return "\n".join(rows)
 
 
+# Of fewer bands no part is told.
+FEWEST = 100
+
+
+def covered() -> str:
+    """How many of the bands called 95 % have the truth, by kind."""
+    rows = ["| Call | Of | Errors of the points | Points, or waves a side: bands with the truth |", "|---|---|---|---|"]
+    kinds: dict[tuple[str, str, str], list[str]] = {}
+    for row in coverage.frozen():
+        part = f"{100 * row.part:.1f} %" if row.repeats - row.refused >= FEWEST else "no band"
+        refused = f" (of {100 * row.refused / row.repeats:.0f} % it says that there is none)" if 0 < row.refused < row.repeats else ""
+        fewer = f" of {row.repeats}" if row.repeats < coverage.REPEATS else ""
+        kinds.setdefault((row.call, row.what, row.errors or "–"), []).append(f"{row.points}: {part}{fewer}{refused}")
+    return "\n".join([*rows, *(f"| {' | '.join(kind)} | {'; '.join(cells)} |" for kind, cells in kinds.items())])
+
+
 def _groups(frozen: list[AnyRow]) -> list[list[AnyRow]]:
     """The frozen rows by spectrum, in the order of the file."""
     groups: dict[tuple[float, ...], list[AnyRow]] = {}
@@ -177,6 +194,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("validation.md", "counted"): counted,
     ("validation.md", "sticky"): sticky,
     ("validation.md", "yielding"): yields,
+    ("validation.md", "coverage"): covered,
     ("validation.md", "calibrated"): calibrated.table,
     ("validation.md", "measurements"): measured.table,
 }

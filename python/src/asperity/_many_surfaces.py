@@ -16,7 +16,7 @@ from . import _header
 from ._friction_law import FrictionLaw
 from ._handle import Handle
 from ._library import LIBRARY
-from .errors import Error, Status, check, nearest
+from .errors import Error, Status, check, instead
 from .fit_names import KNOWN, FreeName, free_names, put_all
 from .params import Params
 
@@ -76,7 +76,7 @@ def names_of(given: Sequence[str], params: Params) -> tuple[FreeName, ...]:
     """The names of a fit, `asperity.fit_names`, and those of some fields more; `ValueError` for any other."""
     for name in given:
         if name not in (*KNOWN, *_OTHERS):
-            raise ValueError(f"{name!r}: no parameter has this name; the nearest is {nearest(str(name), [*KNOWN, *_OTHERS])}")
+            raise ValueError(f"{name!r}: no parameter has this name; {instead(str(name), [*KNOWN, *_OTHERS])}")
     known = tuple(name for name in given if name not in _OTHERS)
     found = {name.given: name for name in (free_names(known, params) if known else ())}
     return tuple(found[name] if name in found else _other(name) for name in given)

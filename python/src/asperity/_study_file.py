@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._study_draws import SAMPLINGS, short
-from .errors import Error, Status, nearest
+from .errors import Error, Status, instead
 from .params import Params
 
 if sys.version_info >= (3, 11):
@@ -120,7 +120,7 @@ def _distribution(name: str, given: dict[str, Any]) -> Any:
     known = [*(family.shapes.split(", ") if family.shapes else []), "loc", "scale"]
     for key in arguments:
         if key not in known:
-            raise _error(f"[vary] {name}: {key}: no such key; the nearest is {nearest(key, ['distribution', *known])}")
+            raise _error(f"[vary] {name}: {key}: no such key; {instead(key, ['distribution', *known])}")
     for key in known[:-2]:
         if key not in arguments:
             raise _error(f"[vary] {name}: {key}: must be set for distribution = {_shown(kind)}")
@@ -164,7 +164,7 @@ def _options(table: dict[str, Any]) -> dict[str, Any]:
 def _known(name: str, table: dict[str, Any], known: tuple[str, ...]) -> None:
     for key in table:
         if key not in known:
-            raise _error(f"[{name}] {key}: no such key; the nearest is {nearest(key, known)}")
+            raise _error(f"[{name}] {key}: no such key; {instead(key, known)}")
 
 
 def _number(name: str, value: Any, shown: Any) -> float:

@@ -18,7 +18,7 @@ _STUDENT = 2.131 / 1.960
 # Blocks along a side that show the waves longer than a tile.
 _BLOCKS = 128
 # A mean square of fewer independent parts than these depends on waves that the map has once or twice, and tells no error.
-_FEWEST = 100.0
+_FEWEST = 150.0
 
 
 @dataclass(frozen=True)

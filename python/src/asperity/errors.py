@@ -69,7 +69,12 @@ def check(status: int) -> None:
         raise Error(last_error(), Status(status))
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
-    """The known name that looks most like a name."""
+# Of a slip so much of both names is alike.
+_SLIP = 0.75
+
+
+def instead(name: str, known: Iterable[str]) -> str:
+    """What is said of a name that is none: the known name that it is a slip of, or all of them."""
     spelled = {one.lower(): one for one in known}
-    return spelled[difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=0.0)[0]]
+    near = difflib.get_close_matches(name.lower(), spelled, n=1, cutoff=_SLIP)
+    return f"the nearest is {spelled[near[0]]}" if near else f"must be one of {', '.join(spelled.values())}"

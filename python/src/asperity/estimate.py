@@ -91,14 +91,14 @@ class Estimate:
         return np.array(self.value, dtype=dtype)
 
     def __format__(self, spec: str) -> str:
-        """With a format of numbers, as in f"{estimate:.3f}": the coefficient and its band; else all of it."""
+        """With a format of numbers, as in f"{estimate:.3f}": the coefficient and its band, or that it has no limit; else all of it."""
         if not spec:
             return repr(self)
         ends = zip(*(np.ravel(end) for end in (self.low, self.high))) if self.low is not None else None
         shown = []
         for value in np.ravel(self.value):
             low_high = f" ({' to '.join(format(float(end), spec) for end in next(ends))})" if ends else ""
-            shown.append(format(float(value), spec) + low_high)
+            shown.append(format(float(value), spec) + low_high if np.isfinite(value) else "no limit")
         return ", ".join(shown)
 
     def __repr__(self) -> str:

@@ -164,9 +164,10 @@ def _judge(search: Search, x: Array, success: bool, loss: str, scale: float, end
     fitted, residuals = search.friction(x), search.residuals(x)
     chi_square, freedom = float(residuals @ residuals), residuals.size - x.size
     if loss == "linear":
-        scatter = 1.0 if data.sigma is not None else chi_square / freedom
+        scatter, student = (1.0, None) if data.sigma is not None else (chi_square / freedom, float(freedom))
     else:
         scatter = fit_robust.variance(loss, residuals, scale, x.size)
+        student = fit_robust.freedom(loss, residuals, scale, x.size)
     estimate = Estimate.of(search.exact_jacobian(x), float(np.linalg.norm(fitted * data.weight)), scatter)
 
     values = search.values(x)
@@ -196,7 +197,7 @@ def _judge(search: Search, x: Array, success: bool, loss: str, scale: float, end
         quantity=data.quantity,
         loss=loss,
         dimensions={name.given: name.dimension for name in names},
-        _end=End(search, x, estimate),
+        _end=End(search, x, estimate, student),
     )
     far = int(np.count_nonzero(np.abs(residuals) > fit_robust.FAR * scale)) if loss != "linear" else 0
     return replace(fit, message="\n".join([*_remarks(fit, estimate), *_remarks_on_search(loss, far, ends)]))

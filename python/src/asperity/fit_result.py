@@ -74,6 +74,7 @@ class End:
     search: Search
     x: Array
     estimate: Estimate
+    student: float | None
 
 
 class Prediction(NamedTuple):
@@ -156,12 +157,13 @@ class Fit:
         if not 0 < coverage < 1:
             raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
         part = 0.5 + 0.5 * coverage
-        return float(norm.ppf(part) if self.knows_errors else t.ppf(part, self.degrees_of_freedom))
+        return float(norm.ppf(part) if self.student is None else t.ppf(part, self.student))
 
     @property
-    def knows_errors(self) -> bool:
-        """Whether the errors of the points were given, and not taken from the scatter of the residuals."""
-        return self.sigma is not None and self.loss == "linear"
+    def student(self) -> float | None:
+        """Degrees of freedom of Student's distribution, which the errors have if they are from the scatter of the residuals; None if
+        the errors of the points were given."""
+        return self._end.student
 
     @property
     def scatter(self) -> float:

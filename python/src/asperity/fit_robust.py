@@ -34,6 +34,11 @@ def scale(residuals: Array) -> float:
     return _NORMAL * float(np.median(np.abs(residuals)))
 
 
+def freedom(loss: str, residuals: Array, unit: float, free: int) -> float:
+    """Degrees of freedom of the scatter: points that count little are no whole points."""
+    return max(float(_LOSSES[loss][1](residuals / unit).sum()) - free, 1.0)
+
+
 def variance(loss: str, residuals: Array, unit: float, free: int) -> float:
     """What the inverse of J^T J is multiplied by to get the covariance of `free` parameters (Huber, Robust Statistics, 1981,
     eq (6.6)): sum psi^2/(n - free) over the square of the mean of psi', in units of `unit`^2."""

@@ -33,7 +33,8 @@ def trends(load: Array, residuals: Array, measured: Array, pressure_is_free: boo
         told.append(f"the residuals follow load (rank correlation {rank:+.2f}, by chance in one fit of {1 / chance:.0f}): {why}")
     counted, chance = runs(load, residuals)
     if chance < _IMPROBABLE:
-        remedy = "the form of the law is not that of the data" if pressure_is_free else "free pressure_coefficient, or what sets light loads"
+        is_its = not pressure_is_free and not (told and rank < 0)
+        remedy = "free pressure_coefficient, or what sets light loads" if is_its else "the form of the law is not that of the data"
         told.append(f"the residuals turn with load ({counted} runs of one sign, by chance in one fit of {1 / chance:.0f}): {remedy}")
     return told
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, Sequence, Union
 
 from . import _header, _output, _units
 from ._library import LIBRARY, last_error, text_of
-from .errors import Error, Status, check, nearest
+from .errors import Error, Status, check, instead
 
 if TYPE_CHECKING:
     from typing_extensions import TypedDict, Unpack
@@ -762,7 +762,7 @@ def _options(given: Any) -> dict[str, Any]:
     known = [field.name for field in fields(Params)]
     for name in changes:
         if name not in known:
-            raise TypeError(f"{name}: no parameter has this name; the nearest is {nearest(name, [*known, *_NOT_FIELDS])}")
+            raise TypeError(f"{name}: no parameter has this name; {instead(name, [*known, *_NOT_FIELDS])}")
     meant = {_CHOOSES[name]: name for name in _CHOOSES if name in changes}
     if len(meant) > 1:
         raise TypeError(f"{' and '.join(meant.values())} mean different height distributions: give one of them")

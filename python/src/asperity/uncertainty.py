@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _blocks
+from . import _blocks, _header
 from ._friction_law import FrictionLaw
 from ._many_surfaces import Block, Drawn, forces
 from ._progress import Progress, teller
@@ -48,12 +48,10 @@ _NARROWEST = 1e-6
 _MANY = 1000
 # Surfaces that are drawn together, between two tellings of progress, and those of them that a worker is given at a time.
 _TOGETHER, _BLOCK = 512, 16
-# A default strength and a true one are within this factor with a probability of 95 %, log-normally (docs/domain.md) ...
-STRENGTH_FACTOR = 10.0
-# ... which is this standard deviation of its logarithm.
-STRENGTH_DEVIATION = math.log(STRENGTH_FACTOR) / NormalDist().inv_cdf(0.975)
+# Of the logarithm of a default strength, of which 95 % lie within the library's factor.
+STRENGTH_DEVIATION = math.log(_header.ASPERITY_STRENGTH_FACTOR) / NormalDist().inv_cdf(0.975)
 # What bands say that they rest on.
-NOT_MEASURED = f"strength of the interface: not measured, a factor {STRENGTH_FACTOR:g} either way"
+NOT_MEASURED = f"strength of the interface: not measured, a factor {_header.ASPERITY_STRENGTH_FACTOR} either way"
 AS_GIVEN = "strength of the interface: as given"
 # The name of the strength that a measurement sets.
 _STRENGTH = "slip_stress"
@@ -217,9 +215,8 @@ def uncertainty(
 
         def draw() -> Array | None:
             at = random.multivariate_normal(x, before)
-            if fit is not None and not fit.knows_errors:
-                # Student's, as the scatter of the residuals is of so few.
-                at = x + (at - x) * math.sqrt(fit.degrees_of_freedom / random.chisquare(fit.degrees_of_freedom))
+            if fit is not None and fit.student is not None:
+                at = x + (at - x) * math.sqrt(fit.student / random.chisquare(fit.student))
             by_measurement, luck = random.normal(0, params.calibration_error), random.random()
             if strength is not None:
                 at[strength] = x[strength]
