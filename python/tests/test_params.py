@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 import pickle
-from dataclasses import FrozenInstanceError
+from dataclasses import FrozenInstanceError, dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from asperity import Error, Model, Params, Status
+from asperity import Error, Model, Params, Status, _units
 from asperity.materials import PAIRS
 
 SURFACE: dict[str, Any] = dict(
@@ -273,6 +273,20 @@ def test_parameters_are_immutable_values(params: Params) -> None:
     assert pickle.loads(pickle.dumps(other)) == other
     with pytest.raises(FrozenInstanceError):
         params.asperity_count = 3.0  # type: ignore[misc]
+
+
+def test_numbers_are_shown_with_their_units_as_text_and_as_a_table(params: Params) -> None:
+    shown = {line.split()[0]: line.split()[2:] for line in str(params).splitlines()[1:]}
+    assert shown["composite_modulus"] == ["[stress]"] and shown["work_of_adhesion"] == ["[force/length]"]
+    assert shown["height_std"] == ["[length]"] and shown["asperity_count"] == []
+    table = params._repr_html_()
+    assert "<td>composite_modulus</td>" in table and "<td>stress</td>" in table and table.count("<tr>") == len(shown)
+
+    @dataclass
+    class Named:
+        name: str
+
+    assert "<td>a &lt; b</td>" in _units.table(Named("a < b"))
 
 
 def test_the_repr_shows_what_is_not_default_and_reads_back(params: Params) -> None:

@@ -66,3 +66,16 @@ pub unsafe extern "C" fn asperity_last_error(buffer: *mut c_char, length: usize)
         write_text(buffer, length, [&message.bytes[..message.length]])
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_that_is_too_long_is_cut() {
+        set(&format_args!("{}{}", "a".repeat(CAPACITY - 2), "bcde"));
+        MESSAGE.with_borrow(|message| {
+            assert_eq!((message.length, &message.bytes[CAPACITY - 3..]), (CAPACITY, b"abc".as_slice()));
+        });
+    }
+}

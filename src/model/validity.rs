@@ -257,6 +257,44 @@ mod tests {
         assert_eq!(Measures::new(&plastic, &state).warnings(), 0);
     }
 
+    #[test]
+    fn a_warning_is_one_bit() {
+        assert!((0..WARNINGS).all(|bit| is_one(1 << bit)));
+        assert!(![0, 3, ALL, ALL + 1, 1 << 63].into_iter().any(is_one));
+    }
+
+    /// A body yields in shear at 1/3^(1/2) of the yield stress, which is a third of its hardness.
+    #[test]
+    fn an_interface_is_too_strong_from_the_shear_strength_of_the_softer_body_on() {
+        let strength = 0.1;
+        let slip = SlipConstants { stress_1: strength, stress_2: strength, ..SlipConstants::default() };
+        for (part, warned) in [(0.999, true), (1.001, false)] {
+            let hardness = part * strength * Params::paper().effective_shear_modulus * 27.0_f64.sqrt();
+            let params = Params { hardness, slip, ..Params::paper() };
+            let state = Model::new(&params).expect("a model").state_at_load(10.0).expect("a state");
+            assert_eq!(Measures::new(&params, &state).has(WARNING_STRONG), warned, "{part}");
+        }
+    }
+
+    /// Between two separations, however many of the states that are looked at lie between them.
+    #[test]
+    fn where_a_bound_is_exceeded_is_found() {
+        let (near, far) = (-3.0, 5.0);
+        for (from, to) in [(near, far), (near, 1.23456), (-1.23456, far), (0.17, 0.33), (0.17, 0.43)] {
+            let at = |d: f64| {
+                let mut measures = Measures([0.0; WARNINGS]);
+                measures.0[2] = if (from..=to).contains(&d) { 2.0 } else { 0.0 };
+                Ok(measures)
+            };
+            assert_eq!(warnings_between(near, far, at), Ok(1 << 2), "{from} to {to}");
+            let (nearest, farthest) = extent_of(1 << 2, near, far, at).expect("states").expect("an extent");
+            assert!(
+                (nearest - from).abs().max((farthest - to).abs()) < 1e-6,
+                "{nearest} to {farthest}, not {from} to {to}"
+            );
+        }
+    }
+
     /// A peak between states, of a measure that is below 1 at each of them.
     #[test]
     fn what_exceeds_its_bound_only_between_the_steps_is_found() {

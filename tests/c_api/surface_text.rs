@@ -235,6 +235,10 @@ fn words_and_numbers_choose() {
     // SAFETY: three numbers each.
     let columns = [table.table_height, table.table_density].map(|at| unsafe { std::slice::from_raw_parts(at, 3) });
     assert_eq!(columns, [[0.0, 1.0, 2.5], [0.0, 1.0, 0.5]]);
+    // A text of something else leaves it as it is.
+    let mut harder = table;
+    assert_eq!(set(&mut harder, b"hardness = 1e9"), OK);
+    assert_same(&harder, &asperity_params { hardness: 1e9, ..table }, "a table, and a hardness");
     // The same table is kept once, another beside it.
     let again = surface("table_density = [0, 1, 0.5]\ntable_height = [0, 1, 2.5]");
     assert_eq!((again.table_height, again.table_density), (table.table_height, table.table_density));
