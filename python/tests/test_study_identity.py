@@ -59,7 +59,8 @@ def test_what_replaces_a_file_is_what_was_written_and_flushed_not_a_copy(
 
 def test_a_lock_is_that_of_the_file_that_is_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its holder may remove the file just before it is locked: another process would then lock a file of its own."""
-    file, take, removed = tmp_path / "found.nc.lock", _study_lock._take, []
+    file, take = tmp_path / "found.nc.lock", _study_lock._take
+    removed: list[Path] = []
 
     def late(descriptor: int) -> None:
         take(descriptor)

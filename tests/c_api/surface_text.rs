@@ -324,7 +324,7 @@ fn what_is_wrong_is_named_with_line_and_key() {
         ("nominal_area = 1\n[roughness]\nRa = -1\nRSm = 1".into(), "line 3: Ra = -1: must be finite and > 0"),
         ("summit_density = 1".into(), "line 1: nominal_area: must be set, since summit_density gives"),
         ("interface = 3".into(), "line 1: interface = 3: must be the name of an interface, in quotes"),
-        ("interface = \"KCl\"".into(), "line 1: interface: KCl: no interface has this name; the nearest is "),
+        ("interface = \"KCl film\"".into(), "line 1: interface: KCl film: no interface has this name; the nearest is "),
         (format!("slip_stress_1 = 1\ninterface = \"KCl film on iron in vacuum\"\n{CARBON}"), "line 1: slip_stress_1: interface sets it already"),
         (format!("interface = \"Al/Al clean\"\n{CARBON}"), "line 1: Al/Al clean: its shear strength is not known"),
         ("skew = 0.1\nweibull_shape = 3".into(), "line 1: skew: chooses the heights by itself: do not give weibull_shape too"),

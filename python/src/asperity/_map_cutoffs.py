@@ -213,7 +213,10 @@ def table(given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Mak
     good = [chosen[i] for i, reason in enumerate(reasons) if not reason]
     counts = np.array([0 if one is None else one.count for one in left])
     recommended = float(good[0]) if good else None
-    result = Cutoffs(load, chosen, *numbers, counts, tuple(left), tuple(surfaces), tuple(reasons), step, recommended)
+    friction_of, radius, contacting, slope, fraction = numbers
+    result = Cutoffs(
+        load, chosen, friction_of, radius, contacting, slope, fraction, counts, tuple(left), tuple(surfaces), tuple(reasons), step, recommended
+    )  # fmt: skip
     tell(1.0, result.message)
     return result
 
