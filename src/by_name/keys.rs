@@ -110,7 +110,7 @@ pub const LISTED: &str = "docs/surface-file.md lists them";
 pub fn meant(name: &str) -> Option<&'static str> {
     // Of one letter the other case is another symbol.
     let is_meant = |word: &&str| *word == name || (word.len() > 1 && word.eq_ignore_ascii_case(name));
-    EXPECTED.iter().find(|(words, _)| words.iter().any(|word| is_meant(word))).map(|(_, meant)| *meant)
+    EXPECTED.iter().find(|(words, _)| words.iter().any(&is_meant)).map(|(_, meant)| *meant)
 }
 
 /// A key with its value.

@@ -109,7 +109,7 @@ fn instead(name: &[u8]) -> Instead<'static> {
         return Instead::Nearest(text(material.name));
     }
     let is_meant = |word: &&str| word.as_bytes().eq_ignore_ascii_case(name);
-    match EXPECTED.iter().find(|(words, _)| words.iter().any(|word| is_meant(word))) {
+    match EXPECTED.iter().find(|(words, _)| words.iter().any(&is_meant)) {
         Some((_, says)) => Instead::Says(says),
         None => Instead::of(name, MATERIALS.iter().map(|material| text(material.name)), LISTED),
     }
