@@ -50,14 +50,15 @@ void demand_known(const std::string &name) {
     if (asperity_params_get_value(&params, name.c_str(), &value) == ASPERITY_OK) return;
     std::string message = last_error();
     if (message.find(": no parameter has this name") == std::string::npos) return;    // known, and not kept
-    const std::string says = "the nearest is ";
-    const std::size_t place = message.find(says);
-    if (place != std::string::npos) {
-        std::string nearest = message.substr(place + says.size());
-        for (const char *word : {"modulus", "real_modulus", "poisson", "restitution", "mu", "microslip", "surface", "shear"})
-            if (edits(name, word) < edits(name, nearest)) nearest = word;
-        message = message.substr(0, place + says.size()) + nearest;
-    }
+    const std::string says = "; the nearest is ";
+    const std::size_t place = message.find(says), instead = message.find("; ");
+    std::size_t fewest = 3;    // more letters are no slip
+    if (place != std::string::npos) fewest = edits(name, message.substr(place + says.size()));
+    for (const char *word : {"modulus", "real_modulus", "poisson", "restitution", "mu", "microslip", "surface", "shear"})
+        if (const std::size_t wrong = edits(name, word); wrong < fewest && 2 * wrong < name.size()) {
+            fewest = wrong;
+            message = message.substr(0, instead) + says + word;
+        }
     refuse(message);
 }
 
