@@ -203,10 +203,10 @@ def test_warnings_name_the_line_that_called_the_package_however_deep() -> None:
 
 
 def test_slips_of_units_are_told() -> None:
-    with pytest.raises(Error, match="are height_std and summit_radius in um?"):
+    with pytest.raises(Error, match=r"Sq = 5: must be at most 1e-3 m: is it in um\?"):
         friction("Si/Si", Sq=5, Sdq=0.05, load=1e5)
     with pytest.raises(Error, match="bandwidth .* must be at most 1e6: .* are all lengths in one unit?"):
-        friction("Si/Si", Sq=5, Sdq=0.05, Sds=1e13, load=1e5)
+        friction("Si/Si", Sq=5e-6, Sdq=0.05, Sds=1e19, load=1e5)
 
 
 def test_asperities_of_a_map_follow_from_its_moments_and_summits_are_counted_where_asked() -> None:
@@ -229,7 +229,7 @@ def test_asperities_of_a_map_follow_from_its_moments_and_summits_are_counted_whe
 
 def test_height_and_slope_of_a_map_have_errors_and_bands() -> None:
     """The error is what maps of one spectrum differ by, to a factor of two."""
-    random = GaussianSurface(points=256, shortest=8.0, fall=2.0)
+    random = GaussianSurface(points=256, shortest=8.0, lowest=0.2, fall=2.0)
     maps = [surface.summits(random.map(seed), 1.0) for seed in range(12)]
     for name in ("rms_height", "rms_slope"):
         values = [getattr(one, name).value for one in maps]

@@ -177,7 +177,9 @@ impl<'t> Entries<'t> {
             (_, Some(meant)) => Problem::new(at, format_args!("{table}{shown}: no such key; {meant}")),
             _ => {
                 let tables = TABLES[1..].iter().filter(|_| table == Table::Top).map(|table| table.name());
-                let instead = Instead::of(name.as_bytes(), table.all_keys().chain(tables), LISTED);
+                let keys =
+                    TABLES.into_iter().filter(|other| table == Table::Top || *other == table).flat_map(Table::all_keys);
+                let instead = Instead::of(name.as_bytes(), keys.chain(tables), LISTED);
                 Problem::new(at, format_args!("{table}{shown}: no such key; {instead}"))
             }
         }

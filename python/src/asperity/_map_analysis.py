@@ -267,7 +267,7 @@ def analyse(
                 "friction",
                 f"the map alone leaves mu within {float(number) * math.exp(-1.96 * own):.2g} to {float(number) * math.exp(1.96 * own):.2g}",
                 "measure friction once, and give measured=(load, coefficient)" if "measured" not in given else "measure a better map",
-                True,
+                not findings,  # what can be mended comes first
             )
         )
     reach = NormalDist().inv_cdf((1 + coverage) / 2)
@@ -374,7 +374,9 @@ def _spread(
     """Standard deviations of ln(mu): rectangular over cutoffs and families."""
     moments = moments_of(left)
     parts = []
-    for height, slope in ((left.rms_height.error / left.rms_height.value, 0.0), (0.0, left.rms_slope.error / left.rms_slope.value)):
+    # Of a map with few waves the errors cannot be known: half of the value stands for them.
+    errors = [min(float(np.nan_to_num(one.error / one.value, nan=0.5)), 0.5) for one in (left.rms_height, left.rms_slope)]
+    for height, slope in ((errors[0], 0.0), (0.0, errors[1])):
         other = {
             "m0": moments["m0"] * (1 + height) ** 2,
             "m2": moments["m2"] * (1 + slope) ** 2,
