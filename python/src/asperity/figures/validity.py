@@ -80,7 +80,7 @@ def _region(axes: Axes, x: float, y: float, text: str, colour: str) -> None:
 def _measurements() -> Figure:
     rows = measured.MEASUREMENTS
     picture, axes = _empty((5.0, 0.72 * len(rows) + 1.1), (0.04, 0.12, 0.92, 0.81))
-    axes.set_title("With the default strength friction is an order of magnitude", loc="left", weight="bold", fontsize=11)
+    axes.set_title("Default strength: an order of magnitude", loc="left", weight="bold", fontsize=11)
     axes.set(xscale="log", xlim=(0.02, 1000), ylim=(len(rows) - 0.4, -0.9))
     axes.set_xlabel("predicted / measured [–]; bands: inputs not given")
     axes.set_yticks([])
