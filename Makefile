@@ -127,7 +127,7 @@ pages: export ASPERITY_WRITE_PAGES := 1
 pages:
 	$(CARGO) build --release --locked
 	$(CARGO) test --release --locked --test install readme
-	python/test.sh tests/test_docs.py tests/test_start_pages.py tests/test_tutorial.py tests/test_surface_file.py tests/test_study_guide.py tests/test_export.py
+	python/test.sh tests/test_docs.py tests/test_guides.py tests/test_surface_file.py tests/test_export.py
 	js/test.sh --quick
 	tests/consumers/run.sh
 
