@@ -185,9 +185,9 @@ def _spread(values: list[float]) -> str:
 
 # By page and mark.
 TABLES: dict[tuple[str, str], Callable[[], str]] = {
-    ("domain.md", "contacts"): contacts.table,
-    ("domain.md", "roughness"): contacts.roughness,
-    ("domain.md", "defaults"): defaults.table,
+    ("when-to-use.md", "contacts"): contacts.table,
+    ("when-to-use.md", "roughness"): contacts.roughness,
+    ("when-to-use.md", "defaults"): defaults.table,
     ("validation.md", "areas"): areas,
     ("validation.md", "population"): population,
     ("validation.md", "errors"): errors,
