@@ -43,7 +43,7 @@ def test_a_surface_file_gives_the_number_below_it(root: Path, tmp_path: Path, gu
         if kind == "toml":
             file.write_text(text, encoding="utf-8")
             at, shown = next((at, text) for at, (kind, text) in enumerate(blocks(page)) if kind == "text" and at > i)
-            load, mu, low, high = re.search(r"^mu\((\S+) N\) = (\S+), 95 % band (\S+) to (\S+)$", shown, re.MULTILINE).groups()
+            ((load, mu, low, high),) = re.findall(r"^mu\((\S+) N\) = (\S+), 95 % band (\S+) to (\S+)$", shown, re.MULTILINE)
             shows(page, at, shown, run_main("friction", "--surface", file, "--load", load).stdout)
             # The table at the top.
             assert guide != "start" or f"| {mu} ({low} to {high}) at {load} N |" in page.read_text(encoding="utf-8")

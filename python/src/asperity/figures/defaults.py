@@ -55,7 +55,7 @@ _SINGLE = ("gold pillar on mica, AFM", "rough gold tip on mica, AFM", "mica on m
 
 def error() -> Band:
     """How many times too low and too high friction with the default strength is at most: of the rows whose source was read."""
-    ratios = [row.ratio() for row in (*_singles(), *ROUGH) if row.measured is not None]
+    ratios = [row.ratio() for row in _singles() if row.measured is not None] + [row.ratio() for row in ROUGH]
     return 1 / min(low for low, _ in ratios), max(high for _, high in ratios)
 
 
