@@ -25,6 +25,7 @@ class Rough:
         surfaces: that it is predicted for.
         loads: lightest and heaviest [N].
         inputs: what is assumed.
+        label: who measured it, in short.
         source: with what of it was read.
     """
 
@@ -33,6 +34,7 @@ class Rough:
     surfaces: tuple[Params, ...]
     loads: Band
     inputs: str
+    label: str
     source: str
 
     def predicted(self) -> Band:
@@ -66,17 +68,17 @@ _BYERLEE = "J. D. Byerlee, The frictional characteristics of Westerly granite, t
 ROUGH = (
     Rough(
         "steel on steel in air, dry", (0.56, 0.58), _steels(), (12.0, 50.0),
-        "ground steel of the map, H = 2 and 7.5 GPa, contact law 1, 12 and 50 N",
+        "ground steel of the map, H = 2 and 7.5 GPa, elastic-plastic, 12 and 50 N", "AISI 52100 on rolled steel",
         "Measurement and analysis of the kinetic friction coefficient of AISI 52100 and ceramic balls on cold rolled high-strength "
         "steel, abstract: 12 to 50 N, after some wear",
     ),
     Rough(
         "granite and quartz, finely ground", (0.2, 0.2), _quartz(0.4e-6, 20e-6), (10.0, 1000.0),
-        "SiO₂, σ = 0.4 µm, R = 20 µm, contact law 1, 0.1 to 10 MPa", _BYERLEE,
+        "SiO₂, σ = 0.4 µm, R = 20 µm, elastic-plastic, 0.1 to 10 MPa", "Byerlee 1966", _BYERLEE,
     ),
     Rough(
         "granite and quartz, rough", (0.6, 0.6), _quartz(5e-6, 50e-6), (10.0, 1000.0),
-        "SiO₂, σ = 5 µm, R = 50 µm, contact law 1, 0.1 to 10 MPa", _BYERLEE,
+        "SiO₂, σ = 5 µm, R = 50 µm, elastic-plastic, 0.1 to 10 MPa", "Byerlee 1966", _BYERLEE,
     ),
 )  # fmt: skip
 
@@ -94,22 +96,20 @@ def error() -> Band:
 
 def table() -> str:
     """Predicted with the defaults over measured, as a table of Markdown."""
-    rows = [
-        "| Interface | Measured | With the defaults | Default over measured | Assumed | Source |",
-        "|---|---|---|---|---|---|",
-    ]
+    rows = ["| Interface | Measured | With the defaults | Default over measured | Source |", "|---|---|---|---|---|"]
     for single in (row for row in MEASUREMENTS if row.name in _SINGLE):
         unit = " MPa" if "MPa" in single.quantity else ""
         measured = "" if single.measured is None else _band(single.measured) + unit
-        rows.append(_row(single.name, measured, _band(single.predicted()) + unit, single.ratio(), single.open_inputs, single.source))
+        rows.append(f"| {single.name} | {measured} | {_band(single.predicted())}{unit} | {_times(single.ratio())} | {single.label} |")
     for rough in ROUGH:
         measured, predicted = f"μ = {_band(rough.measured)}", f"μ = {_band(rough.predicted())}"
-        rows.append(_row(rough.name, measured, predicted, rough.ratio(), rough.inputs, rough.source))
+        rows.append(f"| {rough.name} | {measured} | {predicted} | {_times(rough.ratio())} | {rough.label} |")
     return "\n".join(rows)
 
 
-def _row(name: str, measured: str, predicted: str, ratio: Band, inputs: str, source: str) -> str:
-    return f"| {name} | {measured} | {predicted} | {_times(ratio)} | {inputs} | {source} |"
+def inputs() -> str:
+    """What is assumed of the rough surfaces, and the sources, as a list of Markdown."""
+    return "\n".join(f"- **{rough.name}**: {rough.inputs}. Source: {rough.source}." for rough in ROUGH)
 
 
 def _band(band: Band) -> str:
