@@ -1,4 +1,4 @@
-//! The programs in README.md, on the front page of the site, in docs/uncertainty-and-fits.md, docs/stiffness-and-microslip.md, docs/stiffness-and-microslip.md and on
+//! The programs in README.md, on the front page of the site, in docs/uncertainty-and-fits.md, docs/stiffness-and-microslip.md and on
 //! the starting points' pages print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
@@ -46,20 +46,18 @@ fn the_program_of_the_readme_prints_what_it_says() {
     }
 }
 
-/// And the program for an implicit solver.
+/// Of normal contact, of a contact that remembers, and of one in an implicit solver.
 #[test]
-fn the_programs_of_a_contact_that_remembers_print_what_stands_below_them() {
-    let guide = page("docs/stiffness-and-microslip.md");
-    let program = between(&guide, "```c\n", "```");
-    assert!(program.lines().count() <= 20);
-    prints("microslip.c", ("docs/stiffness-and-microslip.md", &guide), program, between(&guide, "```text\n", "```"));
-    let solver = guide.split("## In an implicit solver").nth(1).expect("the section");
-    prints(
-        "equilibrium.c",
-        ("docs/stiffness-and-microslip.md", &guide),
-        between(solver, "```c\n", "```"),
-        between(solver, "```text\n", "```"),
-    );
+fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them() {
+    let name = "docs/stiffness-and-microslip.md";
+    let guide = page(name);
+    for (section, file) in
+        [("## In C", "normal_contact.c"), ("### A program", "microslip.c"), ("### In an implicit solver", "equilibrium.c")]
+    {
+        let part = guide.split_once(section).expect(section).1;
+        prints(file, (name, &guide), between(part, "```c\n", "```"), between(part, "```text\n", "```"));
+    }
+    assert!(between(guide.split_once("### A program").expect("the section").1, "```c\n", "```").lines().count() <= 20);
 }
 
 #[test]
@@ -92,18 +90,4 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
         }
     }
     assert_eq!(pages, 5, "starting points");
-}
-
-#[test]
-fn the_program_of_normal_contact_prints_what_stands_below_it() {
-    let guide = page("docs/stiffness-and-microslip.md");
-    let (program, printed) =
-        guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
-    let shown = ("docs/stiffness-and-microslip.md", &guide[..]);
-    prints(
-        "normal_contact.c",
-        shown,
-        between(program, "```c\n", "```"),
-        printed.split("```").next().expect("what it prints"),
-    );
 }
