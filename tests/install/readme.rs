@@ -51,9 +51,11 @@ fn the_program_of_the_readme_prints_what_it_says() {
 fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them() {
     let name = "docs/stiffness-and-microslip.md";
     let guide = page(name);
-    for (section, file) in
-        [("## In C", "normal_contact.c"), ("### A program", "microslip.c"), ("### In an implicit solver", "equilibrium.c")]
-    {
+    for (section, file) in [
+        ("## In C", "normal_contact.c"),
+        ("### A program", "microslip.c"),
+        ("### In an implicit solver", "equilibrium.c"),
+    ] {
         let part = guide.split_once(section).expect(section).1;
         prints(file, (name, &guide), between(part, "```c\n", "```"), between(part, "```text\n", "```"));
     }
