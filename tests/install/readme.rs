@@ -51,20 +51,20 @@ fn the_program_of_the_readme_prints_what_it_says() {
     }
 }
 
-/// And the program for an implicit solver.
+/// Of normal contact, of a contact that remembers, and of one in an implicit solver.
 #[test]
-fn the_programs_of_a_contact_that_remembers_print_what_stands_below_them() {
-    let guide = page("docs/stiffness-and-microslip.md");
-    let program = between(&guide, "```c\n", "```");
-    assert!(program.lines().count() <= 20);
-    prints("microslip.c", ("docs/stiffness-and-microslip.md", &guide), program, between(&guide, "```text\n", "```"));
-    let solver = guide.split("## In an implicit solver").nth(1).expect("the section");
-    prints(
-        "equilibrium.c",
-        ("docs/stiffness-and-microslip.md", &guide),
-        between(solver, "```c\n", "```"),
-        between(solver, "```text\n", "```"),
-    );
+fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them() {
+    let name = "docs/stiffness-and-microslip.md";
+    let guide = page(name);
+    for (section, file) in [
+        ("## In C", "normal_contact.c"),
+        ("### A program", "microslip.c"),
+        ("### In an implicit solver", "equilibrium.c"),
+    ] {
+        let part = guide.split_once(section).expect(section).1;
+        prints(file, (name, &guide), between(part, "```c\n", "```"), between(part, "```text\n", "```"));
+    }
+    assert!(between(guide.split_once("### A program").expect("the section").1, "```c\n", "```").lines().count() <= 20);
 }
 
 /// One program reads the surface files of two pages, a second one a surface of a height map.
@@ -88,18 +88,4 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     let slider = maps.split("```c\n").nth(1).expect("the slider");
     let (slider, rest) = slider.split_once("```").expect("its end");
     prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
-}
-
-#[test]
-fn the_program_of_normal_contact_prints_what_stands_below_it() {
-    let guide = page("docs/stiffness-and-microslip.md");
-    let (program, printed) =
-        guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
-    let shown = ("docs/stiffness-and-microslip.md", &guide[..]);
-    prints(
-        "normal_contact.c",
-        shown,
-        between(program, "```c\n", "```"),
-        printed.split("```").next().expect("what it prints"),
-    );
 }
