@@ -311,6 +311,3 @@ def test_a_roughness_in_another_unit_is_named_as_it_was_given() -> None:
 
 def test_messages_name_no_function_of_another_language() -> None:
     assert not any("asperity_params" in kind.description for kind in Warnings if kind)
-    with pytest.raises(Error, match="unless heights are Johnson's; the skew") as caught:
-        Model(Params.paper().replace(height_distribution="gaussian").from_text("skew = 1", Params.paper()))
-    assert "asperity_" not in str(caught.value).lower()
