@@ -11,7 +11,7 @@ It prints the friction coefficient of two materials with its band, from what is 
     Model(params)                   friction, stiffness, exact states and warnings at any load
     Model(params).curve().plot()    friction over a range of loads
     params.calibrated(load, mu)     the strength of the interface from one measurement
-    fit(params, load, mu, free=...) parameters from several measurements
+    fit(load, mu, params=params)    parameters from several measurements
     surface.analyse(map, load, ...) from a measured height map to friction and a verdict on the map
     uncertainty, study, pads        bands, many surfaces, few contacts
     materials                       MATERIALS, PAIRS, INTERFACES
