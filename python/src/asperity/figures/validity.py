@@ -39,7 +39,7 @@ _LABELS = {
 def _contacts() -> Figure:
     picture, axes = _empty((5.0, 5.4), (0.145, 0.15, 0.835, 0.78))
     axes.set_title("Ground steel yields, MEMS and wafers do not", loc="left", x=-0.15, weight="bold", fontsize=11)
-    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot); numbers in docs/domain.md", fontsize=9, color=GREY)
+    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot); numbers in docs/when-to-use.md", fontsize=9, color=GREY)
     axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
     axes.set_xlabel("mean pressure of the contacts / hardness [–]")
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
