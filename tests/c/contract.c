@@ -85,7 +85,7 @@ static void every_warning_says_what_fails_and_what_to_do(void)
                          ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE |
                          ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG |
                          ASPERITY_WARNING_FEW_WAVES;
-    const char *advice[] = { "; use ", "; measure the friction force once and call asperity_params_calibrate",
+    const char *advice[] = { "; use ", "; measure friction once and calibrate with it",
                              "; give the mean squares of height and slope", "; calibrate with a measured friction force" };
     for (int bit = 0; bit < 64; bit++) {
         const uint64_t warning = UINT64_C(1) << bit;
