@@ -152,8 +152,8 @@ module asperity
                                                     ! normalised
     integer(c_int64_t) :: table_length              ! Number of heights in the table, 3 to 256; 0 by default
     real(c_double) :: tangential_modulus            ! G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the
-                                                    ! stiffness of contacts that stick; 0, the default, stands for E* G*
-                                                    ! / (2 (E* + G*))
+                                                    ! stiffness of contacts that stick; 0, the default, means E* G* / (2
+                                                    ! (E* + G*))
     real(c_double) :: nominal_area                  ! Nominal area A_0 of contact [length^2], >= 0; 0, the default,
                                                     ! means not known
     integer(c_int32_t) :: contact_law               ! Law of one summit in contact, one of ASPERITY_CONTACT_; Maugis' by

@@ -111,8 +111,8 @@
  * hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
  * a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding. */
 #define ASPERITY_WARNING_PLASTIC 1
-/** Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of `nominal_area`, where that is
- * given, or if more than 10 % of the summits touch and `rms_slope` is not given. Never set if `asperity_count` is 1.
+/** Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of a known
+ * `nominal_area`, or, without `rms_slope`, more than 10 % of the summits touch. Never set if `asperity_count` is 1.
  */
 #define ASPERITY_WARNING_CROWDED 2
 /** Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
@@ -236,7 +236,7 @@ typedef struct asperity_params {
   const double *table_density;
   /** Number of heights in the table, 3 to 256; 0 by default. */ uint64_t table_length;
   /** G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the
-   * default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
+   * default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
    * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
   /** Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
@@ -388,8 +388,7 @@ typedef struct asperity_state {
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
   /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
-   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md).
-   */
+   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md). */
   double friction_scatter;
   /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
    * `friction_scatter`. */
@@ -655,7 +654,7 @@ asperity_status asperity_params_set_value(struct asperity_params *params, const 
  * - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
  * - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
  *   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
- * - `summit_density`, summits per area, with a `nominal_area` given here or earlier: stands for `asperity_count`
+ * - `summit_density`, summits per area, with a `nominal_area` given here or earlier: replaces `asperity_count`
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last
  *
@@ -1372,7 +1371,7 @@ asperity_status asperity_summary_of(const struct asperity_model *model, struct a
 asperity_status asperity_sensitivities_at_load(const struct asperity_model *model, double load,
     struct asperity_sensitivities *sensitivities);
 
-/* ---- Limits: where the model does not hold, and what to do there. ---- */
+/* ---- Limits: which assumptions fail at which loads, and the remedy. ---- */
 
 /** Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
  *
@@ -1470,7 +1469,7 @@ uint32_t asperity_abi_version(void);
  * @return a constant string, never NULL */
 const char *asperity_version(void);
 
-/* ---- The table: the compiled law for code that cannot call a library, as GPU kernels. ---- */
+/* ---- The table: for code that cannot call a library, such as GPU kernels. ---- */
 
 /** Fills a view of the compiled law of a model.
  *

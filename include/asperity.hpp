@@ -580,7 +580,7 @@ public:
     Params &hardness(double value) noexcept { return assign(c_.hardness, value); }
 
     /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default,
-    /// stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
+    /// means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
     /// `asperity_params_set_materials` sets it.
     double tangential_modulus() const noexcept { return c_.tangential_modulus; }
     /// Sets it.

@@ -33,7 +33,6 @@ PLACES = {
     "packaging/spack/spack_repo/asperity/packages/asperity/package.py": r'^    version\("(.+)"\)',
     "packaging/vcpkg/asperity/vcpkg.json": r'^  "version": "(.+)"',
     "docs/install.md": r"^\./lib/libasperity\.so\.(\d+\.\d+\.\d+)$",
-    "docs/python.md": r"^asperity (\S+) \(library",
 }
 
 STEPS = """

@@ -25,17 +25,17 @@ program friction_curve
   type(asperity_params) :: params
   type(asperity_estimate) :: found(5)
   type(asperity_state) :: state
-  type(friction_model) :: law
+  type(friction_model) :: model
   integer :: i
 
   if (asperity_params_init(params) /= ASPERITY_OK) error stop
   call asperity_params_set_text(params, surface)
-  call law%create(params)
+  call model%create(params)
   call asperity_estimate_at_loads(surface, loads, found)
   write (*, '(a)') '  load [N]      mu     low    high   contacts'
   do i = 1, size(loads)
-    call law%state_at_load(loads(i), state)
+    call model%state_at_load(loads(i), state)
     write (*, '(f10.4, 3f8.3, i11)') loads(i), found(i)%friction_coefficient, found(i)%low, found(i)%high, nint(state%contacting)
   end do
-  call law%free()
+  call model%free()
 end program friction_curve

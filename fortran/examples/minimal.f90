@@ -5,7 +5,7 @@ program minimal
   use asperity
   implicit none
   type(asperity_params) :: params
-  type(friction_model) :: law
+  type(friction_model) :: model
   real(c_double) :: load(3), mu(3), slope(3)
   integer(c_int64_t) :: warnings
   integer :: i
@@ -19,11 +19,11 @@ program minimal
   ! Put your measurement here: load [N] and friction coefficient. Without one leave this line out.
   call asperity_check(asperity_params_calibrate(params, 1e-2_c_double, 0.25_c_double))
 
-  call law%create(params)
-  call law%check_loads(1e-3_c_double, 1e-1_c_double, warnings)
-  if (warnings /= 0) write (error_unit, '(a)') asperity_warning_text(warnings)   ! what does not hold, and what to do
+  call model%create(params)
+  call model%check_loads(1e-3_c_double, 1e-1_c_double, warnings)
+  if (warnings /= 0) write (error_unit, '(a)') asperity_warning_text(warnings)   ! which assumptions fail, and the remedy
   load = [1e-3_c_double, 1e-2_c_double, 1e-1_c_double]
-  mu = law%friction_at_load(load, slope)
+  mu = model%friction_at_load(load, slope)
   write (*, '(a, es10.3, a, f7.4, a, es11.3)') ('load', load(i), ' N: mu =', mu(i), ', dmu/dload [1/N] =', slope(i), i=1, 3)
-  call law%free()
+  call model%free()
 end program minimal

@@ -30,7 +30,6 @@ PARTS = {
     f"{PYTHON}/errors.py": ("statuses",),
 }
 TABLES = {
-    "fields": pages.fields,
     "keys": pages.keys,
     "functions": pages.functions,
     "warnings": pages.warnings,

@@ -9,13 +9,6 @@ from words import first_sentence, in_words, sentences
 SI = {"stress": "Pa", "length": "m", "length^2": "m²", "force": "N", "force/length": "N/m"}
 
 
-def fields(header):
-    """The parameters as fields of C: unit, domain and meaning."""
-    yield from ("| Field | Unit | Domain | What it is |", "|---|---|---|---|")
-    for one in header.params:
-        yield f"| `{one.name}` | {one.unit} | {cell(one.domain)} | {cell(meaning(one))} |"
-
-
 def keys(header):
     """The parameters as keys of a surface file, in SI units and words."""
     yield from ("| Key | Unit | Domain | What it is |", "|---|---|---|---|")
@@ -26,13 +19,9 @@ def keys(header):
 
 
 def functions(header):
-    """All functions, under the headings of the header."""
+    """The names of all functions, under the headings of the header."""
     for heading, group in groupby(header.functions, key=lambda function: function.heading):
-        if heading != header.functions[0].heading:
-            yield ""
-        yield from (f"**{heading.rstrip('.')}**", "", "| Function | What it does |", "|---|---|")
-        for function in group:
-            yield f"| `{function.name}` | {cell(first_sentence(function.doc))} |"
+        yield f"- **{heading.rstrip('.')}**: {', '.join(f'`{function.name}`' for function in group)}"
 
 
 def warnings(header):

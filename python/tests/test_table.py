@@ -114,12 +114,9 @@ def test_the_example_prints_what_the_page_says(root: Path) -> None:
 
 def test_the_programs_of_the_page_print_what_it_says(tmp_path: Path) -> None:
     page = (DOCS / "python.md").read_text(encoding="utf-8")
-    programs, printed = (
-        re.findall(rf"^```{kind}\n(.*?)^```$", page, re.DOTALL | re.MULTILINE) for kind in ("python", "text")
-    )
-    assert len(programs) == len(printed) == 2  # in JAX and in Warp
-    for program, expected in zip(programs, printed):
-        file = tmp_path / "program.py"
-        file.write_text(program, encoding="utf-8")
-        done = subprocess.run([sys.executable, file], check=True, capture_output=True, text=True)
+    programs = re.findall(r"^```python (\S+)\n(.*?)^```\n+```text\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    assert len(programs) == 2  # in JAX and in Warp
+    for name, program, expected in programs:
+        (tmp_path / name).write_text(program, encoding="utf-8")
+        done = subprocess.run([sys.executable, tmp_path / name], check=True, capture_output=True, text=True)
         assert done.stdout.endswith("\n" + expected) or done.stdout == expected  # Warp speaks of itself first

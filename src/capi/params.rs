@@ -101,7 +101,7 @@ pub struct asperity_params {
     /// Number of heights in the table, 3 to 256; 0 by default.
     pub table_length: u64,
     /// G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the
-    /// default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
+    /// default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
     /// `asperity_params_set_materials` sets it.
     pub tangential_modulus: f64,
     /// Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.

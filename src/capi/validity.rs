@@ -12,8 +12,8 @@ use std::ffi::{c_char, CStr};
 /// hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
 /// a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-/// Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of `nominal_area`, where that is
-/// given, or if more than 10 % of the summits touch and `rms_slope` is not given. Never set if `asperity_count` is 1.
+/// Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of a known
+/// `nominal_area`, or, without `rms_slope`, more than 10 % of the summits touch. Never set if `asperity_count` is 1.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
 /// Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
 /// given, contact radii are more than a tenth of the summit radii, on average.

@@ -32,9 +32,9 @@ const GROUPS: [(&str, &[&str]); 7] = [
         "Explain: exact states, the constants of a model, and which parameter matters how much.",
         &["state", "sensitivities"],
     ),
-    ("Limits: where the model does not hold, and what to do there.", &["validity"]),
+    ("Limits: which assumptions fail at which loads, and the remedy.", &["validity"]),
     ("Errors and versions.", &["last_error", "about"]),
-    ("The table: the compiled law for code that cannot call a library, as GPU kernels.", &["table"]),
+    ("The table: for code that cannot call a library, such as GPU kernels.", &["table"]),
 ];
 
 /// The columns of a line.

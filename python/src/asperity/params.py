@@ -147,8 +147,8 @@ class Params:
             and copied when a model is made. Empty by default.
         table_density: The density at each of these heights, >= 0; it need not be normalised. Empty by default.
         tangential_modulus: G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that
-            stick; 0, the default, stands for E* G* / (2 (E* + G*)). That is exact for two bodies of one material and
-            for one rigid body.
+            stick; 0, the default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one
+            rigid body.
         nominal_area: Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare
             the real area A with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces
             and normal to them, and the sum of contact radii are those of lone contacts over psi = (1 -

@@ -24,9 +24,8 @@ class Warnings(IntFlag):
         PLASTIC: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
             hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never
             set without a hardness, nor for "elastic-plastic", which models yielding.
-        CROWDED: summits do not act independently. Set if the real area is more than 10 % of `nominal_area`, where that
-            is given, or if more than 10 % of the summits touch and `rms_slope` is not given. Never set if
-            `asperity_count` is 1.
+        CROWDED: summits do not act independently. Set if the real area is more than 10 % of a known `nominal_area`, or,
+            without `rms_slope`, more than 10 % of the summits touch. Never set if `asperity_count` is 1.
         STEEP: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
             given, contact radii are more than a tenth of the summit radii, on average.
         ATOMIC: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
