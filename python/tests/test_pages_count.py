@@ -23,6 +23,7 @@ PHRASES = {
 # Of a user page: how a fact was found. tests/setup.sh is a command, which installs packages.
 FOUND = re.compile(r"\b(?:was|were) read\b|\btests?/(?!setup\.sh)[\w./-]+\.\w+|\btest_\w+\.py\b|\w+\.test\.\w+", re.IGNORECASE)
 FENCE = re.compile(r"^(```+).*?^\1$", re.MULTILINE | re.DOTALL)
+COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 CODE = re.compile(r"`[^`\n]+`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 
@@ -35,9 +36,13 @@ def blank(found: re.Match[str]) -> str:
     return re.sub(r"\S", " ", found[0])
 
 
+def shown(page: Path) -> str:
+    return COMMENT.sub(blank, page.read_text(encoding="utf-8"))
+
+
 def prose(page: Path) -> str:
     """Without programs and the targets of links, every line in its place."""
-    text = CODE.sub(blank, FENCE.sub(blank, page.read_text(encoding="utf-8")))
+    text = CODE.sub(blank, FENCE.sub(blank, shown(page)))
     return re.sub(r"^ {4,}.*$", "", LINK.sub("]", text), flags=re.MULTILINE)
 
 
@@ -76,7 +81,7 @@ def too_long(root: Path) -> list[str]:
 
 
 def how_found(root: Path) -> list[str]:
-    return occurrences(root, FOUND, lambda page: page.read_text(encoding="utf-8"))
+    return occurrences(root, FOUND, shown)
 
 
 def places(page: Path) -> set[str]:
