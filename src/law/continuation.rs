@@ -174,8 +174,8 @@ mod tests {
             for is_heavy in [false, true] {
                 let beyond = Continuation::new(x, end, base, is_heavy);
                 let (value, slope) = beyond.at(x);
-                assert!((value / end.0 - 1.0).abs() < 1e-12, "{x:e}: {value}");
-                assert!((slope - end.1).abs() <= 1e-8 * end.1, "{x:e}: {slope:e}, not {:e}", end.1);
+                assert!((value / end.0 - 1.0).abs() < 2e-9, "{x:e}: {value}");
+                assert!((slope - end.1).abs() <= 2e-7 * end.1, "{x:e}: {slope:e}, not {:e}", end.1);
                 for step in 1..200 {
                     let far = 1.9 * f64::from(step);
                     let ratio = exp(if is_heavy { far } else { -far });
@@ -186,12 +186,12 @@ mod tests {
                     let (value, slope) = beyond.at(at);
                     let rise = gain * exp(power * log(at / x));
                     assert!(
-                        (value / (base + rise) - 1.0).abs() < 1e-10,
+                        (value / (base + rise) - 1.0).abs() < 2e-9,
                         "{at:e} of {x:e}: {value:e}, not {:e}",
                         base + rise
                     );
                     let exact = power * rise / at;
-                    assert!((slope - exact).abs() <= 1e-8 * exact, "{at:e} of {x:e}: slope {slope:e}, not {exact:e}");
+                    assert!((slope - exact).abs() <= 2e-7 * exact, "{at:e} of {x:e}: slope {slope:e}, not {exact:e}");
                 }
             }
         }
