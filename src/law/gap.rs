@@ -93,6 +93,8 @@ impl Gap {
         // The first row that the curve has whole.
         let base = (margin.below().to_bits() >> shift) + 1;
         let end = (margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift;
+        // A part of a curve may be shorter than a row.
+        let end = end.max(base);
         let mut table = Table::new(FRACTION, base, -anchor);
         Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));

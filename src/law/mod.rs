@@ -137,8 +137,9 @@ impl Reach {
 
     /// The part of it between two loads above pull-off, in the model's units, which is not empty.
     fn between(self, log_lightest: f64, log_heaviest: f64) -> Self {
-        let log_heaviest = (log_heaviest + ROW).max(self.log_lightest + ROW).min(self.log_heaviest);
-        let log_lightest = (log_lightest - ROW).min(log_heaviest - ROW).max(self.log_lightest);
+        // Wherever it begins, two rows' length holds a whole one.
+        let log_heaviest = (log_heaviest + ROW).max(self.log_lightest + 2.0 * ROW).min(self.log_heaviest);
+        let log_lightest = (log_lightest - ROW).min(log_heaviest - 2.0 * ROW).max(self.log_lightest);
         Self { log_lightest, log_heaviest, is_part: true, ..self }
     }
 }
