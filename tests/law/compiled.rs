@@ -124,7 +124,7 @@ fn the_table_agrees_with_exact_evaluation() {
             // So near to pull-off dP/dd is a difference of integrals that cancel to a part in 10^5 and less: it is the
             // exact slope that is known no better.
             let near_pull_off = load - summary.pull_off_load < -1e-7 * summary.pull_off_load;
-            failures.claim(slope_error <= if near_pull_off { 1e-5 } else { 1e-6 }, || {
+            failures.claim(slope_error <= if near_pull_off { 2e-6 } else { 1e-6 }, || {
                 let exact = exact.dforce_dload;
                 format!(
                     "load {load:e}: slope {slope:e}, exactly {exact:e}, error {slope_error:e}; {:?}",
@@ -176,7 +176,7 @@ fn force_and_slope_are_continuous_where_rows_meet() {
             let slope_jump = (relative(s, slope) - 2.0 * step / x).max(0.0);
             edges += 1;
             // Whole rows meet to rounding, and the last part of a divided row meets the next row as well as parts meet the curve.
-            if jump <= 2e-9 && slope_jump <= 1e-6 {
+            if jump <= 2e-10 && slope_jump <= 1e-7 {
                 between_parts += usize::from(jump > 1e-12);
                 continue;
             }
@@ -185,7 +185,7 @@ fn force_and_slope_are_continuous_where_rows_meet() {
         }
     }
     println!("{edges} edges");
-    assert!(between_parts * 500 < edges, "{between_parts} of {edges} edges meet to no more than 1e-12");
+    assert!(between_parts * 1000 < edges, "{between_parts} of {edges} edges meet to no more than 1e-12");
     failures.report();
 }
 
@@ -315,7 +315,7 @@ fn beyond_the_table_the_law_goes_on_with_its_slope_as_a_power_of_the_load() {
             let ((force, slope), (next, next_slope)) =
                 (model.friction_force_and_slope(below), model.friction_force_and_slope(above));
             // Of a difference from the force at pull-off the digits are fewer.
-            let known = 1e-6 + 1e-15 * next / (next - base);
+            let known = 1e-7 + 1e-15 * next / (next - base);
             failures.claim(relative(next, force) < 1e-8 && relative(next_slope, slope) < 1e-6, || {
                 format!("at {end:e}: {force:e}, {slope:e}, then {next:e}, {next_slope:e}; {:?}", model.params())
             });

@@ -37,7 +37,7 @@ fn surfaces() -> Vec<Params> {
     of_the_benchmark().into_iter().chain(others).chain(crowd.map(|(params, share)| crowded(params, share))).collect()
 }
 
-/// The separations between which it is compared: of 500 times the load at which half of the summits touch, or 1e4 times that of pull-off,
+/// The separations between which it is compared: of 1e3 times the load at which half of the summits touch, or 1e4 times that of pull-off,
 /// and of pull-off or a load 1e-22 times as large, below which a pull-off load counts as none.
 fn range(model: &Model) -> (f64, f64) {
     let separation = |load: f64| model.state_at_load(load).expect("a state").gap;
@@ -45,10 +45,7 @@ fn range(model: &Model) -> (f64, f64) {
     let lone = Params { nominal_area: 0.0, summit_mean_height: 0.0, ..model.params().clone() };
     let half = Model::new(&lone).and_then(|model| model.state_at_gap(0.0)).map_or(0.0, |state| state.load);
     let lightest = 1e-22 * half.max(-pull_off);
-    (
-        separation((500.0 * half).max(-1e4 * pull_off)),
-        separation(if pull_off < -lightest { pull_off } else { lightest }),
-    )
+    (separation((1e3 * half).max(-1e4 * pull_off)), separation(if pull_off < -lightest { pull_off } else { lightest }))
 }
 
 fn models() -> Vec<Model> {
@@ -119,7 +116,7 @@ fn load_falls_with_separation_without_jumps() {
                 if i % 2 == 0 { far - (far - near) * 1e-7_f64.powf(f64::from(i) / 6e3) } else { last.above() };
             let (load, slope) = model.load_and_slope_at_gap(separation);
             let size = load.abs().max(-pull_off);
-            assert!(load <= before.0 + 1e-9 * size, "{separation:e}: {load:e} after {before:?}; {:?}", model.params());
+            assert!(load <= before.0 + 1e-10 * size, "{separation:e}: {load:e} after {before:?}; {:?}", model.params());
             assert!(
                 slope <= 1e-8 * size / model.params().height_std,
                 "{separation:e}: {slope:e}; {:?}",
@@ -127,7 +124,7 @@ fn load_falls_with_separation_without_jumps() {
             );
             if i % 2 == 1 {
                 let jump = (load - before.0).abs() - 4.0 * slope.abs() * (separation - last);
-                assert!(jump <= 2e-9 * size, "{separation:e}: {load:e} next to {before:?}; {:?}", model.params());
+                assert!(jump <= 2e-10 * size, "{separation:e}: {load:e} next to {before:?}; {:?}", model.params());
             }
             (before, last) = ((load, slope), separation);
         }
