@@ -7,8 +7,20 @@
 
 namespace {
 
+// Polysilicon by the moments of its surface: radii fall with height.
+asperity_params of_moments() {
+    asperity_params params;
+    require(asperity_params_init(&params, sizeof params));
+    require(asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22));
+    params.work_of_adhesion = 0.063;
+    params.adhesion_range = params.burgers_vector = 0.384e-9;
+    require(asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8));
+    return params;
+}
+
 asperity_params params_of(const std::string &name, const Histogram &histogram) {
     if (name == "histogram") return histogram.params();
+    if (name == "spectral moments") return of_moments();
     for (const Surface &surface : all_surfaces()) {
         if (surface.name == name) return surface.params;
     }
@@ -22,7 +34,7 @@ int main(int count, char **arguments) {
     const std::string what = count > 1 ? arguments[1] : "";
     const Histogram histogram(100);
     if (what == "memory") {
-        for (const char *name : {"default", "skew 1", "epsilon .5", "histogram"}) {
+        for (const char *name : {"default", "skew 1", "epsilon .5", "spectral moments", "histogram"}) {
             std::printf("%s\t%.0f\n", name, bytes_of(params_of(name, histogram)) / 1024.0);
         }
         return 0;

@@ -38,7 +38,7 @@ echo "|---|---|"
 echo "| lines of code of $folders, no comments, no tests | $(code $folders | wc -l) |"
 echo "| scalar constants in them | $(code $folders | grep -cE '^ *(pub(\([a-z]+\))? )?const [A-Z_0-9]+: (f64|[ui](8|16|32|64|size))\b') |"
 echo "| lines of src/, all | $(find src -name '*.rs' -exec cat {} + | wc -l) |"
-for surface in "default" "skew 1" "epsilon .5" "histogram"; do
+for surface in "default" "skew 1" "epsilon .5" "spectral moments" "histogram"; do
     echo "| million instructions of a model: $surface | $(millions make "$surface" 1) |"
 done
 for surface in "default" "epsilon .5"; do

@@ -15,10 +15,12 @@ use crate::neighbours::Neighbours;
 use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.
-const FRACTION: u32 = 4;
+const FRACTION: u32 = 3;
 /// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance,
 /// and the load is a power of it, also where the density of heights jumps to 0 there.
 const NEAREST_TO_HIGHEST: f64 = 1e-9;
+/// Nor farther above the mean height than this.
+const FARTHEST: f64 = 2e3;
 /// The largest power by which the load goes to 0 beyond the lightest that is compiled, where the highest summit is far.
 const TAIL_POWER: f64 = 7.0;
 
@@ -91,6 +93,8 @@ impl Gap {
         // The first row that the curve has whole.
         let base = (margin.below().to_bits() >> shift) + 1;
         let end = (margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift;
+        // A part of a curve may be shorter than a row.
+        let end = end.max(base);
         let mut table = Table::new(FRACTION, base, -anchor);
         Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
@@ -168,10 +172,9 @@ impl Gap {
 /// The lightest load that is compiled where the load decays without end, and the separation at which it is carried.
 fn lightest(branch: &Branch, curve: &Curve) -> f64 {
     let (begin, end) = curve.separation_range();
+    // Farther, lengths have too few digits to tell separations among the heights apart.
     let highest = branch.farthest() - NEAREST_TO_HIGHEST * (1.0 + branch.farthest().abs());
-    // No farther above the mean height than the heaviest load is below: lengths are resolved in proportion to the distance from here.
-    let middle = -branch.population().heights().origin();
-    highest.min(2.0 * middle - begin).max(begin).min(end)
+    highest.min(FARTHEST - branch.population().heights().origin()).max(begin).min(end)
 }
 
 /// The separation at which the load is 0, where it pulls at the end.
@@ -224,22 +227,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_table_is_small_and_nearly_all_of_it_is_whole_rows() {
-        for (gamma, most) in [(0.0, 400), (1e-3, 340)] {
+    fn the_table_is_small_and_most_of_it_is_whole_rows() {
+        for (gamma, most, part) in [(0.0, 190, 2), (1e-3, 105, 10)] {
             let law = Law::new(&branch(gamma), 3.0, [0.5, 7.0], Lengths { unit: 3e-9, origin: 0.0 }).expect("a law");
             let table = law.gap().table();
             let links = table.rows.iter().filter(|row| row.is_link()).count();
             println!("{} rows, {} with parts, {links} links", table.row_count, table.rows.len());
-            assert!(table.rows.len() <= most && 4 * links <= table.row_count, "{} rows", table.rows.len());
+            assert!(table.rows.len() <= most && part * links <= table.row_count, "{} rows", table.rows.len());
             let branch = branch(gamma);
             let least = -3.0 * branch.pull_off_load();
             // From next to the end, or from where the load is more than nothing, to far in compression.
-            for i in 0..200 {
+            for i in 0..150 {
                 let separation = branch.farthest().min(9.0) - 1e-3 * 1.08_f64.powi(i);
                 let (load, _) = table.at_load(-law.gap().lengths.callers(separation)).expect("it is tabulated");
                 let exact = 3.0 * branch.population().at_separation(separation).load();
                 let error = (load - exact).abs() / exact.abs().max(least);
-                assert!(error < 1e-9, "{error:e} at {separation}");
+                assert!(error < 1e-8, "{error:e} at {separation}");
             }
         }
     }
@@ -257,7 +260,7 @@ mod tests {
             let (load, slope) = gap.beyond(last);
             let known = gap.table().at_load(-last).expect("the table answers");
             assert!(
-                (load / known.0 - 1.0).abs() < 1e-12 && (slope / known.1 - 1.0).abs() < 1e-7,
+                (load / known.0 - 1.0).abs() < 1e-10 && (slope / known.1 - 1.0).abs() < 1e-7,
                 "{load:e}, {known:?}"
             );
             assert!(!gap.is_open(last) && gap.is_moderate_beyond(2.0 * last));

@@ -107,7 +107,7 @@ pub struct Summary {
     /// The heaviest load the compiled law covers [force].
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
-    /// between samples it may be four times as large, or 2e-10 where that is more.
+    /// between samples it may be four times as large, or 1e-9 where that is more.
     pub table_error: f64,
 }
 

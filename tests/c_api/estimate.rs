@@ -69,6 +69,19 @@ fn loads_are_answered_by_themselves() {
     assert_eq!(found(GROUND, &[]).len(), 0);
 }
 
+/// Of a part of the law no row of gaps may be whole, and of loads that the law does not reach a whole row of loads still is.
+#[test]
+fn a_load_is_answered_however_little_of_the_law_is_near_it() {
+    let text = "pair = \"Si/Si\"\nnominal_area = 2.6e-11\nheight_std = 3.7e-8\nsummit_radius = 6.7e-7\nsummit_density = 5.3e12\n\
+                bandwidth = 71.5\nrms_slope = 0.102\n\
+                table_height = [-6.3e-8, -5.2e-8, -3e-8, -8.7e-9, 1.3e-8, 3.4e-8, 5.6e-8, 7.7e-8, 9.9e-8, 1.1e-7]\n\
+                table_density = [0, 13, 9.2, 7.9, 7.9, 5.5, 1.7, 0.68, 0.68, 0]\n";
+    for load in (0..200).map(|i| 1e-20 * 2_f64.powf(0.5 * f64::from(i))) {
+        let [one] = found(text, &[load])[..] else { panic!("one") };
+        assert!(one.friction_coefficient > 0.0 && one.low <= one.friction_coefficient, "{one:?}");
+    }
+}
+
 #[test]
 fn nothing_is_written_where_something_is_refused() {
     let wrong = GROUND.replace("ground", "grund");
