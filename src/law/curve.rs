@@ -5,7 +5,7 @@
 //! the exact states between its nodes is tried again shorter.
 
 use super::coordinate::Coordinate;
-use super::panel::{chebyshev, Panel, PerQuantity, Sample, NODES};
+use super::panel::{chebyshev, Panel, PerQuantity, Sample, BETWEEN, NODES};
 use super::planes::{self, Planes};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
@@ -24,8 +24,6 @@ const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
 const ROUNDING: f64 = 1e-12;
-/// Where a panel is compared between its nodes, from -1 to 1.
-pub const BETWEEN: [f64; 2] = [0.1, 0.8];
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,6 +17,8 @@ pub fn chebyshev(j: usize) -> f64 {
 
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * NODES;
+/// Where a panel is compared between its nodes, from -1 to 1.
+pub const BETWEEN: [f64; 2] = [0.1, 0.8];
 /// Next to a kink the slope of the stiffness is harder to resolve than that of friction: it need only be as good as values ask for, which
 /// leaves it within 1e-3 where the load is within 1 % of a kink, and within 1e-6 elsewhere.
 const SLACK: f64 = 2.0;

@@ -5,8 +5,7 @@
 //! Beyond the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi
 //! is constant. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
-use super::curve::BETWEEN;
-use super::panel::{chebyshev, Hermite, Length, Sample, NODES};
+use super::panel::{chebyshev, Hermite, Length, Sample, BETWEEN, NODES};
 use super::position::Positions;
 use super::tolerance::{self, larger};
 use crate::equilibrium::Branch;
