@@ -54,6 +54,10 @@ const ROW: f64 = 0.41;
 const LIGHTEST_OF_PULL_OFF: f64 = 1e-9;
 const LIGHTEST_OF_HALF: f64 = 1e-24;
 const HEAVIEST_OF_HALF: f64 = 1e3;
+/// It also reaches to the load at which the mean of the heights is pressed in by this part of the summit radius, where contacts are 0.07 R
+/// wide: the load of a ball whose height hardly varies. Deeper than this, in sigma, heights lose their digits.
+const DEEPEST_OF_RADIUS: f64 = 1.0 / 200.0;
+const DEEPEST: f64 = 1e6;
 const HEAVIEST_OF_PULL_OFF: f64 = 1e4;
 /// A pull-off load smaller than this part of the load at which half of the summits touch is none.
 const LIGHTEST_PULL_OFF: f64 = 1e-30;
@@ -124,7 +128,9 @@ impl Reach {
         let half = population.at_separation(-population.heights().origin()).load().abs();
         let pull_off = -branch.pull_off_load();
         let lightest = (LIGHTEST_OF_PULL_OFF * pull_off).max(LIGHTEST_OF_HALF * half);
-        let heaviest = (HEAVIEST_OF_PULL_OFF * pull_off).max(HEAVIEST_OF_HALF * half);
+        let depth = (DEEPEST_OF_RADIUS * population.mean_radius()).min(DEEPEST);
+        let pressed = population.at_separation(-population.heights().origin() - depth).load();
+        let heaviest = (HEAVIEST_OF_PULL_OFF * pull_off).max(HEAVIEST_OF_HALF * half).max(pressed);
         Self {
             // By a row more, so that whole rows reach as far.
             log_lightest: log(lightest) - ROW,
