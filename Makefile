@@ -4,9 +4,9 @@
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, two hours or so
-# make bench     measures speed and accuracy, and writes docs/performance.md and its tables anew
+# make bench     measures speed and accuracy, and writes docs/dev/performance.md and its tables anew
 # make core      what the numerical core costs: lines, constants, instructions, memory
-# make harden    every instrument of docs/reliability.md, for hours; tests/harden/harden.mk names its parts
+# make harden    every instrument of docs/dev/reliability.md, for hours; tests/harden/harden.mk names its parts
 # make dist      the files of a release, in dist/: libraries for every platform, wheels, packages, sources; TARGETS="..." for a part
 # make dist-test proves the files in dist/ as users get them
 # make release   VERSION=x.y.z: checks that the tree is ready for a release, builds and proves it, and says what is left to do

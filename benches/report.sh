@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures, counts instructions, and puts the results between the marks in docs/performance-tables.md, with date and
-# machine, and the most important of them between those in docs/performance.md.
+# Measures, counts instructions, and puts the results between the marks in docs/dev/performance.md, with date and
+# machine, and the most important of them between those in docs/dev/performance.md.
 #
 # usage: benches/report.sh PROGRAM      (make bench builds the program and calls this)
 set -euo pipefail
@@ -72,6 +72,6 @@ between_marks() {
         { echo "benches/report.sh: $2 has lost its marks" >&2; exit 1; }
     cp "$work/document.md" "$2"
 }
-between_marks "$results" docs/performance-tables.md
-between_marks "$summary" docs/performance.md
+between_marks "$results" docs/dev/performance.md
+between_marks "$summary" docs/dev/performance.md
 if grep -q MISSED "$results"; then grep MISSED "$results"; else echo "all limits met"; fi

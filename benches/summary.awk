@@ -1,4 +1,4 @@
-# The lines of docs/performance.md, from the tables that solver_speed printed. Fails where a table has lost a row.
+# The lines of docs/dev/performance.md, from the tables that solver_speed printed. Fails where a table has lost a row.
 #
 # usage: awk -f benches/summary.awk results.md
 

@@ -1355,7 +1355,7 @@ contains
     call report(status, stat, errmsg)
   end function asperity_params_of
 
-  ! Sets what a surface file gives, whose keys docs/surface-file.md has: call asperity_params_read(params, 'film.toml'). In SI
+  ! Sets what a surface file gives, whose keys docs/solvers.md has: call asperity_params_read(params, 'film.toml'). In SI
   ! units, unless asperity_params_set_units follows; what the file does not give stays as it is.
   subroutine asperity_params_read(params, path, stat, errmsg)
     type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure

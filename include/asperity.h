@@ -388,7 +388,7 @@ typedef struct asperity_state {
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
   /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
-   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md).
    */
   double friction_scatter;
   /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
@@ -417,7 +417,7 @@ typedef struct asperity_summary {
    * the pull-off load. */
   double min_table_load;
   /** Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 %
-   * below exact states at ten times the load, 63 % at a thousand times (docs/contract.md). */
+   * below exact states at ten times the load, 63 % at a thousand times (docs/c.md). */
   double max_table_load;
   /** Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
    * made; between samples it may be four times as large, or 1e-9 where that is more. */
@@ -503,7 +503,7 @@ extern "C" {
 /** Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is
  * part of the band.
  *
- * The text is that of `asperity_params_set_text`; docs/surface-file.md has its keys. For an estimate these matter: `process` of
+ * The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
  * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
  * `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
  * the elastic-plastic law, unless the text has a law. Up to six models are made, in tens of milliseconds; more loads cost
@@ -828,7 +828,7 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
 /** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
  *
  * What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
- * Keys are the names of `asperity_params_set_values`, in SI units, and what docs/surface-file.md lists: materials, roughness,
+ * Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists: materials, roughness,
  * interface, a measured friction. The contact law is Maugis' unless the text has another, also where summits yield: models warn
  * then (`ASPERITY_WARNING_PLASTIC`), and estimates take the elastic-plastic law.
  *

@@ -408,7 +408,7 @@ public:
 
     /// Sets what a surface file gives, in SI units unless set_units follows; what it does not give stays as it is.
     ///
-    /// docs/surface-file.md has the keys. Throws Error, "film.toml: line 3: slip_onset = ...", as asperity_params_read refuses; the
+    /// docs/solvers.md has the keys. Throws Error, "film.toml: line 3: slip_onset = ...", as asperity_params_read refuses; the
     /// parameters are then as before.
     Params &read(const std::string &path) { return checked(asperity_params_read(&c_, path.c_str())); }
 

@@ -21,7 +21,7 @@ for tool in "${PYTHON:-python3}" cargo cc; do
 done
 before="$(git status --porcelain)"
 
-quick=(c_interface command_line docstrings example export floating_point layers library loads materials microslip model params
+quick=(c_interface command_line docstrings export floating_point layers library loads materials microslip model params
     physics sensitivities surface_file threads)
 if [ "${1:-}" = --quick ]; then
     environment="$(python/environment.sh quick)"

@@ -584,7 +584,7 @@ contains
     call check_text('... by name', errmsg(1:9), 'nu2 = 0.6')
   end subroutine parameters
 
-  ! The surface of docs/fortran.md of which only Ra is known, with about the number of docs/start-ra.md.
+  ! The surface of docs/fortran.md of which only Ra is known, with about the number of docs/start.md.
   subroutine ground_steel
     real(c_double), parameter :: Rq = 1.2533_c_double * 0.4e-6_c_double, slope = 0.14_c_double * sqrt(Rq / 1e-6_c_double)
     real(c_double), parameter :: m0 = Rq**2, m2 = slope**2

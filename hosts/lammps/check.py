@@ -44,7 +44,7 @@ def column(rows, name):
 
 
 class RealContact:
-    """Limit and stick stiffness of a contact of softened grains, by the equations of docs/lammps.md and exact states."""
+    """Limit and stick stiffness of a contact of softened grains, by the equations of hosts/lammps/README.md and exact states."""
 
     def __init__(self, model, modulus, radius):
         self.model, self.modulus, self.radius = model, modulus, radius

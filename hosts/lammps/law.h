@@ -1,5 +1,5 @@
 // The law of a contact between two grains, or a grain and a wall: Hertz and damping along the normal, friction with a stick
-// stiffness or microslip across it. Knows nothing of LAMMPS. docs/lammps.md has the equations.
+// stiffness or microslip across it. Knows nothing of LAMMPS. hosts/lammps/README.md has the equations.
 #ifndef ASPERITY_LAMMPS_LAW_H
 #define ASPERITY_LAMMPS_LAW_H
 
@@ -38,7 +38,7 @@ inline double pressure_of(std::int64_t half_binade) {
 }
 
 // Where fewer summits touch, ASPERITY_WARNING_FEW holds, and with fewer waves on a side ASPERITY_WARNING_FEW_WAVES
-// (docs/theory.md).
+// (docs/model.md).
 const double fewest_summits = 20, fewest_waves = 8;
 
 // What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had, below 0 if it

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # How the cost of the plugin grows with the number of ranks: 8,000 grains a rank (weak), and 32,000 grains in all (strong).
-# Prints the rows of docs/lammps.md.
+# Prints the rows of hosts/lammps/README.md.
 #
 # usage: hosts/lammps/scaling.sh [RANKS...]       1 2 4 when none is given
 set -euo pipefail

@@ -28,7 +28,7 @@ const SOURCES = {
  */
 
 /**
- * Friction at a load or at many, with bands, from the text of a surface alone: docs/surface-file.md has its keys.
+ * Friction at a load or at many, with bands, from the text of a surface alone: docs/solvers.md has its keys.
  * @template {number | ArrayLike<number>} T
  * @param {import("./library.js").Library} library
  * @param {string} text

@@ -295,7 +295,7 @@ export const WORDS = {
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
  * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
- * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+ * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md).
  * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as `friction_scatter`.
  */
 
@@ -311,8 +311,8 @@ export const WORDS = {
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
- * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times (docs/contract.md).
- * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 1e-9 where that is more.
+ * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times (docs/c.md).
+ * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 2e-10 where that is more.
  */
 
 /**

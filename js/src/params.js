@@ -132,7 +132,7 @@ export function paper(library) {
 
 /**
  * The surfaces that a text in TOML describes, in SI units, with materials, roughness, an interface and a measured friction as
- * docs/surface-file.md lists them.
+ * docs/solvers.md lists them.
  * @param {import("./library.js").Library} library
  * @param {string} text
  * @param {Params} [params] what the text does not give

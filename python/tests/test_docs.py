@@ -80,7 +80,7 @@ def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
 
 def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, environment: dict[str, str]) -> None:
     check_page(root / "docs" / "python.md", checkout, environment)
-    check_page(root / "docs" / "python-reference.md", checkout, environment)
+    check_page(root / "docs" / "python.md", checkout, environment)
     assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
     guides = ("roughness", "materials", "metals", "microslip", "normal-contact")
@@ -92,7 +92,7 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
 def test_the_guide_to_fits_runs_and_prints_what_it_says(
     root: Path, checkout: Path, environment: dict[str, str]
 ) -> None:
-    check_page(root / "docs" / "fit.md", checkout, environment)
-    check_page(root / "docs" / "fit-reference.md", checkout, environment)
+    check_page(root / "docs" / "uncertainty-and-fits.md", checkout, environment)
+    check_page(root / "docs" / "uncertainty-and-fits.md", checkout, environment)
     assert (checkout / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
     assert (checkout / "fit.png").read_bytes().startswith(b"\x89PNG")

@@ -161,7 +161,7 @@ def test_the_number_of_rows_goes_with_the_tolerance(surface: Path, tolerance: st
 
 def test_the_page_tells_the_numbers_of_rows(surface: Path, root: Path) -> None:
     counts = [len(exported(surface, "csv", "--range", "1e3:70e6", "--tolerance", x)) for x in ("1e-2", "1e-3")]
-    page = root / "docs" / "export.md"
+    page = root / "docs" / "solvers.md"
     text = page.read_text(encoding="utf-8")
     told, now = re.search(r"\d+ rows at 1e-2,\s\d+ at 1e-3", text), f"{counts[0]} rows at 1e-2, {counts[1]} at 1e-3"
     assert told is not None

@@ -75,12 +75,12 @@ def points(path: ElementTree.Element) -> list[list[float]]:
 
 
 def test_the_page_is_what_the_command_writes(root: Path, written: Path) -> None:
-    committed, now = ((place / "gallery.md").read_text(encoding="utf-8") for place in (root / "docs", written))
+    committed, now = ((place / "dev" / "gallery.md").read_text(encoding="utf-8") for place in (root / "docs", written))
     assert committed == now, "run 'python -m asperity figures' in the root of the repository, and read what changed"
 
 
 def test_the_page_shows_every_picture(root: Path) -> None:
-    shown = re.findall(r"\]\(figures/(.+?)\)", (root / "docs" / "gallery.md").read_text(encoding="utf-8"))
+    shown = re.findall(r"\]\(figures/(.+?)\)", (root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8"))
     assert sorted(shown) == sorted(PICTURES)
     pages = "".join(page.read_text(encoding="utf-8") for page in (root / "docs").glob("*.md"))
     unseen = {file.name for file in (root / "docs" / "figures").iterdir()} - set(re.findall(r"\]\(figures/(.+?)\)", pages))
@@ -170,7 +170,7 @@ def rows(text: str) -> dict[str, list[float]]:
      (8, (0.01, 1000, 0.001)), (9, (0.01, 5000, 0.001)), (10, (0.03, 1000, 0.001))],
 )  # fmt: skip
 def test_tables_of_friction_are_right(root: Path, number: int, groups: tuple[float, float, float]) -> None:
-    found = rows(section((root / "docs" / "gallery.md").read_text(encoding="utf-8"), number))
+    found = rows(section((root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8"), number))
     assert len(found) == (6 if number < 8 else 5)
     alpha, beta, gamma = groups
     for name, numbers in found.items():
@@ -182,7 +182,7 @@ def test_tables_of_friction_are_right(root: Path, number: int, groups: tuple[flo
 
 
 def test_the_effect_of_attraction_is_right(root: Path) -> None:
-    text = section((root / "docs" / "gallery.md").read_text(encoding="utf-8"), 3)
+    text = section((root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8"), 3)
     loads = re.search(r"2\.1 % at load ([\d.]+) and 3\.8 % at load ([\d.]+)", text)
     assert loads is not None
     for beta, load, percent in ((1000, loads[1], 2.1), (500, loads[2], 3.8)):
@@ -194,7 +194,7 @@ def test_the_effect_of_attraction_is_right(root: Path) -> None:
 
 
 def test_the_effect_of_kurtosis_is_right(root: Path) -> None:
-    text = (root / "docs" / "gallery.md").read_text(encoding="utf-8").split("## Kurtosis")[1].split("\n## ")[0]
+    text = (root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8").split("## Kurtosis")[1].split("\n## ")[0]
     friction, difference = text.split("| Skew |")
     found = rows(friction)
     assert len(found) == 6
@@ -215,7 +215,7 @@ def test_the_effect_of_kurtosis_is_right(root: Path) -> None:
 
 
 def test_the_kink_of_johnsons_system_is_where_the_page_says(root: Path) -> None:
-    found = re.search(r"kink at kurtosis (\d+\.\d+)", (root / "docs" / "gallery.md").read_text(encoding="utf-8"))
+    found = re.search(r"kink at kurtosis (\d+\.\d+)", (root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8"))
     assert found is not None
     at, step = float(found[1]), 0.02
     logs = [math.log(exact_friction(skew=-0.5, kurtosis=at + i * step)[1]) for i in (-2, -1, 0, 1, 2)]
@@ -231,7 +231,7 @@ def exact_friction(**options: Any) -> list[float]:
 
 
 def test_the_regimes_are_right(root: Path) -> None:
-    text = (root / "docs" / "gallery.md").read_text(encoding="utf-8").split("## Regimes")[1]
+    text = (root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8").split("## Regimes")[1]
     found = [line.strip("|").split("|") for line in text.splitlines() if "a₁ |" in line or "a₂ |" in line]
     assert len(found) == 9
     for i in range(0, 9, 3):
@@ -272,7 +272,7 @@ def test_without_matplotlib_it_says_so(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "asperity", "figures", "--out", str(tmp_path / "out")]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 1 and done.stderr.startswith("asperity: drawing needs matplotlib")
-    assert not (tmp_path / "out" / "gallery.md").exists()
+    assert not (tmp_path / "out" / "dev" / "gallery.md").exists()
 
 
 def test_a_directory_that_cannot_be_written_is_named(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""The bolted joint of docs/joint-damping.md: its numbers, Iwan's model, and the same joint stepped with the contact that remembers."""
+"""The bolted joint of docs/stiffness-and-microslip.md: its numbers, Iwan's model, and the same joint stepped with the contact that remembers."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Stepped:
 
 
 def test_the_page_has_the_numbers_of_the_joint(root: Path) -> None:
-    page = (root / "docs" / "joint-damping.md").read_text(encoding="utf-8")
+    page = (root / "docs" / "stiffness-and-microslip.md").read_text(encoding="utf-8")
     loading, model, rigid = joint.first_loading(), joint.iwan(), joint.rigid_loading()
     share = loading.pull / loading.slip_pull
     fitted = share >= joint.FITTED[0]

@@ -1,4 +1,4 @@
-"""Data goes one way through the package: each module imports from its own layer of docs/architecture.md or from lower
+"""Data goes one way through the package: each module imports from its own layer of docs/dev/architecture.md or from lower
 ones, and none imports, by whatever detour, what imports it. Imports inside functions count, and those for types alone."""
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def test_no_module_imports_in_a_circle(imports: dict[str, set[str]]) -> None:
 
 
 def test_modules_import_from_their_layer_or_lower_ones(imports: dict[str, set[str]], root: Path) -> None:
-    page = (root / "docs" / "architecture.md").read_text(encoding="utf-8")
+    page = (root / "docs" / "dev" / "architecture.md").read_text(encoding="utf-8")
     rows = page.partition("\n| layer | modules |\n|---|---|\n")[2].partition("\n\n")[0].splitlines()
     layers = {
         name: [i for i, row in enumerate(rows) if any(fnmatchcase(name, one) for one in re.findall("`(.*?)`", row))]

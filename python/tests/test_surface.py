@@ -56,7 +56,7 @@ def found(gaussian: GaussianSurface) -> list[surface.Summits]:
 def test_summits_of_a_gaussian_surface_are_those_of_nayak(
     gaussian: GaussianSurface, found: list[surface.Summits]
 ) -> None:
-    # At 12 points a wave the curvature that differences see is lower, by a known amount; docs/topography-reference.md shows what
+    # At 12 points a wave the curvature that differences see is lower, by a known amount; docs/height-maps.md shows what
     # remains: elongated summits have more than one point that is higher than its neighbours, 0.7 % too many in all.
     theory, seen = Nayak(*gaussian.moments()), Nayak(1.0, *gaussian.moments_by_differences())
     mean, std, skew, kurtosis = theory.height_moments()
@@ -404,7 +404,7 @@ def test_params_of_the_summits_are_those_of_the_moments_of_their_map(measured: s
         ("asperity_count", measured.density),
     ):
         value = getattr(params, name)
-        error = 3 * estimate.error / estimate.value + 0.015  # density of 12 points a wave: docs/topography-reference.md
+        error = 3 * estimate.error / estimate.value + 0.015  # density of 12 points a wave: docs/height-maps.md
         assert value == pytest.approx(getattr(theory, name), rel=error), name
         assert error < 0.12
 

@@ -16,7 +16,7 @@ from asperity.materials import MATERIALS, PAIRS
 
 SurfaceFile = Callable[[str], Path]
 
-# Hard carbon on hard carbon, as in docs/hosts-reference.md.
+# Hard carbon on hard carbon, as in docs/solvers.md.
 CONTACT: dict[str, Any] = {
     "work_of_adhesion": 0.06,
     "adhesion_range": 0.25e-9,
@@ -34,7 +34,7 @@ def toml(table: dict[str, Any]) -> str:
 
 WHOLE = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\n{toml(MOMENTS)}"
 FIELDS = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6)
-# As on docs/surface-file.md.
+# As on docs/solvers.md.
 PAGE = Params.from_iso25178(**ROUGH, **BODIES, **CONTACT, nominal_area=1e-6)
 
 
@@ -149,7 +149,7 @@ def test_a_file_in_another_encoding_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_page_has_this_surface(surface_file: SurfaceFile, root: Path) -> None:
-    blocks = re.findall(r"```toml\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
+    blocks = re.findall(r"```toml\n(.*?)```", (root / "docs" / "solvers.md").read_text(encoding="utf-8"), re.DOTALL)
     assert [Params.from_toml(surface_file(block)) for block in blocks] == [PAGE]
 
 
@@ -163,7 +163,7 @@ def test_the_example_is_in_the_domain_of_the_model(surface_file: SurfaceFile) ->
 @pytest.fixture
 def reader(root: Path, compile_c: Callable[..., None], tmp_path: Path) -> Callable[[], subprocess.CompletedProcess[str]]:
     """The program in C of the page, which reads surface.toml."""
-    (source,) = re.findall(r"```c\n(.*?)```", (root / "docs" / "surface-file.md").read_text(encoding="utf-8"), re.DOTALL)
+    (source,) = re.findall(r"```c\n(.*?)```", (root / "docs" / "solvers.md").read_text(encoding="utf-8"), re.DOTALL)
     (tmp_path / "reader.c").write_text(source, encoding="utf-8")
     library = Path(_library.PATH)
     strict = ("-std=c11", "-Wall", "-Wextra", "-Werror")
@@ -175,7 +175,7 @@ def reader(root: Path, compile_c: Callable[..., None], tmp_path: Path) -> Callab
 def test_a_program_in_c_has_the_surface_of_the_file(
     reader: Callable[[], subprocess.CompletedProcess[str]], root: Path, tmp_path: Path
 ) -> None:
-    page = root / "docs" / "surface-file.md"
+    page = root / "docs" / "solvers.md"
     ((before, printed),) = ((i, text) for i, (kind, text) in enumerate(blocks(page)) if kind == "text")
     mccool = Params.from_spectral_moments(**MOMENTS, **BODIES, **CONTACT, nominal_area=1e-6, summits="mccool")
     table = FIELDS.replace(table_height=(0.0, 1.0, 2.0), table_density=(0.0, 1.0, 0.0))

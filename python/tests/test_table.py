@@ -107,13 +107,13 @@ def test_the_slider_is_differentiated_through_time() -> None:
 def test_the_example_prints_what_the_page_says(root: Path) -> None:
     program = root / "python" / "examples" / "differentiable_slider.py"
     printed = subprocess.run([sys.executable, program], check=True, capture_output=True, text=True).stdout
-    shown = re.findall(r"^    (with .*|  load .*)$", (DOCS / "arrays.md").read_text(encoding="utf-8"), re.MULTILINE)
+    shown = re.findall(r"^    (with .*|  load .*)$", (DOCS / "python.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert len(shown) == 5 and printed.splitlines()[:5] == shown
     assert re.search(r"^UNCALIBRATED: ", printed, re.MULTILINE)
 
 
 def test_the_programs_of_the_page_print_what_it_says(tmp_path: Path) -> None:
-    page = (DOCS / "arrays.md").read_text(encoding="utf-8")
+    page = (DOCS / "python.md").read_text(encoding="utf-8")
     programs, printed = (
         re.findall(rf"^```{kind}\n(.*?)^```$", page, re.DOTALL | re.MULTILINE) for kind in ("python", "text")
     )

@@ -30,7 +30,7 @@ def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
 
 
 def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
-    follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "tutorial.md"
+    follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "height-maps.md"
     command = [sys.executable, str(follow), str(page), str(tmp_path)]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -39,15 +39,15 @@ def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict
 
 def test_the_pages_on_height_maps_print_what_they_say(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "python").symlink_to(root / "python")
-    check_page(root / "docs" / "topography.md", tmp_path, environment)
-    check_page(root / "docs" / "topography-reference.md", tmp_path, environment)
+    check_page(root / "docs" / "height-maps.md", tmp_path, environment)
+    check_page(root / "docs" / "height-maps.md", tmp_path, environment)
 
 
 def test_the_table_of_the_page_is_what_maps_give(root: Path) -> None:
     """Four of the 24 surfaces that the page's row is the mean of: within four standard errors of a mean of four."""
     from sampling_bias import QUANTITIES, compare
 
-    (row,) = (line for line in (root / "docs" / "topography-reference.md").read_text("utf-8").splitlines() if line[:5] == "| 4 |")
+    (row,) = (line for line in (root / "docs" / "height-maps.md").read_text("utf-8").splitlines() if line[:5] == "| 4 |")
     told = [[float(number) for number in cell.split("±")] for cell in row.strip("| ").split("|")[1:]]
     found = [compare(kind, 4, seeds=4)[0] for kind in ("narrow", "broad")]
     chosen = [QUANTITIES.index(name) for name in ("density", "height_std", "radius")]

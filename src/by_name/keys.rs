@@ -104,7 +104,7 @@ const EXPECTED: [(&[&str], &str); 16] = [
 ];
 
 /// Of a word that is no slip of a name.
-pub const LISTED: &str = "docs/surface-file.md lists them";
+pub const LISTED: &str = "docs/solvers.md lists them";
 
 /// What to give in place of a word that people expect to be a name.
 pub fn meant(name: &str) -> Option<&'static str> {

@@ -25,7 +25,7 @@ use crate::error::Error;
 use crate::params::Params;
 
 impl Params {
-    /// The parameters that a text in TOML describes, in SI units: `docs/surface-file.md` lists its keys. What it leaves out has its
+    /// The parameters that a text in TOML describes, in SI units: `docs/solvers.md` lists its keys. What it leaves out has its
     /// default, or is unset.
     ///
     /// ```

@@ -104,7 +104,7 @@ pub trait Keys<'t> {
 /// One that is too long, or not UTF-8.
 pub fn text(bytes: &[u8]) -> Result<&str, Error> {
     if bytes.len() > LONGEST {
-        let says = "longer than 1 MiB: must be a surface file, whose keys docs/surface-file.md has";
+        let says = "longer than 1 MiB: must be a surface file, whose keys docs/solvers.md has";
         return Err(Error::Meaningless(Cow::Borrowed(says)));
     }
     std::str::from_utf8(bytes).map_err(|error| {
@@ -118,7 +118,7 @@ pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
     let count = source.lex().take(MOST_TOKENS + 1).count();
     if count > MOST_TOKENS {
         let says =
-            format_args!("too many words and signs: must be a surface file, whose keys docs/surface-file.md has");
+            format_args!("too many words and signs: must be a surface file, whose keys docs/solvers.md has");
         return Err(Problem::new(0, says));
     }
     let mut tokens = Vec::with_capacity(count);

@@ -84,7 +84,7 @@ unsafe fn estimated(
 /// Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is
 /// part of the band.
 ///
-/// The text is that of `asperity_params_set_text`; docs/surface-file.md has its keys. For an estimate these matter: `process` of
+/// The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
 /// `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
 /// `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
 /// the elastic-plastic law, unless the text has a law. Up to six models are made, in tens of milliseconds; more loads cost

@@ -70,7 +70,7 @@ pub struct asperity_state {
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
     /// Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
-    /// `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/theory.md).
+    /// `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md).
     pub friction_scatter: f64,
     /// Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
     /// `friction_scatter`.
@@ -107,7 +107,7 @@ pub struct asperity_summary {
     /// the pull-off load.
     pub min_table_load: f64,
     /// Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 %
-    /// below exact states at ten times the load, 63 % at a thousand times (docs/contract.md).
+    /// below exact states at ten times the load, 63 % at a thousand times (docs/c.md).
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
     /// made; between samples it may be four times as large, or 1e-9 where that is more.

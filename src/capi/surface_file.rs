@@ -52,7 +52,7 @@ mod file {
         let refused = |says: &dyn std::fmt::Display| Error::Meaningless(says.to_string().into());
         // Asked before it is opened: a pipe would wait for who writes.
         if !metadata(path).map_err(|error| refused(&error))?.is_file() {
-            return Err(refused(&"must be a file with a surface, whose keys docs/surface-file.md has"));
+            return Err(refused(&"must be a file with a surface, whose keys docs/solvers.md has"));
         }
         let file = File::open(path).map_err(|error| refused(&error))?;
         let mut text = Vec::new();

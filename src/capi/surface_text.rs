@@ -56,7 +56,7 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
 /// What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
-/// Keys are the names of `asperity_params_set_values`, in SI units, and what docs/surface-file.md lists: materials, roughness,
+/// Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists: materials, roughness,
 /// interface, a measured friction. The contact law is Maugis' unless the text has another, also where summits yield: models warn
 /// then (`ASPERITY_WARNING_PLASTIC`), and estimates take the elastic-plastic law.
 ///

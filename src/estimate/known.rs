@@ -2,7 +2,7 @@
 //! defaults may be off.
 //!
 //! Ra by process has a source. For slopes of machined surfaces none was found that names its sampling length, so that these are
-//! assumptions with a wide band (docs/domain.md).
+//! assumptions with a wide band (docs/when-to-use.md).
 
 use crate::elementary::log;
 
@@ -10,7 +10,7 @@ use crate::elementary::log;
 pub const REACH_95: f64 = 1.959_963_984_540_054;
 
 /// A default strength of an interface and a true one are within this factor either way with a probability of 95 %, which is
-/// what is called an order of magnitude (docs/domain.md).
+/// what is called an order of magnitude (docs/when-to-use.md).
 pub const DEFAULT_FACTOR: f64 = 10.0;
 /// The same of a strength from a row of the table of interfaces: the spread of dry, oxidised and clean steel in it, 2.9.
 pub const ROW_FACTOR: f64 = 3.0;

@@ -10,7 +10,7 @@ const LISTED: &str = "docs/materials.md lists them";
 const EXPECTED: [(&[&str], &str); 3] = [
     (
         &["rubber", "elastomer", "NBR", "EPDM", "SBR", "FKM", "silicone", "polyurethane", "latex"],
-        "rubber is viscoelastic, and outside the domain of the model: docs/domain.md",
+        "rubber is viscoelastic, and outside the domain of the model: docs/when-to-use.md",
     ),
     (
         &[
@@ -35,7 +35,7 @@ const EXPECTED: [(&[&str], &str); 3] = [
             "polymer",
             "plastic",
         ],
-        "a polymer is viscoelastic, and outside the domain of the model: docs/domain.md",
+        "a polymer is viscoelastic, and outside the domain of the model: docs/when-to-use.md",
     ),
     (
         &[

@@ -1,5 +1,5 @@
 //! Where the model holds: what it assumes of a state, as numbers that exceed 1 where an assumption fails, and the search for
-//! such states. The sources of the bounds are in docs/theory.md, "Is the model valid here?".
+//! such states. The sources of the bounds are in docs/model.md, "Is the model valid here?".
 
 use super::State;
 use crate::error::Error;

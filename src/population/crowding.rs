@@ -1,7 +1,7 @@
 //! What neighbours change: each presses the surface between the contacts down, so that the mean planes of the surfaces approach
 //! by less than the summits do. A contact in the middle of its share of the nominal area, a flux tube, has the part psi = (1 -
 //! (A/A_0)^(1/2))^1.8 of the compliance, and of the resistance, that it has alone (Cooper, Mikic and Yovanovich, 1969, with the
-//! power 1.5; 1.8 is that of boundary elements, docs/theory.md). A is the real area, A_0 the nominal one.
+//! power 1.5; 1.8 is that of boundary elements, docs/model.md). A is the real area, A_0 the nominal one.
 //!
 //! Tubes end where contacts are islands no more: half of the surfaces touch then (0.415 in A. Wang and M. H. Mueser,
 //! arXiv:2010.13470, 0.5 by Bruggeman). There the share A/A_0 saturates, smoothly, so that stiffness rises with any load and stays

@@ -1,5 +1,5 @@
 /* Calls run on threads with small stacks, as fibres, embedded systems and some solvers have them: every function of the header
- * stays within what docs/contract.md says of its kind. A thread's stack is filled with a pattern; what is overwritten was used. */
+ * stays within what docs/c.md says of its kind. A thread's stack is filled with a pattern; what is overwritten was used. */
 
 #define _GNU_SOURCE
 #include <asperity.h>
@@ -12,7 +12,7 @@
 #include "surfaces.h"
 
 enum { N = 200, FEW = 3, SIZE = 1 << 20, KIB = 1024 };
-/* What docs/contract.md promises [KiB]: of one answer and of parameters, of batches and exact states, of models, of estimates. */
+/* What docs/c.md promises [KiB]: of one answer and of parameters, of batches and exact states, of models, of estimates. */
 enum { ANSWERS = 8, EXACT = 32, MAKES = 64, ESTIMATES = 96 };
 
 /* ---- What the calls are given ---- */

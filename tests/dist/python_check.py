@@ -1,4 +1,4 @@
-"""What anyone does first with the Python package: python_check.py VERSION. The answer is that of docs/python-reference.md."""
+"""What anyone does first with the Python package: python_check.py VERSION. The answer is that of docs/python.md."""
 
 import sys
 

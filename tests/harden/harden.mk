@@ -1,4 +1,4 @@
-# make harden: every instrument of docs/reliability.md at full length, hours on two cores; its parts have targets of their
+# make harden: every instrument of docs/dev/reliability.md at full length, hours on two cores; its parts have targets of their
 # own. The short form of each is part of `make test-all`. Heavy runs go one after the other, at low priority.
 #
 # `tests/setup.sh harden` installs what they need.

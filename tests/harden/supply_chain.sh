@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a user's build consists of: the lock file is whole and committed, the dependencies are those that docs/reliability.md
+# What a user's build consists of: the lock file is whole and committed, the dependencies are those that docs/dev/reliability.md
 # explains, no build script of theirs reaches the network, the stated oldest Rust is not newer than this one.
 #
 # usage: tests/harden/supply_chain.sh      (exported symbols: tests/consumers/run.sh)
@@ -19,7 +19,7 @@ cargo metadata --locked --format-version 1 >/dev/null || fail "Cargo.lock is not
 dependencies=$(cargo tree --locked --edges normal,build --prefix none --format '{p}' | awk '{ print $1 }' | sort -u |
     grep -vx asperity)
 for name in $dependencies; do
-    grep -q "^| \`$name\` |" docs/reliability.md || fail "$name is a dependency that docs/reliability.md does not explain"
+    grep -q "^| \`$name\` |" docs/dev/reliability.md || fail "$name is a dependency that docs/dev/reliability.md does not explain"
 done
 registry=${CARGO_HOME:-$HOME/.cargo}/registry/src
 for package in $(cargo tree --locked --edges normal,build --prefix none --format '{p}' | awk 'NF > 1 { print $1 "-" substr($2, 2) }' | sort -u); do

@@ -1,4 +1,4 @@
-//! The programs in README.md, on the front page of the site, in docs/fit.md, docs/microslip.md, docs/normal-contact.md and on
+//! The programs in README.md, on the front page of the site, in docs/uncertainty-and-fits.md, docs/stiffness-and-microslip.md, docs/stiffness-and-microslip.md and on
 //! the starting points' pages print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
@@ -49,14 +49,14 @@ fn the_program_of_the_readme_prints_what_it_says() {
 /// And the program for an implicit solver.
 #[test]
 fn the_programs_of_a_contact_that_remembers_print_what_stands_below_them() {
-    let guide = page("docs/microslip.md");
+    let guide = page("docs/stiffness-and-microslip.md");
     let program = between(&guide, "```c\n", "```");
     assert!(program.lines().count() <= 20);
-    prints("microslip.c", ("docs/microslip.md", &guide), program, between(&guide, "```text\n", "```"));
+    prints("microslip.c", ("docs/stiffness-and-microslip.md", &guide), program, between(&guide, "```text\n", "```"));
     let solver = guide.split("## In an implicit solver").nth(1).expect("the section");
     prints(
         "equilibrium.c",
-        ("docs/microslip.md", &guide),
+        ("docs/stiffness-and-microslip.md", &guide),
         between(solver, "```c\n", "```"),
         between(solver, "```text\n", "```"),
     );
@@ -64,10 +64,10 @@ fn the_programs_of_a_contact_that_remembers_print_what_stands_below_them() {
 
 #[test]
 fn the_calibrated_program_prints_what_stands_below_it() {
-    let guide = page("docs/fit.md");
+    let guide = page("docs/uncertainty-and-fits.md");
     prints(
         "calibrate.c",
-        ("docs/fit.md", &guide),
+        ("docs/uncertainty-and-fits.md", &guide),
         between(&guide, "```c\n", "```"),
         between(&guide, "```text\n", "```"),
     );
@@ -96,10 +96,10 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
 
 #[test]
 fn the_program_of_normal_contact_prints_what_stands_below_it() {
-    let guide = page("docs/normal-contact.md");
+    let guide = page("docs/stiffness-and-microslip.md");
     let (program, printed) =
         guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
-    let shown = ("docs/normal-contact.md", &guide[..]);
+    let shown = ("docs/stiffness-and-microslip.md", &guide[..]);
     prints(
         "normal_contact.c",
         shown,

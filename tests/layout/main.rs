@@ -1,4 +1,4 @@
-//! Data goes one way through the sources (docs/architecture.md): no file imports, by whatever detour, what imports it. A
+//! Data goes one way through the sources (docs/dev/architecture.md): no file imports, by whatever detour, what imports it. A
 //! `mod.rs` is its folder's front: the files beside it may use what it declares.
 //!
 //! Answers depend on arguments alone: no file asks the system for anything but memory, but for the one that reads a surface

@@ -2,7 +2,7 @@
 //! code with the library (`common/second_evaluation/`), or refused with a reason; no call takes longer than a second of
 //! processor time where the map is drawn, or than ten elsewhere.
 //!
-//! `cargo test` takes 500 surfaces of a Sobol sequence, `make domain` 20,000 and writes the map of `docs/reliability.md`:
+//! `cargo test` takes 500 surfaces of a Sobol sequence, `make domain` 20,000 and writes the map of `docs/dev/reliability.md`:
 //! ASPERITY_DOMAIN_SETS says how many, ASPERITY_DOMAIN_MAP where the tables and the picture go. A quarter as many have
 //! heights of Johnson's system or of a table.
 

@@ -1,5 +1,5 @@
 //! Radii, regimes and pressures of the contacts in a state: against closed forms of Hertzian contact, and against sums
-//! over many heights of a contact that is solved here, by bisection, from the equations of docs/theory.md.
+//! over many heights of a contact that is solved here, by bisection, from the equations of docs/model.md.
 
 use crate::common::assert_near;
 use crate::common::surfaces::model;
@@ -57,7 +57,7 @@ fn simpson(to: f64, f: impl Fn(f64) -> f64) -> f64 {
     (0..=PANELS).map(|i| weight(i) * f(f64::from(i) * step)).sum::<f64>() * step / 3.0
 }
 
-/// One summit in contact after Maugis, as docs/theory.md has it, in sigma, b and E* b^2.
+/// One summit in contact after Maugis, as docs/model.md has it, in sigma, b and E* b^2.
 struct Summit {
     alpha: f64,
     beta: f64,

@@ -59,7 +59,7 @@ fn first_loading(model: &Model, load: f64, displacement: f64) -> f64 {
     step(model, load, [displacement, 0.0], &mut [0.0; MICROSLIP_LENGTH]).force[0]
 }
 
-/// What docs/microslip.md says: within 1 % of F, and the work of a cycle.
+/// What docs/stiffness-and-microslip.md says: within 1 % of F, and the work of a cycle.
 #[test]
 fn forces_and_work_are_those_of_the_contacts() {
     const STEPS: u32 = 16;

@@ -1,4 +1,4 @@
-//! Summits that yield: against reference values, limits, and an integration over heights of the law as docs/theory.md has
+//! Summits that yield: against reference values, limits, and an integration over heights of the law as docs/model.md has
 //! it, written down anew.
 //!
 //! `reference/yielding.json`: 18 surfaces, computed without the library and checked against arbitrary precision. Units: E*

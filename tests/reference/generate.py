@@ -5,14 +5,14 @@
     python3 generate.py --out wide.json        the same, rewriting the file atomically after every parameter set
     python3 generate.py --validate cases.json  worst differences from a file of known rows
     python3 generate.py --mp FILE [STRIDE]     recompute every STRIDE-th row of FILE with mpmath at 40 digits, from the
-                                               unscaled equations of docs/theory.md (another formulation, another quadrature)
+                                               unscaled equations of docs/model.md (another formulation, another quadrature)
 
 Arithmetic: numpy.longdouble on x86 (64-bit mantissa, 1.1e-19).  Constants that need more come from mpmath.
 
 One summit.  With theta in (0, pi/2), m = sec(theta), c = a m, B = b/h, H = h/sigma = 1/(alpha beta B), and lengths c = L C,
 L^2 = beta g/(alpha B), w = u/H, everything depends on ONE adhesion number
         kappa = 4 gamma B^2 L,    kappa^2 = (32 pi/9) lambda_g^3      (9/32 <-> kappa^2 = pi)
-and eqs (4), (6), (5), with the corrections of docs/theory.md, are
+and eqs (4), (6), (5), with the corrections of docs/model.md, are
         (F2/pi) C^2 + (kappa/pi) F1 C = 1,  F2 = sin cos - theta cos(2 theta),  F1 = theta sin + cos - 1
         w = C^2 cos^2 - (kappa/2) C sin
         P = (L/B) [ (4/3) C^3 cos^3 - (kappa/2) C^2 (sin cos + theta) ],   a = L C cos
@@ -486,7 +486,7 @@ def validate(path, stride=1):
     print("seconds", time.time() - t)
 
 def mp_row(p, d, guess=None, dps=40, more=None):
-    """The same row by the unscaled equations of docs/theory.md in mpmath (epsilon = 0: over theta; else over z, solving for theta).
+    """The same row by the unscaled equations of docs/model.md in mpmath (epsilon = 0: over theta; else over z, solving for theta).
     Returns load parts, friction, contacting, area.  Slow."""
     old = mp.mp.dps; mp.mp.dps = dps
     try:
@@ -502,7 +502,7 @@ def mp_row(p, d, guess=None, dps=40, more=None):
                 x = Cw*(z - foot); return om*Cw*x**(om-1)*mp.exp(-x**om) if x > 0 else f(0)
             top = foot + f(2000)**(1/om)/Cw
         def g(z): return (1 + ep) - 2*ep/(mp.exp(2*rho*z) + 1) if z < 0 else (1 - ep) + 2*ep/(1 + mp.exp(-2*rho*z)) # dps covers it
-        def asp(th, gz):        # a, u, P by docs/theory.md
+        def asp(th, gz):        # a, u, P by docs/model.md
             if th == mp.pi/2: return None
             t = mp.tan(th)
             k2 = al*B/(mp.pi*be*gz)*(t + (t*t - 1)*th); k1 = 4*ga*B*B/mp.pi*(t*th - mp.sec(th) + 1)

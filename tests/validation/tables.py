@@ -1,4 +1,4 @@
-"""The tables of docs/domain.md and docs/validation.md, written between marks in these pages; a test holds them to it.
+"""The tables of docs/when-to-use.md and docs/validation.md, written between marks in these pages; a test holds them to it.
 
 usage: tables.py        writes the tables into the pages
 """

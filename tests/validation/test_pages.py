@@ -1,4 +1,4 @@
-"""docs/domain.md and docs/validation.md say what the library computes."""
+"""docs/when-to-use.md and docs/validation.md say what the library computes."""
 
 from __future__ import annotations
 

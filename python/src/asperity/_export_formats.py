@@ -1,4 +1,4 @@
-"""Tables of friction against pressure, and of stiffness and conductance, in the input languages of hosts; docs/export.md says how
+"""Tables of friction against pressure, and of stiffness and conductance, in the input languages of hosts; docs/solvers.md says how
 each is used."""
 
 from __future__ import annotations

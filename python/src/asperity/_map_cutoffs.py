@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-# Cutoffs looked at, in points; a wave of six points gives density and sigma to 6 %, R to 8 % (docs/topography.md).
+# Cutoffs looked at, in points; a wave of six points gives density and sigma to 6 %, R to 8 % (docs/height-maps.md).
 _POINTS = (2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128)
 POINTS_PER_WAVE = 6
 # Fewer summits say little; the map must have so many at a cutoff.

@@ -25,12 +25,12 @@ _LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)|\[.*")
 def add(command: argparse.ArgumentParser, *, has_groups: bool = True) -> None:
     """Adds the options, with or without the dimensionless groups."""
     command.add_argument(
-        "--surface", metavar="FILE.toml", help="the surfaces as a file (docs/surface-file.md), instead of all that follows"
+        "--surface", metavar="FILE.toml", help="the surfaces as a file (docs/solvers.md), instead of all that follows"
     )
     if has_groups:
         _add_groups(command)
     for table, names in KEYS.items():
-        says = f"[{table}] of surface files" if table else "keys of surface files, which docs/surface-file.md explains"
+        says = f"[{table}] of surface files" if table else "keys of surface files, which docs/solvers.md explains"
         group = command.add_argument_group(says)
         for name in names:
             group.add_argument(_flag(name), metavar="X")

@@ -34,7 +34,7 @@ def friction(
     0.194 (0.167 to 0.221)
 
     `print(estimate)` says what the number rests on and what would narrow its band. It is the call `asperity_estimate_at_loads` of
-    the library, of the surface file that the arguments make (docs/surface-file.md): `estimate.surface` is its text. For more
+    the library, of the surface file that the arguments make (docs/solvers.md): `estimate.surface` is its text. For more
     than the coefficient make `Params` and a `Model`.
 
     Three things widen the band, which is log-normal:

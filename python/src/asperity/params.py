@@ -519,7 +519,7 @@ class Params:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:
-        """The parameters that a TOML file describes, in SI units: docs/surface-file.md lists its keys.
+        """The parameters that a TOML file describes, in SI units: docs/solvers.md lists its keys.
 
         Raises:
             Error: a file that cannot be read, a key or a value that is not allowed, or one that is missing; the message names the

@@ -136,7 +136,7 @@ class State(_WithUnits):
             it.
         friction_scatter: Standard deviation of the friction force over its mean [-], among nominally equal contacts
             under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times
-            the load (docs/theory.md).
+            the load (docs/model.md).
         friction_bias: Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1
             [-]; 0 and NaN as `friction_scatter`.
     """
@@ -277,7 +277,7 @@ class Summary(_WithUnits):
             power of the distance from the pull-off load.
         max_table_load: Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a
             power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times
-            (docs/contract.md).
+            (docs/c.md).
         table_error: Largest relative error of the compiled friction force [-] at the samples that were compared when
             the model was made; between samples it may be four times as large, or 1e-9 where that is more.
     """

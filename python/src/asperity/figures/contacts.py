@@ -1,4 +1,4 @@
-"""Real contacts, with round numbers for each: where they lie on the map of `docs/domain.md`.
+"""Real contacts, with round numbers for each: where they lie on the map of `docs/when-to-use.md`.
 
 A contact is followed over its loads: the mean pressure of its summits over the hardness of the softer body, which tells
 whether they yield, and the mean contact radius over the Burgers vector, which tells the regime of slip.
@@ -17,7 +17,7 @@ from ..model import Model
 from ..params import Params
 from .curves import Array
 
-# The mean pressure over the hardness at which a summit begins to yield: docs/theory.md.
+# The mean pressure over the hardness at which a summit begins to yield: docs/model.md.
 YIELD = 0.4
 # Below about three atoms' distances a contact is a number of atoms and no continuum.
 CONTINUUM = 3.0

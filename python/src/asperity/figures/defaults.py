@@ -1,5 +1,5 @@
 """What Hurtado and Kim's default slip stresses predict for interfaces whose friction was measured: the table of
-`docs/domain.md`.
+`docs/when-to-use.md`.
 
 Of the surfaces only the process is told in the sources, so that sigma and R are round numbers.
 """

@@ -39,7 +39,7 @@ _LABELS = {
 def _contacts() -> Figure:
     picture, axes = _empty((5.0, 5.4), (0.145, 0.15, 0.835, 0.78))
     axes.set_title("Ground steel yields, MEMS and wafers do not", loc="left", x=-0.15, weight="bold", fontsize=11)
-    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot); numbers in docs/domain.md", fontsize=9, color=GREY)
+    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot); numbers in docs/when-to-use.md", fontsize=9, color=GREY)
     axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
     axes.set_xlabel("mean pressure of the contacts / hardness [–]")
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
@@ -80,7 +80,7 @@ def _region(axes: Axes, x: float, y: float, text: str, colour: str) -> None:
 def _measurements() -> Figure:
     rows = measured.MEASUREMENTS
     picture, axes = _empty((5.0, 0.72 * len(rows) + 1.1), (0.04, 0.12, 0.92, 0.81))
-    axes.set_title("With the default strength friction is an order of magnitude", loc="left", weight="bold", fontsize=11)
+    axes.set_title("Default strength: an order of magnitude", loc="left", weight="bold", fontsize=11)
     axes.set(xscale="log", xlim=(0.02, 1000), ylim=(len(rows) - 0.4, -0.9))
     axes.set_xlabel("predicted / measured [–]; bands: inputs not given")
     axes.set_yticks([])
