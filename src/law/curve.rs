@@ -16,8 +16,6 @@ use crate::equilibrium::{Branch, BranchPoint};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
-/// Where gaps are shorter than separations, it begins so many times as far.
-const FARTHER: f64 = 2.5;
 /// Of a part of the loads it is looked for from far separations on, in sigma above the middle of the heights.
 const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 /// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
@@ -82,10 +80,6 @@ impl Curve {
         while from.log_excess < reach.log_heaviest {
             depth *= 2.0;
             from = curve.sample(branch, positions.middle - depth)?;
-        }
-        if is_crowded && !reach.is_part {
-            // By a row of gaps more, so that whole rows reach as far.
-            from = curve.sample(branch, positions.middle - FARTHER * depth)?;
         }
         check.push(from);
         let lightest = if reach.has_pull_off { f64::NEG_INFINITY } else { reach.log_lightest };

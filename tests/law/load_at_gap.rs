@@ -211,6 +211,47 @@ fn heights_with_long_tails_are_resolved_next_to_their_mean() {
     }
 }
 
+/// However long or short their tails, from next to where they part to beyond the heaviest load that is compiled, and wherever gaps count
+/// from: 0 of either sign lies anywhere between.
+#[test]
+fn at_every_gap_the_load_is_that_of_the_exact_state_or_goes_on_without_a_jump() {
+    let tails = [(-1.9908, 18.8205), (0.9763, 9.40737), (-0.3347, 14.2123), (0.0, 5.0), (3.0, 60.0), (0.0, 95.0)];
+    let others = [HeightFamily::Weibull { shape: 1.05 }, HeightFamily::Weibull { shape: 30.0 }];
+    let heights = tails.map(|(skew, kurtosis)| johnson(skew, kurtosis)).into_iter().chain(others);
+    let (mut failures, mut models) = (Failures::default(), 0);
+    for (heights, gamma) in heights
+        .chain(families().into_iter().map(|(_, heights)| heights))
+        .flat_map(|heights| [(heights.clone(), 0.0), (heights, 1e-3)])
+    {
+        let lone = Params { heights, ..dimensionless(0.01, 1000.0, gamma, 1.0) };
+        let raised = |sigmas: f64| Params { summit_mean_height: sigmas * lone.height_std, ..lone.clone() };
+        for params in [lone.clone(), raised(3.0), raised(9e3), crowded(lone.clone(), 0.3)] {
+            // Some would part in steps.
+            let Ok(model) = Model::new(&params) else { continue };
+            models += 1;
+            let (sigma, pull_off) = (params.height_std, model.summary().pull_off_load);
+            let (heaviest, _) = range(&model);
+            let zeros = [0.0, -0.0, 5e-324, -5e-324, 1e-300, -1e-300];
+            let depths = [-8.0, -3.0, -0.5, 0.0, 1.0, 4.0, 8.0, 11.0, 15.0, 16.0, 20.0, 31.0, 40.0, 57.0, 64.0, 100.0];
+            let around = depths.map(|depth| params.summit_mean_height - depth * sigma);
+            for gap in zeros.into_iter().chain(around) {
+                let (load, slope) = model.load_and_slope_at_gap(gap);
+                let beside = model.load_at_gap(gap.above());
+                let (true, Ok(exact)) = (model.validate_gap(gap).is_ok(), model.state_at_gap(gap)) else { continue };
+                let what = || format!("gap {gap:e}: {load:e}, {slope:e}, not {:e}; {params:?}", exact.load);
+                let size = exact.load.abs().max(-pull_off).max(1e-300);
+                let step = (gap.above() - gap) * exact.dload_dgap.abs();
+                failures.claim(load.is_finite() && slope <= 0.0, what);
+                failures.claim((load - beside).abs() <= 1e-9 * size + 4.0 * step, what);
+                let known = if gap < heaviest { 1e-2 } else { 1e-8 };
+                failures.claim((load - exact.load).abs() <= known * size + step, what);
+            }
+        }
+    }
+    failures.report();
+    assert!(models > 140, "{models} models");
+}
+
 /// Heights that end, with a density that jumps to 0 there, is 0 or falls faster; and, last, some that do not.
 fn families() -> Vec<(&'static str, HeightFamily)> {
     let bins = |densities: &[f64]| bins(densities, 1e-11);
