@@ -212,8 +212,8 @@ impl Row {
     }
 
     fn of_nodes(nodes: [[f32; 2]; NODES]) -> Self {
-        /// Whole numbers of these have few enough digits.
-        const UNIT: f64 = 1.0 / (1_u32 << 25) as f64;
+        /// Up to 1, whole numbers of these have few enough digits.
+        const UNIT: f64 = 1.0 / (1_u32 << f32::MANTISSA_DIGITS) as f64;
         let numbers = nodes.map(|node| node.map(f64::from));
         let mut below = 1.0;
         let shares = std::array::from_fn(|j| {
@@ -315,6 +315,14 @@ mod tests {
         ("one size", |s| (1.0 - s * (1.5 - 0.5 * s * s), 1.5 * (1.0 - s * s))),
         ("exponential", |s| (1.0 - s + s * s.ln(), -s.ln())),
     ];
+
+    #[test]
+    fn shares_are_1_together_where_one_level_has_most_of_the_strength() {
+        for i in 0..100 {
+            let row = Row::new(|s| (if s < 0.5 { 0.2 + 1e-3 * f64::from(i) } else { 0.0 }, 0.0));
+            assert_eq!(row.shares.iter().map(|&share| f64::from(share)).sum::<f64>(), 1.0, "{i}");
+        }
+    }
 
     #[test]
     fn rows_hold_the_strength_of_levels_wherever_they_are_cut() {
