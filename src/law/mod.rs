@@ -18,7 +18,7 @@ mod position;
 mod row;
 mod steps;
 mod table;
-mod tolerance;
+pub mod tolerance;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;

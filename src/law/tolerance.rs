@@ -5,6 +5,9 @@ pub const VALUE: f64 = 1e-9;
 /// The largest relative error of a slope of these.
 pub const SLOPE: f64 = 1e-7;
 
+/// The largest error of a table that a model may have: what is said of every model.
+pub const MOST: f64 = 1e-6;
+
 /// The larger of two errors, infinite if either is no number.
 pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
