@@ -78,7 +78,7 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
 /// - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
 ///   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
-/// - `summit_density`, summits per area, with a `nominal_area` given here or earlier: replace `asperity_count`
+/// - `summit_density`, summits per area, with a `nominal_area` given here or earlier: replaces `asperity_count`
 /// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
 ///   `asperity_params_calibrate`, which comes last
 ///

@@ -154,7 +154,6 @@ follow() {
 follow docs/install.md
 follow docs/c.md
 follow docs/cpp.md
-follow docs/cpp.md
 with_make modelica
 check modelica static
 
