@@ -133,4 +133,4 @@ def test_links_lead_somewhere(root: Path) -> None:
 if __name__ == "__main__":
     checkout = Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     lines = [line for check in (too_long, wordy, how_found, broken_links) for line in check(checkout)]
-    sys.exit("\n".join(lines))
+    sys.exit("\n".join(lines) or 0)
