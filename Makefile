@@ -4,7 +4,7 @@
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, two hours or so
-# make bench     measures speed and accuracy, and writes docs/dev/performance.md and its tables anew
+# make bench     measures speed and accuracy, and writes docs/dev/performance.md anew
 # make core      what the numerical core costs: lines, constants, instructions, memory
 # make harden    every instrument of docs/dev/reliability.md, for hours; tests/harden/harden.mk names its parts
 # make dist      the files of a release, in dist/: libraries for every platform, wheels, packages, sources; TARGETS="..." for a part
@@ -127,7 +127,7 @@ pages: export ASPERITY_WRITE_PAGES := 1
 pages:
 	$(CARGO) build --release --locked
 	$(CARGO) test --release --locked --test install readme
-	python/test.sh tests/test_docs.py tests/test_start_pages.py tests/test_tutorial.py tests/test_surface_file.py tests/test_study_guide.py tests/test_export.py
+	python/test.sh tests/test_docs.py tests/test_guides.py tests/test_surface_file.py tests/test_export.py
 	js/test.sh --quick
 	tests/consumers/run.sh
 

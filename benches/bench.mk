@@ -1,4 +1,4 @@
-# make bench: measures speed and accuracy, and rewrites docs/dev/performance.md with its picture, and docs/dev/performance.md.
+# make bench: measures speed and accuracy, and rewrites docs/dev/performance.md with its picture.
 # Needs libgsl-dev and valgrind (tests/setup.sh). A missed limit is shown in the document; it is no failure.
 
 bench_target := $(abspath $(or $(CARGO_TARGET_DIR),target))

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures, counts instructions, and puts the results between the marks in docs/dev/performance.md, with date and
-# machine, and the most important of them between those in docs/dev/performance.md.
+# Measures, counts instructions, and puts the results between marks in docs/dev/performance.md, with date and machine, and the
+# most important of them at its top.
 #
 # usage: benches/report.sh PROGRAM      (make bench builds the program and calls this)
 set -euo pipefail
@@ -62,16 +62,17 @@ results=$work/results.md
 summary=$work/summary.md
 awk -f benches/summary.awk "$results" >"$summary"
 
-# between_marks FILE DOCUMENT: FILE takes the place of what stands between the marks in DOCUMENT.
+# between_marks MARK FILE: FILE takes the place of what stands between these marks in the page.
+page=docs/dev/performance.md
 between_marks() {
-    awk -v results="$1" '
-        /^<!-- measured: begin/ { print; print ""; while ((getline line < results) > 0) print line; skip = 1; begun = 1 }
-        /^<!-- measured: end/ { print ""; skip = 0; ended = 1 }
+    awk -v begin="^<!-- $1: begin" -v end="^<!-- $1: end" -v results="$2" '
+        $0 ~ begin { print; print ""; while ((getline line < results) > 0) print line; skip = 1; begun = 1 }
+        $0 ~ end { print ""; skip = 0; ended = 1 }
         !skip { print }
-        END { exit !(begun && ended) }' "$2" >"$work/document.md" ||
-        { echo "benches/report.sh: $2 has lost its marks" >&2; exit 1; }
-    cp "$work/document.md" "$2"
+        END { exit !(begun && ended) }' "$page" >"$work/document.md" ||
+        { echo "benches/report.sh: $page has lost its marks" >&2; exit 1; }
+    cp "$work/document.md" "$page"
 }
-between_marks "$results" docs/dev/performance.md
-between_marks "$summary" docs/dev/performance.md
+between_marks results "$results"
+between_marks summary "$summary"
 if grep -q MISSED "$results"; then grep MISSED "$results"; else echo "all limits met"; fi

@@ -306,7 +306,7 @@ module asperity
     real(c_double) :: max_table_load                ! Heaviest load of the compiled table [force]
     real(c_double) :: table_error                   ! Largest relative error of the compiled friction force [-] at the
                                                     ! samples that were compared when the model was made; between
-                                                    ! samples it may be four times as large, or 2e-10 where that is more
+                                                    ! samples it may be four times as large, or 1e-9 where that is more
   end type asperity_summary
 
   ! Logarithmic derivatives of the friction force F with respect to each parameter p, at constant load

@@ -90,14 +90,20 @@ compile fortran/examples/minimal.f90 "$build/asperity.o" "$target/release/libasp
 "$build/minimal_static" | diff "$build/page.txt" -
 echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print what it says"
 
-# The starting points: each program prints what stands below it.
-for page in docs/start-*.md; do
-    awk '$0 == "```fortran" {inside = 1; next} /^```/ {inside = 0} inside' "$page" >"$build/start.f90"
-    awk '/^## In Fortran/ {here = 1} here && $0 == "```text" {inside = 1; next} /^```/ {inside = 0} inside' "$page" >"$build/start.txt"
-    # shellcheck disable=SC2086
-    compile "$build/start.f90" "$build/asperity.o" $link -o "$build/start"
-    "$build/start" | diff "$build/start.txt" -
+# The starting points: one program, which prints for each surface file of the page what stands below it.
+awk -v out="$build/start" '
+    /^```/ { kind = kind == "" ? substr($0, 4) : ""
+             if (kind == "toml") file = out "-" ++n ".toml"
+             if (kind == "text") file = out "-" n ".txt"
+             if (kind == "fortran") file = out ".f90"
+             next }
+    kind ~ /^(toml|text|fortran)$/ { print >file }' docs/start.md
+# shellcheck disable=SC2086
+compile "$build/start.f90" "$build/asperity.o" $link -o "$build/start"
+for surface in "$build"/start-[1-4].toml; do
+    answer=${surface%toml}txt
+    "$build/start" "$surface" "$(sed -n 's/^mu(\([^ ]*\) N).*/\1/p' "$answer")" | diff "$answer" -
 done
-echo "docs/start-*.md: the programs in Fortran print what they say"
+echo "docs/start.md: the program in Fortran prints what stands below each surface"
 
 echo "fortran  PASS  $((SECONDS - started)) s"

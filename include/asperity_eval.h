@@ -27,15 +27,12 @@
  *                              that line. Where the table reaches pull-off, such loads lie within 1e-9 of the pull-off
  *                              load above it and the force is right to 2e-4; elsewhere they are below 1e-24 of the load
  *                              at which half the summits touch, and the coefficient is about that of the lightest load
- *   heavier than the table     the force of the heaviest load, slope 0: a bound, 1e12 and more times beyond the load at
+ *   heavier than the table     the force of the heaviest load, slope 0: a bound, 1e3 and more times beyond the load at
  *                              which half the summits touch. The library goes on with a power of the load
  *   not finite                 NaN
  *
  * For processors that are slow at doubles there is a second table, of floats, made from the first: see
  * asperity_float_table below.
- *
- * NaN is left for a finite load in the few rows, if any, that could not be made (the library computes them): with
- * adhesion or without, Gaussian heights have none below 1e9 times the load at which half the summits touch.
  */
 #ifndef ASPERITY_EVAL_H
 #define ASPERITY_EVAL_H

@@ -19,7 +19,7 @@ FENCE = re.compile(r"^```(\w+) .*$", re.MULTILINE)
 
 def gather(folder: Path) -> None:
     """Pages and the files that they link to, at the places that they have in the repository."""
-    waiting = sorted((ROOT / "docs").glob("*.md")) + [ROOT / "CHANGELOG.md", ROOT / "README.md"]
+    waiting = sorted((ROOT / "docs").glob("*.md")) + sorted((ROOT / "docs" / "dev").glob("*.md")) + [ROOT / "CHANGELOG.md", ROOT / "README.md"]
     done = set()
     while waiting:
         source = waiting.pop()
@@ -71,7 +71,8 @@ def main(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     gather(folder / "guide")
     shutil.copy(ROOT / "js" / "dist" / "explorer.html", folder / "explorer.html")
-    shutil.copy(Path(__file__).with_name("index.md"), folder / "index.md")
+    for name in ("index.md", "site.css"):
+        shutil.copy(Path(__file__).with_name(name), folder / name)
     (folder / "guide" / "docs" / "explorer.md").write_text(EXPLORER, encoding="utf-8")
     reference = folder / "reference"
     reference.mkdir()
@@ -89,12 +90,15 @@ EXPLORER = """# Explorer
 [![The explorer](figures/explorer.png)](../../explorer.html)
 """
 
+# What people use first; then the rest of the package; then its modules.
+FIRST = ("friction", "Model", "Params")
 MODULES = (
-    "", ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".study", ".loads", ".table", ".jax", ".warp",
+    ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".study", ".loads", ".table", ".jax", ".warp",
     ".mujoco", ".kratos",
 )
+REST = f"\n    options:\n      filters: ['!^_', '!^({'|'.join(FIRST)})$']"
 PYTHON = "# Python reference\n\n[python.md](../guide/docs/python.md) is the guide.\n\n" + "".join(
-    f"::: asperity{module}\n\n" for module in MODULES
+    f"::: asperity{name}\n\n" for name in (*(f".{name}" for name in FIRST), REST, *MODULES)
 )
 
 RUST = """# Rust reference

@@ -48,7 +48,7 @@ def gallery(file: str) -> int:
         "asperity.figures.page.text", return_value="good\n" * 10_000
     ):
         try:
-            figures.write(Path(file).parent)
+            figures.write(Path(file).parents[1])
         except OSError as error:
             print(error, file=sys.stderr)
             return 1

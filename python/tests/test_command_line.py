@@ -11,7 +11,9 @@ from typing import Any
 import pytest
 from processes import run_main
 
+
 from asperity import Model, Params, __version__
+from asperity._surface_text import KEYS
 
 POLYSILICON = (
     "--E1 160e9 --nu1 0.22 --E2 160e9 --nu2 0.22 --work-of-adhesion 0.063 --adhesion-range 0.384e-9 "
@@ -139,7 +141,7 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve --skew 1 --weibull-shape 2", 1, "do not give weibull_shape too"),
         ("curve --surface x.toml --skew 1", 2, "--surface is the whole surface: leave out --skew, and change the file"),
         ("curve --surface x.toml --attraction false", 2, "leave out --attraction, and change the file"),
-        ("curve --pair steel/steel", 1, "asperity: height_std: must be set"),
+        ("curve steel/steel", 1, "asperity: height_std: must be set"),
         ("curve --hardness hard", 1, 'asperity: hardness = "hard": must be a number'),
         ("curve --surface nowhere.toml", 1, "nowhere.toml"),
         ("curve --count 1", 2, "--count 1: must be 2 or more"),
@@ -184,8 +186,8 @@ def test_a_measured_point_is_met() -> None:
 
 
 def test_a_pair_and_the_roughness_of_both_surfaces_are_options() -> None:
-    both = "--pair steel/steel --Ra '[0.8e-6, 0.4e-6]' --RSm '[80e-6, 60e-6]' --nominal-area 1e-4"
-    done = asperity(f"curve --figure - --lowest 1 --highest 10 --count 2 {both} --calibration-load 1 --calibration-friction-coefficient 0.2")
+    both = "--Ra 0.8e-6 0.4e-6 --RSm 80e-6 60e-6 --nominal-area 1e-4"
+    done = asperity(f"curve steel/steel --figure - --lowest 1 --highest 10 --count 2 {both} --calibration-load 1 --calibration-friction-coefficient 0.2")
     assert table(done.stdout)[0][1] == pytest.approx(0.2, rel=1e-9)
 
 
@@ -196,7 +198,7 @@ def test_a_bandwidth_is_judged() -> None:
 
 
 def test_friction_is_told_with_its_band(tmp_path: Path, root: Path) -> None:
-    ground = "--pair steel/steel --nominal-area 1e-4 --Ra 0.8e-6 --process ground --measured '[1000, 0.16]'"
+    ground = "steel/steel --nominal-area 1e-4 --Ra 0.8e-6 --process ground --measured 1000 0.16"
     done = asperity(f"friction {ground} --load 10 1000")
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("mu(10 N) = 0.194, 95 % band 0.167 to 0.221\nmu(1000 N) = 0.16, ")
@@ -207,6 +209,19 @@ def test_friction_is_told_with_its_band(tmp_path: Path, root: Path) -> None:
     wrong = tmp_path / "wrong.toml"
     wrong.write_text("measured = 0.16\n", encoding="utf-8")
     assert asperity(f"friction --surface {wrong} --load 1").stderr.startswith(f"asperity: {wrong}: line 1: measured = 0.16: must be points")
-    assert asperity(f"friction --surface {file} --pair Si/Si --load 1").returncode == 2
+    assert asperity(f"friction Si/Si --surface {file} --load 1").returncode == 2
     assert asperity(f"friction {ground}").returncode == 2  # no load
     assert asperity(f"friction --surface {tmp_path / 'none.toml'} --load 1").returncode == 1
+
+
+def test_friction_of_one_line_with_units_in_the_help_and_a_figure(tmp_path: Path) -> None:
+    line = "friction steel/steel --Ra 0.8e-6 --process ground --measured 1000 0.16 --load 10 100 1000"
+    done = asperity(f"{line} --figure {tmp_path / 'friction.svg'}")
+    assert done.returncode == 0 and "mu(1000 N) = 0.16, " in done.stdout and (tmp_path / "friction.svg").stat().st_size > 0
+    several = asperity(f"{line} --measured 100 0.17 0.1")
+    assert several.returncode == 0 and "mu(1000 N) = 0.16, " not in several.stdout
+    said = asperity("friction -h").stdout
+    for option in ("--Ra m [m ...]", "--hardness Pa", "--nominal-area m^2", "--load N", "--Sds 1/m^2", "asperity friction \"steel/steel\""):
+        assert option in said, option
+    for name in (*KEYS["materials"], *KEYS["roughness"], *KEYS[""][1:]):
+        assert f"--{name.replace('_', '-')} " in said, name

@@ -68,7 +68,10 @@ def shows(page: Path, before: int, shown: str, printed: str) -> None:
 
 def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
     found = blocks(page)
-    assert {kind for kind, _ in found if " " not in kind} <= {"sh", "python", "text", "c", "fortran"}  # the last two: tests/install/readme.rs, fortran/test.sh
+    assert {kind for kind, _ in found if " " not in kind} <= {"sh", "python", "text", "toml", "c", "fortran"}  # the last two: readme.rs, fortran/test.sh
+    for name, text in ((re.match(r"# (\S+\.toml):", text), text) for kind, text in found if kind == "toml"):
+        if name:
+            (checkout / name[1]).write_text(text, encoding="utf-8")
     for kind, command, echo in (("sh", ["bash", "-eu"], "echo '{}'\n"), ("python", ["python", "-"], "print('{}')\n")):
         chosen = [i for i, (name, _) in enumerate(found) if name == kind]
         source = "".join(found[i][1] + echo.format(MARK.format(n)) for n, i in enumerate(chosen))
@@ -86,12 +89,3 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
     for page in ("python/README.md", *(f"docs/{guide}.md" for guide in guides)):
         # In what the guide installed.
         check_page(root / page, checkout, environment)
-
-
-def test_the_guide_to_fits_runs_and_prints_what_it_says(
-    root: Path, checkout: Path, environment: dict[str, str]
-) -> None:
-    check_page(root / "docs" / "uncertainty-and-fits.md", checkout, environment)
-    check_page(root / "docs" / "uncertainty-and-fits.md", checkout, environment)
-    assert (checkout / "fit.svg").read_text(encoding="utf-8").startswith("<?xml")
-    assert (checkout / "fit.png").read_bytes().startswith(b"\x89PNG")

@@ -51,7 +51,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
     done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
     assert (done.returncode, done.stdout) == (0, "")
     count = len(PICTURES | ELSEWHERE) + 1
-    assert done.stderr == f"asperity: wrote {count} files, the last is {directory / 'gallery.md'}\n"
+    assert done.stderr == f"asperity: wrote {count} files, the last is {directory / 'dev' / 'gallery.md'}\n"
     return directory
 
 
@@ -80,10 +80,10 @@ def test_the_page_is_what_the_command_writes(root: Path, written: Path) -> None:
 
 
 def test_the_page_shows_every_picture(root: Path) -> None:
-    shown = re.findall(r"\]\(figures/(.+?)\)", (root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8"))
+    shown = re.findall(r"\]\(\.\./figures/(.+?)\)", (root / "docs" / "dev" / "gallery.md").read_text(encoding="utf-8"))
     assert sorted(shown) == sorted(PICTURES)
-    pages = "".join(page.read_text(encoding="utf-8") for page in (root / "docs").glob("*.md"))
-    unseen = {file.name for file in (root / "docs" / "figures").iterdir()} - set(re.findall(r"\]\(figures/(.+?)\)", pages))
+    pages = "".join(page.read_text(encoding="utf-8") for page in (root / "docs").rglob("*.md"))
+    unseen = {file.name for file in (root / "docs" / "figures").iterdir()} - set(re.findall(r"\]\((?:\.\./)?figures/(.+?)\)", pages))
     assert not unseen, "no page shows these"
 
 

@@ -44,8 +44,8 @@ def test_load_and_slope_are_those_of_the_exact_state(model: asperity.Model) -> N
     load, slope = model.load_at_gap(at, slope=True)
     exact = model.state_at_gap(at)
     size = np.maximum(np.abs(exact.load), -model.summary().pull_off_load)
-    assert np.max(np.abs(load - exact.load) / size) < 1e-9
-    assert np.max(np.abs(slope / exact.dload_dgap - 1)) < 1e-7
+    assert np.max(np.abs(load - exact.load) / size) < 1e-8
+    assert np.max(np.abs(slope / exact.dload_dgap - 1)) < 1e-6
     one, one_slope = model.load_at_gap(float(at[7]), slope=True)
     assert (one, one_slope) == (load[7], slope[7]) and model.load_at_gap(float(at[7])) == one
     np.testing.assert_array_equal(model.load_at_gap(at.reshape(3, 13)), load.reshape(3, 13))

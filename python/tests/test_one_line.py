@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import re
+import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -167,3 +169,37 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
     # The same text as the library and the command line have.
     assert repr(many) == asperity.estimate.estimate(many.surface, [1e4, 0.0, -1e20]).text
     assert repr(friction("Si/Si", **ROUGH, load=np.full(9, 1e5))).count("mu(") == 2
+
+
+def test_an_estimate_is_drawn_with_its_band_its_loads_and_what_was_measured(tmp_path: Path) -> None:
+    several = [[1000, 0.16], [100, 0.17, 0.1]]
+    for given, loads, points in (
+        ({"measured": (1000, 0.16)}, [10.0, 5.0, 0.0], [[1000, 0.16]]),
+        ({"measured": several}, 10.0, [row[:2] for row in several]),
+        ({"calibration_load": 1000, "calibration_friction_coefficient": 0.16}, [10.0], [[1000, 0.16]]),
+        ({"calibration_load": 1000, "calibration_friction_force": 160}, [10.0], [[1000, 0.16]]),
+    ):
+        found = friction(**GROUND, Ra=0.8e-6, load=loads, **given)
+        (axes,) = found.plot(tmp_path / "friction.svg").axes
+        line, marked, measured = axes.lines
+        assert axes.get_xlabel() == "normal load $P$ [N]" and len(axes.collections) == 1
+        asked = np.atleast_1d(loads)
+        at = np.asarray(marked.get_xydata())
+        assert at[:, 0].tolist() == asked[asked > 0].tolist() and (at[:, 1] == np.atleast_1d(found.value)[asked > 0]).all()
+        assert np.asarray(measured.get_xydata()).tolist() == points
+        x, y = np.asarray(line.get_xydata()).T
+        assert np.interp(math.log(at[0, 0]), np.log(x), y) == pytest.approx(at[0, 1], rel=1e-3)
+        assert (tmp_path / "friction.svg").stat().st_size > 0
+    (axes,) = friction(**GROUND, Ra=0.8e-6, load=10.0).plot().axes
+    x, _ = np.asarray(axes.lines[0].get_xydata()).T
+    assert (x[0], x[-1]) == pytest.approx((1.0, 100.0)) and axes.get_yscale() == "log" and len(axes.lines) == 2
+    assert friction(**GROUND, Ra=0.8e-6, load=20.0).plot(axes=axes) is axes.figure
+    with pytest.raises(Error, match="load: must be > 0 to be drawn"):
+        friction(**GROUND, Ra=0.8e-6, load=0.0).plot()
+
+
+def test_without_matplotlib_a_plot_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = friction(**GROUND, Ra=0.8e-6, load=10.0)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match="drawing needs matplotlib .*: pip install matplotlib"):
+        found.plot()

@@ -13,7 +13,7 @@ from full_disk import OUTPUTS
 
 from asperity import _output
 
-FILES = {"fmu": "old.fmu", "gallery": "gallery.md", "block": "new.nc", "study": "new.nc", "curve": "old.svg", "indices": "old.svg"}
+FILES = {"fmu": "old.fmu", "gallery": "dev/gallery.md", "block": "new.nc", "study": "new.nc", "curve": "old.svg", "indices": "old.svg"}
 OLD = b"good\n" * 1000
 
 
@@ -40,6 +40,7 @@ def test_an_output_that_finds_no_room_leaves_what_was_there(name: str, tmp_path:
     folder = tmp_path / "out"
     folder.mkdir()
     file = folder / FILES.get(name, "old.inc")
+    file.parent.mkdir(exist_ok=True)
     ran(name, file, "100", tmp_path)
     if file.suffix == ".nc":
         assert not list(folder.glob("*/*.part"))

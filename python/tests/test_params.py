@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from asperity import Error, Model, Params, Status, _units
+from asperity import Error, Model, Params, Status, Warnings, _units
 from asperity.materials import PAIRS
 
 SURFACE: dict[str, Any] = dict(
@@ -295,3 +295,20 @@ def test_the_repr_shows_what_is_not_default_and_reads_back(params: Params) -> No
         assert eval(repr(one)) == one
     assert "slip_radius_1" not in repr(changed)
     assert 'max_friction_coefficient=float("inf")' in repr(changed)
+
+
+def test_a_roughness_in_another_unit_is_named_as_it_was_given() -> None:
+    """Not as a number that was made of it."""
+    area: dict[str, Any] = {"nominal_area": 1e-4, **PAIRS["Si/Si"].contact}
+    cases: tuple[tuple[Any, dict[str, float], str], ...] = (
+        (Params.from_profile, {"Ra": 0.8, "RSm": 80e-6}, "^Ra = 0.8: must be at most 1e-3 m: is it in um\\?"),
+        (Params.from_profile, {"Rq": 1e-6, "RSm": 80.0}, "^RSm = 80: must be at most 4e-3 m: is it in mm, or in um\\?"),
+        (Params.from_iso25178, {"Sq": 5.0, "Sdq": 0.08}, "^Sq = 5: must be at most 1e-3 m: is it in um\\?"),
+    )
+    for make, given, message in cases:
+        with pytest.raises(Error, match=message):
+            make(**given, **area)
+
+
+def test_messages_name_no_function_of_another_language() -> None:
+    assert not any("asperity_params" in kind.description for kind in Warnings if kind)

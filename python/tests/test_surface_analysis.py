@@ -195,8 +195,12 @@ def test_friction_that_was_measured_narrows_the_band(plain: Array, truth: surfac
     found = analysed(plain, measured=(LOAD, 0.3))
     assert found.value == pytest.approx(0.3, rel=1e-3) and found.high / found.low < 2 < truth.high / truth.low
     assert found.spread["cutoffs"] < 1e-3  # it was measured at this load
-    steel = analysed(100 * plain, dx=100 * PIXEL, load=10.0, pair="steel/steel")
-    assert "contact: elastic-plastic" in str(steel) or steel.params is None or steel.params.contact_law == "maugis"
+    steel = analysed(100 * plain, dx=30 * PIXEL, load=10.0, pair="steel/steel", measured=(10.0, 0.3))
+    assert "contact: elastic-plastic" in str(steel) and steel.params is not None and steel.params.contact_law == "elastic-plastic"
+    for params, load in ((found.params, LOAD), (steel.params, 10.0)):
+        assert params is not None
+        with Model(params) as model:
+            assert model.friction_at_load(load) == pytest.approx(0.3, rel=1e-6)  # calibrated too
 
 
 def test_long_waves_are_removed_and_what_is_asked_for_wrongly_is_refused(plain: Array, truth: surface.Analysis) -> None:

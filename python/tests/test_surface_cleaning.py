@@ -13,6 +13,7 @@ import pytest
 from random_surfaces import GaussianSurface
 
 from asperity import Model, Params, Warnings, _instrument_files, surface
+from asperity._map_cleaning import _membrane
 from asperity._map_spikes import spikes
 
 Array = npt.NDArray[np.float64]
@@ -345,3 +346,13 @@ def test_progress_is_told(
     assert "asperity.surface:   0% levelling 256 x 256 points\n" in capsys.readouterr().err
     surface.summits(plain, PIXEL)
     assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("place, mean", [((0, 0), 3 / 2), ((0, 2), (1 + 3 + 7) / 3), ((2, 4), (9 + 13) / 2), ((1, 2), (6 + 8 + 2 + 12) / 4)])
+def test_a_missing_point_is_the_mean_of_the_neighbours_that_it_has(place: tuple[int, int], mean: float) -> None:
+    """At an edge of the map they are three, at a corner two."""
+    level = np.arange(15.0).reshape(3, 5)
+    level[1, 0] = 2.0
+    bad = np.zeros(level.shape, dtype=bool)
+    bad[place] = True
+    assert _membrane(level, bad) == pytest.approx([mean], rel=1e-12)

@@ -75,7 +75,8 @@ def test_values_and_gradients_are_the_librarys(
     allowed = slope_error * digits_lost(model, quantity, loads.astype(np.float64)) * np.abs(exact_slope)
     # Kinks, where the slope of floats is rounded off, are met by some loads in ten thousand.
     assert np.mean(np.abs(slope - exact_slope) > allowed) <= (0 if dtype == np.float64 else 5e-4)
-    assert np.count_nonzero(slope) > 0.005 * slope.size  # the others are capped
+    # The others are capped: all loads of the table of a sticky surface.
+    assert np.count_nonzero(slope) > 0.005 * slope.size or (surface, quantity) == ("sticky", "friction")
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])

@@ -77,14 +77,12 @@ impl Draft {
         }
         if self.skew != 0.0 {
             let allowed =
-                "must be 0 unless heights are Johnson's: set height_distribution to ASPERITY_HEIGHTS_JOHNSON, or call \
-                           asperity_params_set_skew for Weibull heights of this skew";
+                "must be 0 unless heights are Johnson's; the skew of Weibull heights follows from weibull_shape";
             return Err(Error::invalid("skew", self.skew, allowed));
         }
         if self.kurtosis != 3.0 {
             let allowed =
-                "must be 3 unless heights are Johnson's: the kurtosis of other heights follows from their shape; set \
-                           height_distribution to ASPERITY_HEIGHTS_JOHNSON, with skew and kurtosis";
+                "must be 3 unless heights are Johnson's; the kurtosis of other heights follows from their shape";
             return Err(Error::invalid("kurtosis", self.kurtosis, allowed));
         }
         Ok(())

@@ -117,8 +117,7 @@ pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
     let source = Source::new(text);
     let count = source.lex().take(MOST_TOKENS + 1).count();
     if count > MOST_TOKENS {
-        let says =
-            format_args!("too many words and signs: must be a surface file, whose keys docs/solvers.md has");
+        let says = format_args!("too many words and signs: must be a surface file, whose keys docs/solvers.md has");
         return Err(Problem::new(0, says));
     }
     let mut tokens = Vec::with_capacity(count);

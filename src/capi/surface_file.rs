@@ -67,6 +67,6 @@ mod file {
 
     /// There are none.
     pub fn read(_: &Path) -> Result<Vec<u8>, Error> {
-        Err(Error::Meaningless("WebAssembly has no files: give the text to asperity_params_set_text".into()))
+        Err(Error::Meaningless("WebAssembly has no files: give the text of the file".into()))
     }
 }

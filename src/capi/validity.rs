@@ -189,8 +189,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_UNCALIBRATED => {
             c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
-              with the default it was up to 14 times too low or 26 times too high; measure the friction force once and call \
-              asperity_params_calibrate, or set slip stresses and pressure_coefficient to measured values"
+              with the default it was up to 14 times too low or 26 times too high; measure friction once and calibrate \
+              with it, or set slip stresses and pressure_coefficient to measured values"
         }
         ASPERITY_WARNING_BROAD => {
             c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on \

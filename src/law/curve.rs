@@ -5,10 +5,11 @@
 //! the exact states between its nodes is tried again shorter.
 
 use super::coordinate::Coordinate;
-use super::panel::{chebyshev, Panel, PerQuantity, Sample, NODES};
+use super::panel::{chebyshev, Panel, PerQuantity, Sample, BETWEEN, NODES};
 use super::planes::{self, Planes};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
+use super::tolerance::{self, larger};
 use super::{Quantity, Reach};
 use crate::elementary::{exp_each, log};
 use crate::equilibrium::{Branch, BranchPoint};
@@ -21,8 +22,6 @@ const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
 const ROUNDING: f64 = 1e-12;
-/// Where a panel is compared between its nodes, from -1 to 1.
-const BETWEEN: [f64; 2] = [0.1, 0.8];
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +32,7 @@ pub struct Unfollowed {
 /// A panel with the exact states that it was compared with.
 struct Attempt {
     panel: Panel,
-    /// Its nodes, if it is no cubic.
-    nodes: Option<[Sample; NODES]>,
+    nodes: [Sample; NODES],
     between: [Sample; 2],
     end: Sample,
     /// The largest error over its tolerance.
@@ -91,16 +89,17 @@ impl Curve {
                 true => steps.next(from.separation, curve.samples > most_samples),
                 false => steps.rest(from.separation),
             };
-            let attempt = match stretch.is_bridge {
-                true => curve.bridge(branch, from, stretch),
-                false => curve.attempt(branch, from, stretch),
-            };
-            let attempt = match attempt {
+            let mut attempt = match curve.attempt(branch, from, stretch) {
                 Ok(attempt) => attempt,
                 // So near to pull-off rounding tells whether the load falls.
                 Err(Unfollowed { separation }) if steps.end - separation < ROUNDING * (1.0 + separation.abs()) => break,
                 Err(unfollowed) => return Err(unfollowed),
             };
+            let crowded = is_crowded.then(|| planes::Panel::between(&from, &attempt.end, &attempt.nodes, positions));
+            if let Some(panel) = &crowded {
+                let error = panel.error_at(&attempt.between) / (stretch.slope_slack * tolerance::SLOPE);
+                attempt.error = larger(attempt.error, error);
+            }
             // So near to the end separations, of which nodes then coincide, have no digits left.
             if attempt.end.separation <= from.separation || attempt.error.is_infinite() && stretch.is_shortest {
                 break;
@@ -109,9 +108,7 @@ impl Curve {
                 continue;
             }
             curve.panels.push(attempt.panel);
-            if is_crowded {
-                gaps.push(planes::Panel::between(&from, &attempt.end, attempt.nodes.as_ref(), positions));
-            }
+            gaps.extend(crowded);
             check.extend(attempt.between);
             if attempt.end.slope[0].is_finite() {
                 check.push(attempt.end);
@@ -142,17 +139,7 @@ impl Curve {
         self.samples += NODES + 3;
         let panel = Panel::new(&from, &end, positions, &nodes);
         let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &between[0], &between[1], &end]);
-        Ok(Attempt { panel, nodes: Some(nodes), between, end, error })
-    }
-
-    /// A cubic over a short stretch.
-    fn bridge(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
-        let end = self.end(branch, stretch.to)?;
-        let between = self.sample(branch, 0.5 * (from.separation + end.separation))?;
-        self.samples += 2;
-        let panel = Panel::bridge(&from, &end);
-        let error = panel.error_over_tolerance(stretch.slope_slack, &[&between]);
-        Ok(Attempt { panel, nodes: None, between: [between, between], end, error })
+        Ok(Attempt { panel, nodes, between, end, error })
     }
 
     /// The state where a panel ends, which may be pull-off itself.

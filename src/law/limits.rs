@@ -11,7 +11,7 @@
 //! It hardly changes with load: values at a few loads are blended.
 
 use super::table::MANTISSA_BITS;
-use super::{Curve, Table};
+use super::{Curve, Quantity, Table};
 use crate::elementary::log;
 use crate::equilibrium::Branch;
 use crate::four::Four;
@@ -27,10 +27,12 @@ const LEAST_EXPONENT: u64 = 1023 - 7;
 /// ...to 2^5.
 const NODES: usize = 14;
 
-/// Displacements at which Phi is asked for at first: the least, and the ratio of one to the next.
+/// Displacements at which Phi is asked for at first: about the least, and the ratio of one to the next.
 const SHORTEST: f64 = 0.01;
-const RATIO: f64 = 1.35;
-const SAMPLES: usize = 26;
+const RATIO: f64 = 1.87;
+const FIRST: usize = 13;
+/// And then at the limits of the levels at the nodes and between them.
+const SAMPLES: usize = 2 * NODES - 2;
 
 /// Shares of the strength, and what they are of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -210,8 +212,8 @@ impl Row {
     }
 
     fn of_nodes(nodes: [[f32; 2]; NODES]) -> Self {
-        /// Whole numbers of these have few enough digits.
-        const UNIT: f64 = 1.0 / (1_u32 << 25) as f64;
+        /// Up to 1, whole numbers of these have few enough digits.
+        const UNIT: f64 = 1.0 / (1_u32 << f32::MANTISSA_DIGITS) as f64;
         let numbers = nodes.map(|node| node.map(f64::from));
         let mut below = 1.0;
         let shares = std::array::from_fn(|j| {
@@ -254,21 +256,19 @@ fn fill_between(rows: &mut [Row], (from, to): (usize, usize), at: &dyn Fn(usize)
 fn row_at(branch: &Branch, curve: &Curve, log_excess: f64) -> Option<Row> {
     let population = branch.population();
     let separation = curve.separation(log_excess)?;
-    let sums = population.at_separation(separation);
-    let length = sums.friction / sums.radius;
-    let mut places = [SHORTEST; SAMPLES];
-    for k in 1..SAMPLES {
+    // Of the places this only says about how far they go.
+    let [[friction], [radius]] =
+        Quantity::ALL.map(|quantity| curve.at_each(quantity, [log_excess]).map(|(value, _)| value));
+    let mut places = [SHORTEST * friction / radius; FIRST];
+    for k in 1..FIRST {
         places[k] = places[k - 1] * RATIO;
     }
-    let ask = |places: [f64; SAMPLES]| {
-        let [lost, given_up] = population.lost_to_slip(separation, places.map(|x| x * length))?;
-        Some((0..SAMPLES).map(move |k| [places[k], lost[k], given_up[k]]))
-    };
-    let mut samples: Vec<[f64; 3]> = ask(places)?.collect();
+    let mut samples = population.lost_to_slip(separation, places)?.to_vec();
     // Once more where X is of the nodes, and between them.
+    let length = places[0] / samples[0][0];
     let between = |k: usize| 0.5 * (NODES_AT[k / 2] + NODES_AT[k.div_ceil(2)]);
-    let better = std::array::from_fn(|k| above_and_limit(&samples, between(k + 1)).1);
-    samples.extend(ask(better)?);
+    let better = std::array::from_fn::<f64, SAMPLES, _>(|k| above_and_limit(&samples, between(k + 1)).1 * length);
+    samples.extend(population.lost_to_slip(separation, better)?);
     samples.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
     samples.dedup_by(|a, b| a[0] <= b[0] * (1.0 + 1e-9));
     let is_sound = samples.iter().all(|&[x, lost, _]| (x - 1.0 - 1e-6..=x).contains(&lost));
@@ -317,6 +317,14 @@ mod tests {
     ];
 
     #[test]
+    fn shares_are_1_together_where_one_level_has_most_of_the_strength() {
+        for i in 0..100 {
+            let row = Row::new(|s| (if s < 0.5 { 0.2 + 1e-3 * f64::from(i) } else { 0.0 }, 0.0));
+            assert_eq!(row.shares.iter().map(|&share| f64::from(share)).sum::<f64>(), 1.0, "{i}");
+        }
+    }
+
+    #[test]
     fn rows_hold_the_strength_of_levels_wherever_they_are_cut() {
         for (name, levels) in KINDS {
             let limits = Limits { first: 1000, rows: vec![Row::new(levels); 2] };
@@ -346,7 +354,7 @@ mod tests {
             }),
             ("exponential", |x| (x - 1.0 + (-x).exp(), 1.0 - (-x).exp())),
         ];
-        let x: [f64; SAMPLES] = std::array::from_fn(|k| SHORTEST * RATIO.powi(k as i32));
+        let x: [f64; 26] = std::array::from_fn(|k| SHORTEST * 1.35_f64.powi(k as i32));
         for ((name, levels), (_, loss)) in KINDS.into_iter().zip(losses) {
             let samples = x.map(|x| [x, loss(x).0, loss(x).1]);
             for i in 1..400 {

@@ -18,7 +18,7 @@ mod position;
 mod row;
 mod steps;
 mod table;
-mod tolerance;
+pub mod tolerance;
 
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
@@ -46,14 +46,18 @@ pub use table::MANTISSA_BITS;
 const MOST_ROWS: usize = 1280;
 const MOST_ROWS_PER_KINK: usize = 2;
 /// Rows per binade, as a power of two: so many that nearly all are good.
-const FRACTION: u32 = 2;
+const FRACTION: u32 = 1;
 /// ln of the ratio of the ends of a row, at most.
-const ROW: f64 = 0.25;
+const ROW: f64 = 0.41;
 /// The law reaches from this part of the pull-off load above it, or of the load at which half of the summits touch, to so many
 /// times that load, or the pull-off load; beyond, it goes on as a power.
 const LIGHTEST_OF_PULL_OFF: f64 = 1e-9;
 const LIGHTEST_OF_HALF: f64 = 1e-24;
-const HEAVIEST_OF_HALF: f64 = 1e6;
+const HEAVIEST_OF_HALF: f64 = 1e3;
+/// It also reaches to the load at which the mean of the heights is pressed in by this part of the summit radius, where contacts are 0.07 R
+/// wide: the load of a ball whose height hardly varies. Deeper than this, in sigma, heights lose their digits.
+const DEEPEST_OF_RADIUS: f64 = 1.0 / 200.0;
+const DEEPEST: f64 = 1e6;
 const HEAVIEST_OF_PULL_OFF: f64 = 1e4;
 /// A pull-off load smaller than this part of the load at which half of the summits touch is none.
 const LIGHTEST_PULL_OFF: f64 = 1e-30;
@@ -124,7 +128,9 @@ impl Reach {
         let half = population.at_separation(-population.heights().origin()).load().abs();
         let pull_off = -branch.pull_off_load();
         let lightest = (LIGHTEST_OF_PULL_OFF * pull_off).max(LIGHTEST_OF_HALF * half);
-        let heaviest = (HEAVIEST_OF_PULL_OFF * pull_off).max(HEAVIEST_OF_HALF * half);
+        let depth = (DEEPEST_OF_RADIUS * population.mean_radius()).min(DEEPEST);
+        let pressed = population.at_separation(-population.heights().origin() - depth).load();
+        let heaviest = (HEAVIEST_OF_PULL_OFF * pull_off).max(HEAVIEST_OF_HALF * half).max(pressed);
         Self {
             // By a row more, so that whole rows reach as far.
             log_lightest: log(lightest) - ROW,
@@ -327,7 +333,7 @@ mod tests {
             let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
-                assert!(error > 1e-16 && error < 5e-11, "{quantity:?}: {error:e}");
+                assert!(error > 1e-16 && error < 2.0 * tolerance::VALUE, "{quantity:?}: {error:e}");
             }
             let table = law.table(Quantity::Friction);
             for load in [0.1, 1.0, 55.0, 3e3].map(|load| load * LOAD) {
@@ -342,7 +348,7 @@ mod tests {
             let reached = (lightest - pull_off) / nearest;
             assert!(reached <= 1.0 && reached > 0.7, "{reached}");
             let reached = heaviest / (HEAVIEST_OF_HALF * half);
-            assert!((1.0..1.4).contains(&reached), "{heaviest:e}, half the summits touch at {half:e}");
+            assert!((1.0..1.7).contains(&reached), "{heaviest:e}, half the summits touch at {half:e}");
             for (load, answers) in [
                 (lightest, true),
                 (pull_off + (lightest - pull_off) * (1.0 - 1e-3), false),
@@ -354,10 +360,10 @@ mod tests {
         }
     }
 
-    /// Within a hundredth of the load.
+    /// Within a tenth of the load.
     #[test]
     fn rows_in_which_all_summits_pass_a_radius_of_the_slip_law_are_answered() {
-        for beta in [2000.0, 1500.0] {
+        for beta in [16_000.0, 13_000.0] {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
@@ -374,8 +380,8 @@ mod tests {
                 let (force, slope) = table.at_excess(x).expect("the table answers");
                 let exact = UNITS[0] * point.sums.friction;
                 let exact_slope = UNITS[0] * point.sums.friction_slope / (LOAD * point.sums.load_slope);
-                assert!((force / exact - 1.0).abs() < 1e-9, "{separation}: {force:e}, not {exact:e}");
-                misses += usize::from((slope / exact_slope - 1.0).abs() > 1e-7);
+                assert!((force / exact - 1.0).abs() < 1e-8, "{separation}: {force:e}, not {exact:e}");
+                misses += usize::from((slope / exact_slope - 1.0).abs() > 1e-6);
             }
             // Now and then the exact slope has fewer digits, so far below the heights.
             assert!(misses <= 10, "{misses} missed");
@@ -394,7 +400,7 @@ mod tests {
             let mut compiled = Compiled::new(&branch, &curve, reach, Quantity::Friction, scale);
             let unseen = compiled.error;
             compiled.compare(Quantity::Friction, scale, &samples);
-            assert!(compiled.error >= unseen && compiled.error < 1e-9);
+            assert!(compiled.error >= unseen && compiled.error < 2.0 * tolerance::VALUE);
             let middle = samples.len() / 2;
             let mut moved = samples.clone();
             moved[middle].value[Quantity::Friction as usize] *= 1.0 + off;
@@ -423,15 +429,15 @@ mod tests {
         assert_work(
             &taken.as_flattened().iter().map(|taken| &taken[..]).collect::<Vec<_>>(),
             &[
-                &[93, 31, 345, 254],
-                &[129, 43, 263, 264],
-                &[39, 13, 299, 249],
-                &[54, 18, 212, 197],
-                &[87, 29, 225, 246],
-                &[18, 6, 189, 169],
-                &[85, 28, 429, 304],
-                &[148, 49, 434, 602],
-                &[40, 13, 406, 373],
+                &[57, 19, 149, 83],
+                &[102, 34, 129, 92],
+                &[24, 8, 127, 77],
+                &[42, 14, 102, 71],
+                &[75, 25, 118, 96],
+                &[15, 5, 88, 68],
+                &[52, 17, 192, 162],
+                &[130, 43, 212, 259],
+                &[25, 8, 181, 180],
             ],
             "states, panels, rows of friction and of the gap",
         );
@@ -489,7 +495,7 @@ mod tests {
         });
         assert_work(
             &panels.each_ref().map(|panels| &panels[..]),
-            &[&[9761], &[13357], &[4815], &[4097], &[4240], &[3242]],
+            &[&[11394], &[11719], &[4444], &[3896], &[4080], &[2578]],
             "panels",
         );
     }
@@ -558,12 +564,11 @@ mod tests {
                     let (exact, exact_slope) = quantity.of(&point.sums);
                     let exact = UNITS[quantity as usize] * exact;
                     let exact_slope = UNITS[quantity as usize] * exact_slope / (LOAD * point.sums.load_slope);
-                    assert!((value / exact - 1.0).abs() < 1e-9, "{shape}, {quantity:?}, {separation}: {value:e}");
+                    assert!((value / exact - 1.0).abs() < 1e-8, "{shape}, {quantity:?}, {separation}: {value:e}");
                     let miss = (slope / exact_slope - 1.0).abs();
                     // Next to one panels are short, and slopes may miss by more.
                     let distance = feet.iter().map(|lower_end| (separation - lower_end).abs()).fold(f64::MAX, f64::min);
-                    let tolerance =
-                        if quantity == Quantity::Friction { 1e-7 } else { 2e-6 } * (0.01 / distance).max(1.0);
+                    let tolerance = 1e-6 * (0.01 / distance).max(1.0);
                     assert!(miss < tolerance, "{shape}, {quantity:?}, {separation}, {distance:e}: {miss:e}");
                 }
             }

@@ -17,9 +17,11 @@ pub fn chebyshev(j: usize) -> f64 {
 
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * NODES;
+/// Where a panel is compared between its nodes, from -1 to 1.
+pub const BETWEEN: [f64; 2] = [0.1, 0.8];
 /// Next to a kink the slope of the stiffness is harder to resolve than that of friction: it need only be as good as values ask for, which
 /// leaves it within 1e-3 where the load is within 1 % of a kink, and within 1e-6 elsewhere.
-const SLACK: f64 = 20.0;
+const SLACK: f64 = 2.0;
 /// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
 const NARROW: f64 = 2e-4;
 
@@ -123,19 +125,6 @@ impl Panel {
         Self { lowest: to.s, highest: from.s, begin, end, log_value, length, s }
     }
 
-    /// Cubics between two states.
-    pub fn bridge(from: &Sample, to: &Sample) -> Self {
-        let width = to.s - from.s;
-        let log_value = std::array::from_fn(|quantity| {
-            let (start, end) = (from.slope[quantity], to.slope[quantity]);
-            Hermite::cubic(from.log_value[quantity], (from.s, start), (to.s, end), 0.5 * (start + end) * width)
-        });
-        let ends = [(0.0, from.s_by_separation), (to.separation - from.separation, to.s_by_separation)];
-        let s = Hermite::cubic(from.s, ends[0], ends[1], width);
-        let (begin, end) = (from.separation, to.separation);
-        Self { lowest: to.s, highest: from.s, begin, end, log_value, length: Length::Separation, s }
-    }
-
     pub fn holds(&self, s: f64) -> bool {
         s >= self.lowest && s <= self.highest
     }
@@ -216,18 +205,6 @@ impl Hermite {
                 };
             }
         }
-        Self { reference, nodes, coefficients }
-    }
-
-    /// The cubic between two places, with its slopes there and what it rises by.
-    pub fn cubic(reference: f64, (from, start): (f64, f64), (to, end): (f64, f64), rise: f64) -> Self {
-        let width = to - from;
-        let mut nodes = [to; NODES];
-        nodes[0] = from;
-        let mut coefficients = [0.0; CONDITIONS];
-        coefficients[1] = start;
-        coefficients[2] = (rise / width - start) / width;
-        coefficients[3] = (start + end - 2.0 * rise / width) / (width * width);
         Self { reference, nodes, coefficients }
     }
 
@@ -323,18 +300,6 @@ mod tests {
                 assert!(near(panel.separation_at(exact.s), exact.separation, 1e-9) && panel.holds(exact.s));
             }
             assert!(!panel.holds(sample(begin - 0.1).s) && !panel.holds(sample(end + 0.1).s));
-        }
-    }
-
-    #[test]
-    fn a_bridge_has_the_values_and_slopes_of_its_ends() {
-        let (from, to) = (sample(0.5), sample(0.51));
-        let bridge = Panel::bridge(&from, &to);
-        for exact in [from, sample(0.503), to] {
-            let (s, slope) = bridge.s_at(exact.separation);
-            assert!((s - exact.s).abs() < 1e-13 && near(slope, exact.s_by_separation, 1e-10), "{s}, {slope}");
-            let [(value, slope)] = bridge.log_value_at(Quantity::Friction, [exact.s]);
-            assert!(near(value, exact.log_value[0], 1e-13) && near(slope, exact.slope[0], 1e-10), "{value}, {slope}");
         }
     }
 

@@ -5,8 +5,9 @@
 //! Beyond the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi
 //! is constant. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
-use super::panel::{chebyshev, Hermite, Length, Sample, NODES};
+use super::panel::{chebyshev, Hermite, Length, Sample, BETWEEN, NODES};
 use super::position::Positions;
+use super::tolerance::{self, larger};
 use crate::equilibrium::Branch;
 use crate::numerics::quadrature::integrate_short;
 use crate::numerics::root;
@@ -18,6 +19,8 @@ const NEGLIGIBLE: f64 = 1e-9;
 const FALL_OF_AREA: f64 = 8.0;
 const MOST_OF_THE_REST: f64 = 0.7;
 const MOST_PANELS: usize = 64;
+/// One that misses psi between its nodes is halved, to this part at the least.
+const LEAST_PART: f64 = 1.0 / 64.0;
 /// None is shorter, relative to 1 or to the separation: its nodes would have no digits.
 const SHORTEST: f64 = 1e-9;
 /// A step of Newton's method, over the length of the panel, after which the next would be rounding; it takes some four steps.
@@ -66,14 +69,9 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// From one state to another, through those of the nodes, if it is not so short that psi is a cubic; where gaps begin is not
-    /// known yet.
-    pub fn between(from: &Sample, to: &Sample, nodes: Option<&[Sample; NODES]>, positions: Positions) -> Self {
-        let (from, to) = (Place::of(from), Place::of(to));
-        match nodes {
-            Some(nodes) => Self::new(from, to, nodes.each_ref().map(Place::of), positions),
-            None => Self::bridge(from, to),
-        }
+    /// From one state to another, through those of the nodes; where gaps begin is not known yet.
+    pub fn between(from: &Sample, to: &Sample, nodes: &[Sample; NODES], positions: Positions) -> Self {
+        Self::new(Place::of(from), Place::of(to), nodes.each_ref().map(Place::of), positions)
     }
 
     fn new(from: Place, to: Place, nodes: [Place; NODES], positions: Positions) -> Self {
@@ -99,13 +97,14 @@ impl Panel {
         Self { begin: from.separation, end: to.separation, begin_gap: 0.0, end_gap, length, whole, rise }
     }
 
-    fn bridge(from: Place, to: Place) -> Self {
-        let whole = to.separation - from.separation;
-        let bend = (to.crowding.1 - from.crowding.1) * whole * whole / 12.0;
-        let end_gap = 0.5 * whole * (from.psi() + to.psi()) + bend;
-        let rise = Hermite::cubic(0.0, (0.0, from.psi()), (whole, to.psi()), end_gap);
-        let (begin, end, length) = (from.separation, to.separation, Length::Separation);
-        Self { begin, end, begin_gap: 0.0, end_gap, length, whole, rise }
+    /// The largest relative error of psi at these states.
+    pub fn error_at(&self, states: &[Sample]) -> f64 {
+        states.iter().map(|state| self.error_of(&Place::of(state))).fold(0.0, larger)
+    }
+
+    fn error_of(&self, known: &Place) -> f64 {
+        let (place, density) = self.length.between(self.begin, known.separation);
+        (self.rise.at(place).1 * density / known.psi() - 1.0).abs()
     }
 
     /// The gap at a separation.
@@ -190,6 +189,7 @@ fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
     let Some(last) = panels.last() else { return };
     let mut from = place(last.end);
     let end = population.farthest();
+    let mut part = 1.0;
     for _ in 0..MOST_PANELS {
         if from.crowding.0 < NEGLIGIBLE {
             return;
@@ -198,7 +198,7 @@ fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
         let next_kink = branch.kinks().iter().copied().find(|&kink| kink - from.separation > least).unwrap_or(end);
         // 1 - psi goes as the root of the area.
         let fall = 0.5 * FALL_OF_AREA * from.crowding.0 / -from.crowding.1;
-        let length = fall.min(MOST_OF_THE_REST * (end - from.separation)).min(next_kink - from.separation);
+        let length = part * fall.min(MOST_OF_THE_REST * (end - from.separation)).min(next_kink - from.separation);
         if length.is_nan() || length < least {
             return;
         }
@@ -207,6 +207,11 @@ fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
         let panel = Panel::new(from, to, nodes, positions);
         if !panel.end_gap.is_finite() {
             return;
+        }
+        let between = place(positions.between(from.separation, to.separation, BETWEEN[0]));
+        if part > LEAST_PART && panel.error_of(&between) > tolerance::SLOPE {
+            part *= 0.5;
+            continue;
         }
         panels.push(panel);
         from = to;

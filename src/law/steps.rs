@@ -13,9 +13,9 @@ const MOST_OF_THE_REST: f64 = 0.7;
 const WHOLE: f64 = 0.99;
 /// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.
 const AT_END: f64 = 1e-9;
-/// A stretch shorter than this is first tried as a cubic, which takes two states in place of thirteen.
+/// A shorter stretch hardly changes values: what it misses may be noise.
 const SHORT: f64 = 0.02;
-/// It may miss by so many times the tolerance, which is then what the compiled law promises: more may be noise.
+/// It may miss by so many times the tolerance, which is then what the compiled law promises.
 const MOST_OF_SHORT: f64 = 4.0;
 /// And by so many once no more states are to be spent.
 const MOST_WHEN_SPENT: f64 = 1e4;
@@ -31,8 +31,6 @@ const MOST_HALVINGS: f64 = 4.0;
 pub struct Stretch {
     from: f64,
     pub to: f64,
-    /// Whether it is to be a cubic.
-    pub is_bridge: bool,
     /// By how many times the tolerance it may miss the curve.
     most: f64,
     /// How many times their tolerance slopes may miss: over so short a stretch they hardly change values.
@@ -52,8 +50,6 @@ pub struct Steps {
     pub kinks: Vec<f64>,
     /// Where the next panels end, the nearest last: beyond the first are the other halves of those that missed the curve.
     ends: Vec<f64>,
-    /// Where the last stretch ends that is no cubic.
-    not_bridged: f64,
     /// The last panel that missed the curve.
     missed: Option<Missed>,
     /// How many panels were kept since.
@@ -89,7 +85,6 @@ impl Steps {
             at_pull_off: branch.pull_off().is_some(),
             kinks: branch.kinks().to_vec(),
             ends: Vec::new(),
-            not_bridged: f64::NAN,
             missed: None,
             kept: 0,
             untried: 0,
@@ -108,21 +103,18 @@ impl Steps {
             }
         };
         let length = self.positions.distance(from, to);
-        let is_at_pull_off = self.at_pull_off && to == self.end;
-        let is_short = length < SHORT;
-        let is_bridge = !is_at_pull_off && is_short && !is_spent && self.not_bridged != to;
-        let is_shortest = !is_bridge && length < self.shortest(from);
-        let most = match is_short {
+        let most = match length < SHORT {
             true if is_spent => MOST_WHEN_SPENT,
             true => MOST_OF_SHORT,
             false => 1.0,
         };
-        Stretch { from, to, is_bridge, most, slope_slack: (SHORT / length).max(1.0).sqrt(), is_shortest }
+        let is_shortest = length < self.shortest(from);
+        Stretch { from, to, most, slope_slack: (SHORT / length).max(1.0).sqrt(), is_shortest }
     }
 
     /// All that is left of the branch, however well a panel meets it: between pull-off and the lightest load that is asked for.
     pub fn rest(&self, from: f64) -> Stretch {
-        Stretch { from, to: self.end, is_bridge: false, most: f64::INFINITY, slope_slack: 1.0, is_shortest: true }
+        Stretch { from, to: self.end, most: f64::INFINITY, slope_slack: 1.0, is_shortest: true }
     }
 
     /// Where the other half of a panel that missed the curve ends, or its own half if it would miss too.
@@ -178,7 +170,7 @@ impl Steps {
     }
 
     /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be
-    /// shorter; if not, the next is no cubic, or its first half.
+    /// shorter; if not, the next is its first half.
     pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
         if error <= stretch.most || stretch.is_shortest {
             self.ends.pop();
@@ -189,15 +181,11 @@ impl Steps {
             }
             return true;
         }
-        if stretch.is_bridge {
-            self.not_bridged = stretch.to;
-        } else {
-            let halvings = self.halvings(stretch, log(error));
-            let mut to = stretch.to;
-            for _ in 0..halvings as u32 {
-                to = self.positions.between(stretch.from, to, 0.0);
-                self.ends.push(to);
-            }
+        let halvings = self.halvings(stretch, log(error));
+        let mut to = stretch.to;
+        for _ in 0..halvings as u32 {
+            to = self.positions.between(stretch.from, to, 0.0);
+            self.ends.push(to);
         }
         false
     }
@@ -214,7 +202,6 @@ mod tests {
             at_pull_off: true,
             kinks: kinks.to_vec(),
             ends: Vec::new(),
-            not_bridged: f64::NAN,
             missed: None,
             kept: 0,
             untried: 0,
@@ -229,7 +216,7 @@ mod tests {
     fn a_panel_that_misses_the_curve_is_halved_until_it_is_good_or_the_shortest() {
         let mut steps = steps(&[-4.0, 4.0]);
         let whole = steps.next(-4.0, false);
-        assert!(whole.to == 4.0 && !whole.is_bridge && !steps.keeps(&whole, 1.1));
+        assert!(whole.to == 4.0 && !steps.keeps(&whole, 1.1));
         let half = steps.next(-4.0, false);
         let length = steps.positions.distance(-4.0, 4.0);
         assert!(near(steps.positions.distance(-4.0, half.to), 0.5 * length));
@@ -320,18 +307,18 @@ mod tests {
         for (part, is_kept) in [(0.9, true), (1.1, false)] {
             let mut steps = steps(&[0.01]);
             let spent = steps.next(0.0, true);
-            assert!(!spent.is_bridge && spent.to == 0.01);
+            assert_eq!(spent.to, 0.01);
             assert_eq!(steps.keeps(&spent, part * MOST_WHEN_SPENT), is_kept);
         }
     }
 
     #[test]
-    fn a_short_stretch_is_first_a_cubic_and_may_be_noise() {
-        let mut steps = steps(&[0.01]);
-        let cubic = steps.next(0.0, false);
-        assert!(cubic.is_bridge && !steps.keeps(&cubic, 1.1 * MOST_OF_SHORT));
-        let panel = steps.next(0.0, false);
-        assert!(!panel.is_bridge && panel.to == cubic.to && steps.keeps(&panel, 0.9 * MOST_OF_SHORT));
+    fn what_a_short_stretch_misses_may_be_noise() {
+        for (part, is_kept) in [(0.9, true), (1.1, false)] {
+            let mut steps = steps(&[0.01]);
+            let panel = steps.next(0.0, false);
+            assert_eq!(steps.keeps(&panel, part * MOST_OF_SHORT), is_kept);
+        }
     }
 
     /// At kinks and at the end, but over kinks next to each other.
@@ -340,7 +327,6 @@ mod tests {
         let kinked = || steps(&[1.0, 1.005, 9.0, 10.0 - 1e-10]);
         let ends = [0.0, 7.5, 9.5].map(|from| kinked().next(from, false).to);
         assert_eq!(ends, [1.0, 9.0, 10.0]);
-        let bridge = kinked().next(1.0, false);
-        assert!(bridge.is_bridge && bridge.to == 1.005);
+        assert_eq!(kinked().next(1.0, false).to, 1.005);
     }
 }

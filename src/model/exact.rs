@@ -21,7 +21,7 @@ const FARTHEST_SEPARATION: f64 = 1e50;
 const NO_ADHESION: &str = "without adhesion the surfaces part at zero load, at no finite separation; must be > 0";
 const PULL_OFF_UNDERFLOWS: &str =
     "the surfaces adhere, but the pull-off load of so rough ones is too small for a number and \
-    counts as 0; must be > 0, or sum single summits (asperity_summits_at_overlaps; asperity.pads in Python)";
+    counts as 0; must be > 0, or add up single summits, one by one";
 
 /// The exact state of the contact at a load or a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,6 +14,7 @@ use crate::equilibrium::Branch;
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::groups::Groups;
+use crate::law::tolerance::{self, larger};
 #[cfg(target_arch = "x86_64")]
 use crate::law::Continuation;
 use crate::law::{Law, Lengths, Quantity, Table, Unfollowed};
@@ -107,7 +108,7 @@ pub struct Summary {
     /// The heaviest load the compiled law covers [force].
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
-    /// between samples it may be four times as large, or 2e-10 where that is more.
+    /// between samples it may be four times as large, or 1e-9 where that is more.
     pub table_error: f64,
 }
 
@@ -157,6 +158,10 @@ impl Model {
             what: "load on the branch at separation",
             value: separation,
         })?;
+        let error = Quantity::ALL.map(|quantity| law.error(quantity)).into_iter().fold(0.0, larger);
+        if error > tolerance::MOST {
+            return Err(Error::NotConverged { what: "table_error", value: error });
+        }
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
         let params = params.clone();

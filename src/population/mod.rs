@@ -73,6 +73,8 @@ pub struct Population {
     /// Where the nominal area is known.
     crowding: Option<Crowding>,
     lambda_cubed: f64,
+    /// The mean summit radius in standard deviations of height.
+    mean_radius: f64,
     /// The contact radii at which what is summed has a kink, infinite where there are fewer.
     radius_kinks: [f64; RADII],
     /// The overlaps over g at which the law of contact has.
@@ -172,6 +174,7 @@ impl Population {
             radius,
             crowding: (groups.nominal_area > 0.0).then_some(Crowding { nominal_area: groups.nominal_area }),
             lambda_cubed: groups.lambda_cubed(),
+            mean_radius: 1.0 / (groups.alpha * groups.alpha),
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
             onset_ratio: None,
@@ -193,6 +196,11 @@ impl Population {
     /// The same population, whose loads are good to some digits in a part of the time where radii vary with height.
     pub fn coarse(&self) -> Self {
         Self { fineness: COARSE, ..self.clone() }
+    }
+
+    /// The mean summit radius in standard deviations of height.
+    pub fn mean_radius(&self) -> f64 {
+        self.mean_radius
     }
 
     /// The height distribution.

@@ -55,37 +55,45 @@ impl<const N: usize> Visitor for Lost<N> {
         self.strength += strength;
         self.all += radius;
         let reach = self.onset.reach() * strength;
-        for i in 0..N {
-            let stuck = self.force_over_radius[i] * radius;
+        let per_reach = 1.0 / reach;
+        // Without calls and branches, so that several are worked out side by side.
+        match self.onset {
             // From the rim: 3/2 F y - F (1 - (1 - y)^(3/2)), without cancellation where y is small.
-            let left = if stuck < reach { 1.0 - stuck / reach } else { 0.0 };
-            let (force, sticking) = match self.onset {
-                SlipOnset::Partial => {
-                    let root = left.sqrt();
-                    let gone = (1.0 - left) / (1.0 + root);
-                    let part = gone * gone * (0.5 + root);
-                    (if left > 0.0 { strength * part } else { stuck - strength }, gone)
+            SlipOnset::Partial => {
+                for i in 0..N {
+                    let stuck = self.force_over_radius[i] * radius;
+                    let (y, slipping) = if stuck < reach { (stuck * per_reach, 0.0) } else { (1.0, stuck - reach) };
+                    let root = (1.0 - y).sqrt();
+                    let gone = y / (1.0 + root);
+                    self.force[i] += strength * (gone * gone * (0.5 + root)) + slipping;
+                    self.radius[i] += radius * gone;
                 }
-                SlipOnset::Whole => ((stuck - strength).max(0.0), if left > 0.0 { 0.0 } else { 1.0 }),
-            };
-            self.force[i] += force;
-            self.radius[i] += radius * sticking;
+            }
+            SlipOnset::Whole => {
+                for i in 0..N {
+                    let stuck = self.force_over_radius[i] * radius;
+                    let (force, gone) = if stuck < reach { (0.0, 0.0) } else { (stuck - reach, radius) };
+                    self.force[i] += force;
+                    self.radius[i] += gone;
+                }
+            }
         }
     }
 }
 
 impl Population {
-    /// How much less than contacts that stick the contacts at a separation resist, over their strength, and what part of their
-    /// stiffness has been given up, when they are displaced so far that one that sticks bears these forces times its radius: to
-    /// some four digits, since panels do not end where contacts begin to slip. `None` if there are none, or their sums are not
-    /// to be had.
-    pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; N]; 2]> {
+    /// The contacts at a separation, displaced so far that one that sticks bears these forces times its radius: what they would
+    /// resist if all stuck, over their strength; how much less they resist; and what part of their stiffness has been given up.
+    /// To some four digits, since panels do not end where contacts begin to slip. `None` if there are none, or their sums are
+    /// not to be had.
+    pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; 3]; N]> {
         let onset = self.slip.onset;
         let none = [0.0; N];
         let mut lost = Lost { force_over_radius, force: none, radius: none, strength: 0.0, all: 0.0, onset };
         self.visit(separation, &self.edge(separation), &mut lost).ok()?;
         let Lost { force, radius, strength, all, .. } = lost;
-        (strength > 0.0).then(|| [force.map(|force| force / strength), radius.map(|radius| radius / all)])
+        let of = |i: usize| [force_over_radius[i] * all / strength, force[i] / strength, radius[i] / all];
+        (strength > 0.0).then(|| std::array::from_fn(of))
     }
 
     /// The contacts at a separation, displaced so far that one that sticks bears this force times its radius.
@@ -146,21 +154,21 @@ mod tests {
         each_state(|population, separation, sums, slip_onset| {
             let places = [1e-3, 0.3, 1.0, 1.5, 4.0, 1e3];
             let ratios = places.map(|place| place * sums.friction / sums.radius);
-            let [lost, given_up] = population.lost_to_slip(separation, ratios).expect("contacts");
-            for (i, ratio) in ratios.into_iter().enumerate() {
+            let found = population.lost_to_slip(separation, ratios).expect("contacts");
+            for (i, ([place, lost, given_up], ratio)) in found.into_iter().zip(ratios).enumerate() {
+                assert!((place / places[i] - 1.0).abs() < 1e-9);
                 let slipping = population.microslip(separation, ratio).expect("a force");
                 let expected = places[i] - slipping.force / sums.friction;
-                let error = lost[i] - expected;
+                let error = lost - expected;
                 assert!(
                     error.abs() < 4e-3 * expected + 1e-5,
-                    "{slip_onset:?}, {ratio} at {separation}: {}, {error:e}",
-                    lost[i]
+                    "{slip_onset:?}, {ratio} at {separation}: {lost}, {error:e}"
                 );
                 let sticking = slipping.sticking / sums.radius;
-                let error = 1.0 - given_up[i] - sticking;
+                let error = 1.0 - given_up - sticking;
                 // Contacts that slip as a whole are counted by the points of the sum.
                 let most = if slip_onset == SlipOnset::Whole { 0.1 } else { 0.01 };
-                assert!(error.abs() < most, "{slip_onset:?}, {ratio} at {separation}: {}, not {sticking}", given_up[i]);
+                assert!(error.abs() < most, "{slip_onset:?}, {ratio} at {separation}: {given_up}, not {sticking}");
                 assert!((slipping.radius / sums.radius - 1.0).abs() < 1e-9);
             }
         });

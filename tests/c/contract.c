@@ -85,7 +85,7 @@ static void every_warning_says_what_fails_and_what_to_do(void)
                          ASPERITY_WARNING_ATOMIC | ASPERITY_WARNING_FEW | ASPERITY_WARNING_ADHESIVE |
                          ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD | ASPERITY_WARNING_STRONG |
                          ASPERITY_WARNING_FEW_WAVES;
-    const char *advice[] = { "; use ", "; measure the friction force once and call asperity_params_calibrate",
+    const char *advice[] = { "; use ", "; measure friction once and calibrate with it",
                              "; give the mean squares of height and slope", "; calibrate with a measured friction force" };
     for (int bit = 0; bit < 64; bit++) {
         const uint64_t warning = UINT64_C(1) << bit;
@@ -1289,7 +1289,7 @@ static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
     p.max_friction_coefficient = INFINITY;
     model = model_of(p);
     s = summary_of(model);
-    CHECK(s.table_error >= 0 && s.table_error < 1e-9, "%s: table_error %g", name, s.table_error);
+    CHECK(s.table_error >= 0 && s.table_error < 4e-9, "%s: table_error %g", name, s.table_error);
     for (int k = -20; k <= 20; k++) {
         const double load = unit * pow(10, 0.31 * k);
         const double force = asperity_friction_force_at_load(model, load);
@@ -1298,7 +1298,7 @@ static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
         double slope, mu_slope, f, m;
 
         CHECK(mu == force / load, "%s at %g: mu %g, F %g", name, load, mu, force);
-        CHECK(close_to(force, state.friction_force, s.table_error + 2e-10), "%s at %g: F %.17g, exactly %.17g", name,
+        CHECK(close_to(force, state.friction_force, s.table_error + 1e-9), "%s at %g: F %.17g, exactly %.17g", name,
               load, force, state.friction_force);
         CHECK(close_to(state.load, load, 1e-15), "%s: load %.17g of the state at %.17g", name, state.load, load);
         CHECK(state.friction_coefficient == state.friction_force / state.load, "%s at %g: mu of the state", name, load);
@@ -1306,10 +1306,10 @@ static void mu_is_force_over_load_and_the_table_is_as_good_as_it_says(int which)
               "%s at %g: batch force", name, load);
         CHECK(asperity_friction_at_loads(model, 1, &load, &m, &mu_slope) == ASPERITY_OK && m == mu,
               "%s at %g: batch mu", name, load);
-        CHECK(close_to(slope, state.dforce_dload, 2e-8), "%s at %g: dF/dP %.12g, exactly %.12g", name, load, slope,
+        CHECK(close_to(slope, state.dforce_dload, 4e-7), "%s at %g: dF/dP %.12g, exactly %.12g", name, load, slope,
               state.dforce_dload);
         CHECK(fabs(mu_slope - (slope - mu) / load) <= 1e-12 * mu / load, "%s at %g: dmu/dP", name, load);
-        CHECK(fabs(state.dmu_dload - mu_slope) <= 3e-8 * mu / load, "%s at %g: dmu/dP of the state", name, load);
+        CHECK(fabs(state.dmu_dload - mu_slope) <= 4e-7 * mu / load, "%s at %g: dmu/dP of the state", name, load);
         CHECK(state.dload_dgap < 0, "%s at %g: no stiffness", name, load);
         {
             asperity_state again;

@@ -531,7 +531,7 @@ fn check_round_trips(watched: &mut Watched, handle: &Handle, params: &asperity_p
         let tolerance = match load {
             _ if load >= summary.max_table_load => 0.5,
             _ if load < summary.min_table_load && load > pull_off => f64::INFINITY,
-            _ => 1e-9,
+            _ => 1e-8,
         };
         watched.claim(force >= 0.0 && (force - state.friction_force).abs() <= tolerance * state.friction_force, || {
             format!("{}: force {force:e}, exactly {:e}", what(), state.friction_force)

@@ -556,7 +556,8 @@ fn units_are_converted_together() {
         // SAFETY: a model.
         unsafe { asperity_friction_at_load(model.0, load) }
     });
-    assert_near(micrometres, metres, 1e-11, "the friction coefficient");
+    // Rows begin at other loads in other units.
+    assert_near(micrometres, metres, 1e-9, "the friction coefficient");
     // What is unset stays so.
     let mut unset = asperity_params::unset();
     // SAFETY: an initialised struct.

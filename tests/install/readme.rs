@@ -1,5 +1,5 @@
-//! The programs in README.md, on the front page of the site, in docs/uncertainty-and-fits.md, docs/stiffness-and-microslip.md, docs/stiffness-and-microslip.md and on
-//! the starting points' pages print what stands there.
+//! The programs in README.md, on the front page of the site, in docs/start.md, docs/height-maps.md and
+//! docs/stiffness-and-microslip.md print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -7,11 +7,16 @@ use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 const WRITE: &str = "ASPERITY_WRITE_PAGES";
 
 /// Compiles a program of a page with every compiler and linking; it must print this, which stands there.
-fn prints(name: &str, (page_name, text): (&str, &str), program: &str, expected: &str) {
+fn prints(name: &str, page: (&str, &str), program: &str, expected: &str) {
+    prints_of(name, page, program, expected, &[]);
+}
+
+/// The same of a program with arguments.
+fn prints_of(name: &str, (page_name, text): (&str, &str), program: &str, expected: &str, arguments: &[&str]) {
     let source = source(name, program);
     for compiler in Compiler::all(Language::C, "c11") {
         for linking in [Linking::Shared, Linking::Static] {
-            let printed = compiler.program(&source, linking).succeeds(&[]);
+            let printed = compiler.program(&source, linking).succeeds(arguments);
             let (printed, expected) = (printed.trim_end(), expected.trim_end());
             if printed != expected && std::env::var_os(WRITE).is_some() {
                 // As it is now, since another program of the page may have been written.
@@ -46,64 +51,41 @@ fn the_program_of_the_readme_prints_what_it_says() {
     }
 }
 
-/// And the program for an implicit solver.
+/// Of normal contact, of a contact that remembers, and of one in an implicit solver.
 #[test]
-fn the_programs_of_a_contact_that_remembers_print_what_stands_below_them() {
-    let guide = page("docs/stiffness-and-microslip.md");
-    let program = between(&guide, "```c\n", "```");
-    assert!(program.lines().count() <= 20);
-    prints("microslip.c", ("docs/stiffness-and-microslip.md", &guide), program, between(&guide, "```text\n", "```"));
-    let solver = guide.split("## In an implicit solver").nth(1).expect("the section");
-    prints(
-        "equilibrium.c",
-        ("docs/stiffness-and-microslip.md", &guide),
-        between(solver, "```c\n", "```"),
-        between(solver, "```text\n", "```"),
-    );
+fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them() {
+    let name = "docs/stiffness-and-microslip.md";
+    let guide = page(name);
+    for (section, file) in [
+        ("## In C", "normal_contact.c"),
+        ("### A program", "microslip.c"),
+        ("### In an implicit solver", "equilibrium.c"),
+    ] {
+        let part = guide.split_once(section).expect(section).1;
+        prints(file, (name, &guide), between(part, "```c\n", "```"), between(part, "```text\n", "```"));
+    }
+    assert!(between(guide.split_once("### A program").expect("the section").1, "```c\n", "```").lines().count() <= 20);
 }
 
-#[test]
-fn the_calibrated_program_prints_what_stands_below_it() {
-    let guide = page("docs/uncertainty-and-fits.md");
-    prints(
-        "calibrate.c",
-        ("docs/uncertainty-and-fits.md", &guide),
-        between(&guide, "```c\n", "```"),
-        between(&guide, "```text\n", "```"),
-    );
-}
-
+/// One program reads the surface files of two pages, a second one a surface of a height map.
 #[test]
 fn the_programs_of_the_starting_points_print_what_stands_below_them() {
-    let mut pages = 0;
-    for entry in std::fs::read_dir(root().join("docs")).expect("docs/") {
-        let name = entry.expect("docs/").file_name().into_string().expect("a name in UTF-8");
-        if let Some(start) = name.strip_prefix("start-").and_then(|rest| rest.strip_suffix(".md")) {
-            let name = format!("docs/{name}");
-            let text = page(&name);
-            assert!(between(&text, "```c\n", "```").lines().count() <= 20, "{name}");
-            prints(
-                &format!("start-{start}.c"),
-                (&name, &text),
-                between(&text, "```c\n", "```"),
-                between(&text, "```text\n", "```"),
-            );
-            pages += 1;
+    let start = page("docs/start.md");
+    let maps = page("docs/height-maps.md");
+    let program = between(&start, "```c\n", "```");
+    assert!(program.lines().count() <= 20);
+    let mut surfaces = Vec::new();
+    for (name, text) in [("docs/start.md", &start), ("docs/height-maps.md", &maps)] {
+        for rest in text.split("```toml\n").skip(1) {
+            let file = source(&format!("start-{}.toml", surfaces.len()), rest.split("```").next().expect("a file"));
+            let file = file.to_str().expect("UTF-8").to_string();
+            let answer = between(rest, "```text\n", "```");
+            prints_of("start.c", (name, text), program, answer, &[&file, between(answer, "mu(", " N)")]);
+            surfaces.push(file);
         }
     }
-    assert_eq!(pages, 5, "starting points");
-}
-
-#[test]
-fn the_program_of_normal_contact_prints_what_stands_below_it() {
-    let guide = page("docs/stiffness-and-microslip.md");
-    let (program, printed) =
-        guide.split_once("## In C").expect("the part in C").1.split_once("```text\n").expect("text");
-    let shown = ("docs/stiffness-and-microslip.md", &guide[..]);
-    prints(
-        "normal_contact.c",
-        shown,
-        between(program, "```c\n", "```"),
-        printed.split("```").next().expect("what it prints"),
-    );
+    assert_eq!(surfaces.len(), 5);
+    let slider = maps.split("```c\n").nth(1).expect("the slider");
+    let (slider, rest) = slider.split_once("```").expect("its end");
+    prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
 }

@@ -117,14 +117,14 @@ fn the_table_agrees_with_exact_evaluation() {
             let (force, slope) = model.friction_force_and_slope(load);
             let error = relative(force, exact.friction_force);
             let slope_error = relative(slope, exact.dforce_dload);
-            failures.claim(error <= 1e-9, || {
+            failures.claim(error <= 1e-8, || {
                 let exact = exact.friction_force;
                 format!("load {load:e}: force {force:e}, exactly {exact:e}, error {error:e}; {:?}", model.params())
             });
             // So near to pull-off dP/dd is a difference of integrals that cancel to a part in 10^5 and less: it is the
             // exact slope that is known no better.
             let near_pull_off = load - summary.pull_off_load < -1e-7 * summary.pull_off_load;
-            failures.claim(slope_error <= if near_pull_off { 1e-6 } else { 1e-7 }, || {
+            failures.claim(slope_error <= if near_pull_off { 2e-6 } else { 1e-6 }, || {
                 let exact = exact.dforce_dload;
                 format!(
                     "load {load:e}: slope {slope:e}, exactly {exact:e}, error {slope_error:e}; {:?}",
@@ -162,7 +162,7 @@ fn force_and_slope_are_continuous_where_rows_meet() {
     for model in random_models(SEED ^ 2, 24) {
         let pull_off = model.summary().pull_off_load;
         let (nearest, farthest) = excess_range(&model);
-        // Sixteenths of a binade are edges of any table: it has 4, 8 or 16 rows a binade.
+        // Sixteenths of a binade are edges of any table: it has 2 or 8 rows a binade.
         let sixteenth = 1_u64 << 48;
         let mut bits = nearest.to_bits() / sixteenth * sixteenth;
         while f64::from_bits(bits) <= farthest {

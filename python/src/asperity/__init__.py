@@ -4,9 +4,20 @@
 
     print(asperity.friction("Si/Si", Sq=5e-9, Sdq=0.08, Sds=2e13, load=1e-3, nominal_area=1e-8))
 
-`friction` returns a coefficient with its band in one call. `Params` and `Model` give all the rest: forces, slopes, stiffness,
-exact states, warnings. The Rust library `libasperity` computes; it is inside the package, unless ASPERITY_LIBRARY names
-another.
+It prints the friction coefficient of two materials with its band, from what is known of the surfaces. What people use:
+
+    friction(pair, load=..., ...)   a coefficient with its band, at a load or many; .plot() draws it
+    Params.si, .from_profile, ...   two surfaces as numbers: from summits, a profile, a map, a file
+    Model(params)                   friction, stiffness, exact states and warnings at any load
+    Model(params).curve().plot()    friction over a range of loads
+    params.calibrated(load, mu)     the strength of the interface from one measurement
+    fit(load, mu, params=params)    parameters from several measurements
+    surface.analyse(map, load, ...) from a measured height map to friction and a verdict on the map
+    uncertainty, study, pads        bands, many surfaces, few contacts
+    materials                       MATERIALS, PAIRS, INTERFACES
+
+The same at the command line: python -m asperity friction -h. Units are SI in `friction`; a `Model` takes any consistent system.
+The Rust library `libasperity` computes. It is inside the package, unless the environment variable ASPERITY_LIBRARY names another.
 """
 
 from . import materials, study, surface

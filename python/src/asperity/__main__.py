@@ -44,9 +44,9 @@ def _parser() -> argparse.ArgumentParser:
     _fmu_command.add(commands)
     figures = commands.add_parser(
         "figures",
-        help="draw the figures of the paper, and compare them with its text, and those of what the law is good for",
+        help="draw the figures of the paper, and compare them with its text, and those of where the model is valid",
         description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes "
-        "DIR/gallery.md, which compares each with what the paper says. Also draws the map of real contacts, and measured "
+        "DIR/dev/gallery.md, which compares each with what the paper says. Also draws the map of real contacts, and measured "
         "friction against predictions.",
         allow_abbrev=False,
     )

@@ -9,7 +9,7 @@ from typing import Any
 from . import _surface_options
 from ._surface_text import without_line
 from .errors import Error
-from .estimate import estimate
+from .estimate import Estimate, estimate
 
 
 def add(commands: Any) -> None:
@@ -19,20 +19,23 @@ def add(commands: Any) -> None:
         help="print friction at loads with its band, from what is known of a surface",
         description="Prints the friction coefficient at each load with its band, what the numbers rest on, and what would narrow "
         "the band. SI units.",
-        epilog="For example: --pair steel/steel --nominal-area 1e-4 --Ra 0.8e-6 --process ground --measured '[1000, 0.16]' "
-        "--load 10",
+        epilog='For example: asperity friction "steel/steel" --Ra 0.8e-6 --process ground --measured 1000 0.16 --load 10 100 1000',
+        usage="%(prog)s [PAIR] --load N [N ...] [OPTION VALUE ...]",
         allow_abbrev=False,
     )
     command.set_defaults(run=_run)
-    command.add_argument("--load", type=float, nargs="+", required=True, metavar="P", help="normal loads [N]")
+    command.add_argument("--load", type=float, nargs="+", required=True, metavar="N", help="normal loads")
+    command.add_argument("--figure", metavar="FILE", help="file to draw friction in; its ending is its format")
     _surface_options.add(command, has_groups=False)
 
 
 def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    if options.surface is None and options.nominal_area is None:
+        options.nominal_area = "1"  # as in asperity.friction: loads are pressures
     text = _surface_options.text(options)
     if options.surface is None:
         try:
-            print(estimate(text, options.load).text)
+            _tell(estimate(text, options.load), options.figure)
         except Error as error:
             raise without_line(error) from None
         return
@@ -42,4 +45,10 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         found = estimate(Path(options.surface).read_text(encoding="utf-8-sig"), options.load)
     except Error as error:
         raise Error(f"{options.surface}: {error}", error.status) from None
+    _tell(found, options.figure)
+
+
+def _tell(found: Estimate, figure: str | None) -> None:
     print(found.text)
+    if figure is not None:
+        found.plot(figure)

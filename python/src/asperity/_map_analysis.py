@@ -412,10 +412,10 @@ def _yields(number: Estimate) -> bool:
 
 
 def _params(given: dict[str, Any], load: float, coverage: float) -> tuple[Params, float]:
-    """The surface, with the contact law that the estimate takes, and friction."""
+    """The surface, with the contact law and the calibration that the estimate takes, and friction."""
     number = _estimate(given, load, coverage)
-    kept = {name: value for name, value in given.items() if name not in ("measured", "coverage")}
-    params = Params.from_text(text_of((name, literal(name, value)) for name, value in kept.items()))
+    kept = {name: value for name, value in given.items() if name != "coverage"}
     if _yields(number):
-        params = params.replace(contact_law="elastic-plastic", work_of_adhesion=0.0)
+        kept |= {"contact_law": "elastic-plastic", "work_of_adhesion": 0.0}
+    params = Params.from_text(text_of((name, literal(name, value)) for name, value in kept.items()))
     return params, float(number)

@@ -6,6 +6,8 @@ import argparse
 import re
 from typing import Any
 
+from ._header import UNITS, WORDS
+from ._units import SI
 from .errors import Error
 from .params import Params
 from ._surface_text import KEYS, REQUIRED, quoted, text_of, without_line
@@ -19,7 +21,29 @@ _GROUPS = {
 }
 # Those that replace the dimensionless groups.
 _PHYSICAL = {"pair", *REQUIRED, "summit_density", *KEYS["materials"], *KEYS["roughness"]}
-_LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)|\[.*")
+_LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)")
+# What an option is, where that is not a number alone: its unit, or what stands for its words.
+_METAVARS = {name: SI[dimension] for name, dimension in UNITS.items() if dimension in SI} | {
+    "pair": "PAIR", "summit_density": "1/m^2", "interface": "NAME", "calibration_friction_coefficient": "MU", "measured": "N MU ERROR",
+    "coverage": "P", "first": "BODY", "second": "BODY", "E1": "Pa", "E2": "Pa", "m0": "m^2", "m4": "1/m^2", "summits": "KIND", "process": "NAME",
+    "Ssc": "1/m", "Sds": "1/m^2", **dict.fromkeys(("Ra", "Rq", "RSm", "Sq"), "m"), **dict.fromkeys(WORDS, "WORD"),
+}  # fmt: skip
+# What may be more than one number.
+_SEVERAL = {"measured", "table_height", "table_density", *KEYS["roughness"]} - {"summits", "process"}
+_HELP = {
+    "pair": "two materials, as steel/steel; before all options",
+    "nominal_area": "without it loads are pressures",
+    "interface": "strength of an interface that is known, as in asperity.materials.INTERFACES",
+    "measured": "load, friction coefficient and, if known, its relative error; may be given several times",
+    "coverage": "probability of the band (0.95)",
+    "Ra": "mean deviation of the profile; here and below two numbers if both surfaces are rough",
+    "Rq": "standard deviation of the profile",
+    "RSm": "mean width of its elements",
+    "Rdq": "its root mean square slope",
+    "Sq": "standard deviation of the heights of a map",
+    "Sdq": "root mean square gradient of a map",
+    "process": "instead of slopes, or alone: superfinished, lapped, honed, ground, turned, bored or milled",
+}
 
 
 def add(command: argparse.ArgumentParser, *, has_groups: bool = True) -> None:
@@ -33,7 +57,10 @@ def add(command: argparse.ArgumentParser, *, has_groups: bool = True) -> None:
         says = f"[{table}] of surface files" if table else "keys of surface files, which docs/solvers.md explains"
         group = command.add_argument_group(says)
         for name in names:
-            group.add_argument(_flag(name), metavar="X")
+            more: dict[str, Any] = {"nargs": "?"} if name == "pair" else {"nargs": "+"} if name in _SEVERAL else {}
+            if name == "measured":
+                more["action"] = "append"
+            group.add_argument(_flag(name), metavar=_METAVARS.get(name, "X"), help=_HELP.get(name), **more)
 
 
 def _add_groups(command: argparse.ArgumentParser) -> None:
@@ -43,7 +70,7 @@ def _add_groups(command: argparse.ArgumentParser) -> None:
 
 
 def _flag(name: str) -> str:
-    return "--" + name.replace("_", "-")
+    return name if name == "pair" else "--" + name.replace("_", "-")
 
 
 def params(parser: argparse.ArgumentParser, options: argparse.Namespace) -> Params:
@@ -70,6 +97,9 @@ def text(options: argparse.Namespace) -> str:
     return text_of((name, _literal(getattr(options, name))) for name in names)
 
 
-def _literal(text: str) -> str:
-    """As TOML has it: words in quotation marks."""
-    return text if _LITERAL.fullmatch(text) else quoted(text)
+def _literal(given: Any) -> str:
+    """As TOML has it: words in quotation marks, several values in brackets."""
+    if isinstance(given, str):
+        return given if _LITERAL.fullmatch(given) else quoted(given)
+    values = [_literal(one) for one in given]
+    return values[0] if len(values) == 1 else f"[{', '.join(values)}]"

@@ -8,6 +8,9 @@ from typing import Any
 
 from ._header import UNITS
 
+# The SI units of dimensions.
+SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m^2"}
+
 
 def rows(of: Any) -> list[tuple[str, str, str]]:
     """Name, value and dimension of each field of a dataclass that is not at its default."""

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ._band_figure import drawn
 from ._labelled import frame
-from ._sparkline import is_wide, sparkline
-from ._style import saved, style
+from ._sparkline import sparkline
 from .params import Params
 from .results import Warnings
 
@@ -71,23 +71,8 @@ class Curve:
         """
         if units not in UNITS:
             raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
-        with style():
-            from matplotlib.figure import Figure
-
-            if axes is None:
-                axes = Figure(figsize=(6.4, 4.4), layout="constrained").add_subplot()
-            (line,) = axes.semilogx(self.load, self.friction_coefficient)
-            if self.low is not None and self.high is not None:
-                label = "\n".join((self._band(), *self.rests_on))
-                axes.fill_between(self.load, self.low, self.high, color=line.get_color(), alpha=0.2, lw=0, label=label)
-                axes.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1))
-            axes.set(xlabel=f"normal load $P$ [{UNITS[units]['force']}]", ylabel="friction coefficient $F/P$ [–]")
-            if is_wide(self.low, self.high):
-                axes.set_yscale("log")
-            else:
-                axes.set_ylim(bottom=0)
-            figure: Any = axes.figure
-            return saved(figure, file)
+        label = "\n".join((self._band(), *self.rests_on))
+        return drawn(file, axes, UNITS[units]["force"], self.load, self.friction_coefficient, self.low, self.high, label)
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of the arrays, a row for each load.

@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import ctypes
 import numbers
+import os
+import re
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _header
+from ._band_figure import drawn
 from ._friction_law import as_array
 from ._labelled import like
 from ._library import LIBRARY, text_of
-from .errors import check
+from .errors import Error, Status, check
 from .results import Warnings
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 Array = npt.NDArray[np.float64]
 
@@ -28,6 +35,8 @@ _SOURCES = {
 }
 # Of more loads the text has the first and the last.
 _WRITTEN = 8
+# A line over these loads in a figure; around one load it reaches so far either way.
+_DRAWN, _AROUND = 61, 10.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -70,6 +79,32 @@ class Estimate:
         loads = self._loads if self._loads.size <= _WRITTEN else self._loads[[0, -1]]
         text = self.surface.encode()
         return text_of(LIBRARY.asperity_estimate_text, text, len(text), loads.size, loads.ctypes.data_as(_header._double)).rstrip()
+
+    def plot(self, file: str | os.PathLike[str] | None = None, *, axes: Axes | None = None) -> Figure:
+        """Draws the coefficient with its band over the load, marks the loads asked for and the measured points, and writes the figure
+        if a file is named.
+
+        The line reaches from the lightest to the heaviest of these loads; around a single one a decade either way.
+
+        Args:
+            file: its ending is its format, for example "friction.svg".
+            axes: of a figure of your own to draw in.
+
+        Raises:
+            ImportError: Matplotlib is missing.
+            Error: no load is > 0, since the axis of loads is logarithmic.
+        """
+        shown = np.isfinite(self.value) & (self._loads.reshape(np.shape(self.value)) > 0)
+        at, value = self._loads[np.ravel(shown)], np.ravel(np.asarray(self.value))[np.ravel(shown)]
+        if not at.size:
+            raise Error("load: must be > 0 to be drawn, since the axis of loads is logarithmic", Status.INVALID_LOAD)
+        measured = _measured(self.surface)
+        every = np.concatenate([at, measured[:, 0]])
+        reach = _AROUND if every.min() == every.max() else 1.0
+        line = np.geomspace(every.min() / reach, every.max() * reach, _DRAWN)
+        found = estimate(self.surface, line, self.coverage or 0.95)
+        label = "\n".join((f"{100 * (self.coverage or 0.0):g} % band", *self.rests_on))
+        return drawn(file, axes, "N", line, found.value, found.low, found.high, label, (at, value), measured)
 
     @property
     def rests_on(self) -> tuple[str, ...]:
@@ -133,3 +168,20 @@ def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
         surface,
         flat,
     )
+
+
+_POINTS = re.compile(r"^\s*measured\s*=\s*(\[(?:[^\[\]]|\[[^\[\]]*\])*\])", re.MULTILINE)
+
+
+def _measured(surface: str) -> Array:
+    """The measured points in a text that the library took: rows of load and coefficient."""
+    text = re.sub(r"#.*", "", surface)
+    if (found := _POINTS.search(text)) is not None:
+        points = re.findall(r"\[([^\[\]]*)\]", found[1])
+        return np.array([[float(number) for number in point.split(",")[:2]] for point in points])
+    keys = ("calibration_load", "calibration_friction_coefficient", "calibration_friction_force")
+    given = {key: float(one[1]) for key in keys if (one := re.search(rf"^\s*{key}\s*=\s*(\S+)", text, re.MULTILINE)) is not None}
+    load = given.pop("calibration_load", 0.0)
+    if not (given and load > 0):
+        return np.empty((0, 2))
+    return np.array([[load, given.get("calibration_friction_coefficient", given.get("calibration_friction_force", 0.0) / load)]])

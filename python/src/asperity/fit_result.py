@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from ._friction_law import FrictionLaw
 from ._style import saved, style
+from ._units import SI
 from .fit_names import STRENGTHS
 from .fit_search import Data, Search
 from .params import Params
@@ -26,7 +27,6 @@ Mask = npt.NDArray[np.bool_]
 _NO_EFFECT = 1e-6
 # A partner of a parameter that the data do not fix: correlation with it, or share of the direction without effect.
 _PARTNER, _SHARE = 0.9, 0.02
-_SI = {"stress": "Pa", "force/length": "N/m", "length": "m", "force": "N"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,7 +224,7 @@ def _draw(fit: Fit, file: str | os.PathLike[str] | None, units: str | None) -> F
         raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
 
     def unit(dimension: str) -> str:
-        return f" [{dimension if units is None else _SI[dimension]}]" if dimension else ""
+        return f" [{dimension if units is None else SI[dimension]}]" if dimension else ""
 
     with style():
         from matplotlib.figure import Figure

@@ -389,6 +389,8 @@ class Params:
         roughness = {name: value for name, value in given.items() if value is not None}
         if "bandwidth" in contact and not roughness.keys() & set(_CURVATURES):
             top["bandwidth"] = contact.pop("bandwidth")
+        if "burgers_vector" in contact:
+            top["burgers_vector"] = contact["burgers_vector"]  # a crystal's tells that lengths are in m
         struct: Any = _initialised()
         try:
             _set_text(struct, f'{_lines(top)}[roughness]\nsummits = "{summits}"\n{_lines(roughness)}')

@@ -36,7 +36,7 @@ const LIGHTEST: f64 = 1e-250;
 /// Nor lighter ones than this part of the lightest of the table, from where the law goes on as a power of the load.
 const FAR_BELOW: f64 = 1e-100;
 /// By so much friction may miss the exact state between the samples of a table.
-const MISSED: f64 = 2e-10;
+const MISSED: f64 = 1e-9;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 

@@ -1,9 +1,9 @@
 """The figures of Adams and Müftü (2005), section 3, and the page that compares them with what the paper says; and the
-figures of what the law is good for.
+figures of where the model is valid.
 
 `curves` has the surfaces behind each figure, `drawing` the pictures, `page` the comparison in numbers. `contacts` has
-real contacts and `measured` measured friction, both drawn by `validity`; `calibrated` has the law calibrated at one load
-against measurements at others, drawn by `front`.
+real contacts and `measured` measured friction, both drawn by `validity`; `calibrated` has the model calibrated at one
+load against measurements at others, drawn by `front`.
 Drawing needs matplotlib (extra `plot`).
 """
 
@@ -16,7 +16,7 @@ from . import drawing, page
 
 
 def write(directory: Path) -> list[Path]:
-    """Writes the page `gallery.md` into a directory and the pictures into `figures` below it; returns the files.
+    """Writes the page `dev/gallery.md` and the pictures `figures/*.svg` below a directory; returns the files.
 
     What is written depends on the library and, in the pictures, on matplotlib's version alone: no dates, no chance.
 
@@ -27,6 +27,7 @@ def write(directory: Path) -> list[Path]:
     pictures = directory / "figures"
     pictures.mkdir(parents=True, exist_ok=True)
     files = drawing.draw_all(pictures)
-    gallery = directory / "gallery.md"
+    gallery = directory / "dev" / "gallery.md"
+    gallery.parent.mkdir(exist_ok=True)
     _output.write(gallery, page.text())
     return [*files, gallery]

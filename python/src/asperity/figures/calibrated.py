@@ -1,8 +1,8 @@
-"""The law calibrated at one load, or one size, against measurements at others that it did not see.
+"""The model calibrated at one load, or one size, against measurements at others that it did not see.
 
 How strong an interface is comes from the first measurement; how friction, or what goes with it, changes from there is
-the law's. All measured values were read in the text or the data file that `source` names. Where a source gives an
-exponent instead of points, the measurement is the ratio that the exponent means.
+the model's. All measured values were read in the text or the data file that `source` names. If a source gives an exponent
+instead of points, the measurement is the ratio that the exponent means.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .measured import Band, single_contact
 
 @dataclass(frozen=True)
 class Reading:
-    """A measurement that the law did not see: where, and the value with its bounds."""
+    """A measurement that the model did not see: at what, and the value with its bounds."""
 
     at: str
     value: float
@@ -32,18 +32,19 @@ class Reading:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A set of measurements, and what the law calibrated with the first of them predicts.
+    """A set of measurements, and what the model calibrated with the first of them predicts.
 
     Attributes:
         name: of the contact.
-        tests: the part of the law that the measurements test.
+        tests: the part of the model that the measurements test.
         quantity: what is measured.
-        calibrated_at: the load or the size of the measurement that calibrates the law.
+        calibrated_at: the load or the size of the measurement that calibrates the model.
         readings: the others.
         predicted: at each reading, the least and the most over what the source does not give.
         inputs: of the prediction, and what of them the source does not give.
         source: with what of it was read.
-        holds: whether the law meets the measurements.
+        label: the source, in short.
+        agrees: whether the model meets the measurements.
         reason: why it does or does not.
     """
 
@@ -55,7 +56,8 @@ class Comparison:
     predicted: Callable[[], list[Band]]
     inputs: str
     source: str
-    holds: bool
+    label: str
+    agrees: bool
     reason: str
 
     def residuals(self) -> list[Band]:
@@ -64,7 +66,7 @@ class Comparison:
         return [(low / reading.value - 1, high / reading.value - 1) for reading, (low, high) in pairs]
 
     def worst(self) -> tuple[Reading, Band]:
-        """The reading that the law misses most, and the residual there."""
+        """The reading that the model misses most, and the residual there."""
         return max(zip(self.readings, self.residuals()), key=lambda pair: max(map(abs, pair[1])))
 
 
@@ -103,8 +105,8 @@ def film_measured(loads: Array) -> tuple[Array, Array, Array]:
     return amid, amid - spread, amid + spread
 
 
-def film_law(loads: Array) -> Array:
-    """Friction coefficients of the law calibrated at the lightest load."""
+def film_predicted(loads: Array) -> Array:
+    """Friction coefficients of the model calibrated at the lightest load."""
     lightest = float(FILM_LOADS[0])
     at_lightest = float(film_measured(FILM_LOADS[:1])[0][0])
     params = one_summit(MATERIALS["steel"], MATERIALS["steel"], _BALL_RADIUS)
@@ -198,7 +200,7 @@ _TIP_RADIUS, _TIP_LOAD = 0.1e-6, 0.4e-6
 
 
 def _tip_predicted() -> list[Band]:
-    """Friction over that at 0.4 uN; the load has the attraction in it, so that the law needs no adhesion."""
+    """Friction over that at 0.4 uN; the load has the attraction in it, so that the model needs no adhesion."""
     params = one_summit(MATERIALS["diamond"], MATERIALS["SiO2"], _TIP_RADIUS)
     half, amid, twice = (state.friction_force for state in _states(params, _TIP_LOAD * np.array([0.5, 1.0, 2.0])))
     return [(half / amid, half / amid), (twice / amid, twice / amid)]
@@ -232,14 +234,15 @@ COMPARISONS = (
         "friction coefficient",
         "1 N",
         _film_readings(),
-        lambda: [(float(mu), float(mu)) for mu in film_law(FILM_LOADS[1:])],
+        lambda: [(float(mu), float(mu)) for mu in film_predicted(FILM_LOADS[1:])],
         "measured coefficients are those of the authors' regression, not its points, at the mean pressure of Hertz under a steel ball "
         "of 6.35 mm on steel; they used balls of 1.6 to 12.7 mm and moduli of 70 to 615 GPa",
         "I. L. Singer, R. N. Bolster, J. Wegand, S. Fayeulle and B. C. Stupp, Appl. Phys. Lett. 57 (1990) 995, abstract: sputtered "
         "MoS₂ in dry air, 1 to 50 N, μ = S₀/P_H + α over more than 600 points, S₀ = 24.8 ± 0.5 MPa, α = 0.001 ± 0.001",
+        "Singer and others 1990",
         True,
-        "The law is within the errors of the regression at all loads. Its exponent is −1/3, the measured one −0.32: the strength "
-        "of the film grows a little with pressure (α), which one measured point cannot tell",
+        "The prediction is within the errors of the regression at all loads. Its exponent is −1/3, the measured one −0.32, because the "
+        "strength of the film grows a little with pressure",
     ),
     Comparison(
         "lubricated pair",
@@ -248,28 +251,30 @@ COMPARISONS = (
         "10 N",
         _oil_readings(),
         _oil_predicted,
-        "bodies, shape and roughness are not given; predicted for the ground steel of [domain.md](domain.md) on 1 mm² and "
-        "1 cm², elastic and elastic-plastic",
+        "bodies, shape and roughness are not given; predicted for the ground steel of [when-to-use.md](../when-to-use.md) on 1 mm² "
+        "and 1 cm², elastic and elastic-plastic",
         "nanotribology laboratory of P. Egberts, Calgary, 2024, data file: github.com/liampond/EgbertsTribometer, "
         "AverageFrictionCoefficientData.csv; seven lubricants at two speeds, each at 10 N and at 20 N",
+        "P. Egberts' laboratory 2024",
         True,
-        "The law is within two standard errors of the mean. This is a weak test, since a single test changes by 18 % in either "
-        "direction. One smooth ball would give 0.79, which is five standard errors away",
+        "The prediction is within two standard errors of the mean. This is a weak test: single tests scatter by 18 %. One smooth ball "
+        "would give 0.79, which is five standard errors away",
     ),
     Comparison(
         "heat through metal joints",
         "the sum of contact radii, to which thermal conductance and tangential stiffness are proportional",
-        "conductance over that at a tenth of the load",
+        "conductance over its value at a tenth of the load",
         "a tenth of the load",
         (_exactly("ten times the load", 10**_HEAT_EXPONENT),),
         _heat_predicted,
-        "loads and roughness are not given; predicted for the ground steel of [domain.md](domain.md), elastic and elastic-plastic, from nominal "
-        "pressures of 10⁻⁵, 10⁻⁴ and 10⁻³ of the hardness",
+        "loads and roughness are not given; predicted for the ground steel of [when-to-use.md](../when-to-use.md), elastic and "
+        "elastic-plastic, from nominal pressures of 10⁻⁵, 10⁻⁴ and 10⁻³ of the hardness",
         "T. R. Thomas and S. D. Probert, J. Heat Transfer 94 (1972) 276, abstract: aluminium and stainless steel in vacuum, "
         "conductance proportional to load^0.73 over 350 points from the literature",
+        "Thomas and Probert 1972",
         False,
-        "The law overestimates how conductance grows. Joints that are not flat touch in a part of their area, and that part grows "
-        "with load; the law knows only flat ones",
+        "The model overestimates how conductance grows. Joints that are not flat touch in a part of their area, and that part grows "
+        "with load; the model assumes flat surfaces",
     ),
     Comparison(
         "diamond tip on silicon oxide",
@@ -281,9 +286,10 @@ COMPARISONS = (
         "a tip of radius 0.1 µm; the load includes the attraction",
         "Load-dependency of friction coefficient between silicon-oxides and diamond under ultra-low contact load, abstract (the copy "
         "that was read names neither authors nor journal): in air, μ inversely proportional to load below 0.4 µN, about 0.1 above",
+        "authors not known",
         False,
-        "Measured friction is constant below 0.4 µN and proportional to load above; the law has one exponent in between. Above "
-        "0.4 µN a pressure coefficient of 0.1 meets the measurement. Below, the authors suggest that the attracted rim shears too",
+        "Measured friction is constant below 0.4 µN and proportional to load above; the model has one exponent in between. Above "
+        "0.4 µN a pressure coefficient of 0.1 agrees with the measurement",
     ),
     Comparison(
         "antimony particles on graphite",
@@ -295,44 +301,46 @@ COMPARISONS = (
         "the smallest particle is not given; Burgers vectors of 0.246 nm (graphite) to 0.431 nm (antimony)",
         "D. Dietzel and others, Phys. Rev. Lett. 101 (2008) 125505, abstract: F proportional to area up to 310 000 nm² where "
         "particles have friction at all",
+        "Dietzel and others 2008",
         False,
-        "The strength of these particles does not depend on their size. Set slip_stress_1 = slip_stress_2 for an interface that a "
-        "film holds: Hurtado and Kim's decrease is that of clean crystals",
+        "The strength of these particles does not depend on their size. Set slip_stress_1 = slip_stress_2 for an interface with a "
+        "film; Hurtado and Kim's decrease belongs to clean crystals",
     ),
     Comparison(
         "amorphous antimony particles on graphite",
-        "the same",
+        "the same as above",
         "F over F at 310 000 nm²",
         "310 000 nm²",
         (_exactly("31 000 nm²", 10**-0.5),),
         _particle_predicted,
         "sizes are not given; those of the row above are taken",
         "D. Dietzel and others, Phys. Rev. Lett. 111 (2013) 235502, abstract: F proportional to the square root of the area",
+        "Dietzel and others 2013",
         False,
-        "Lattices that do not match cancel each other's forces (structural lubricity), and more so the larger the contact. The law "
-        "has no such term",
+        "Lattices that do not match cancel each other's forces (structural lubricity), more so the larger the contact. The model has "
+        "no such term",
     ),
 )
 
 
 def table() -> str:
-    """The comparisons as a table of Markdown, a row for each reading, and what there is to say of each."""
+    """The comparisons as a table of Markdown, a row for each reading, and why each agrees or fails."""
     rows = [
         "| Contact | Quantity | Calibrated at | Predicted at | Measured | Predicted | Residual |",
         "|---|---|---|---|---|---|---|",
     ]
-    notes = []
     for one in COMPARISONS:
         for reading, predicted, residual in zip(one.readings, one.predicted(), one.residuals()):
             percent = 100 * residual[0], 100 * residual[1]
             numbers = (_measured(reading), _band(predicted, "{:.3g}"), _band(percent, "{:+.1f}") + " %")
             rows.append(f"| {' | '.join((one.name, one.quantity, one.calibrated_at, reading.at, *numbers))} |")
-        verdict = "holds" if one.holds else "fails"
-        notes += [
-            f"- **{one.name}: {verdict}.** It tests {one.tests}. {one.reason}.",
-            f"  Inputs: {one.inputs}. Source: {one.source}.",
-        ]
-    return "\n".join([*rows, "", *notes])
+    verdicts = ((one, "agrees" if one.agrees else "fails") for one in COMPARISONS)
+    return "\n".join([*rows, "", *(f"- **{one.name}: {verdict}** ({one.label}). {one.reason}." for one, verdict in verdicts)])
+
+
+def inputs() -> str:
+    """What each comparison tests, its inputs and its source, as a list of Markdown."""
+    return "\n".join(f"- **{one.name}** tests {one.tests}. Inputs: {one.inputs}. Source: {one.source}." for one in COMPARISONS)
 
 
 def _measured(reading: Reading) -> str:

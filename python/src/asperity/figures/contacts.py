@@ -35,7 +35,7 @@ class Contact:
             contact.
         loads: lightest and heaviest load [N].
         basis: what the numbers rest on.
-        verdict: whether the law holds, and what to use if not.
+        verdict: whether the model is valid, and what to use if not.
     """
 
     name: str
@@ -82,30 +82,26 @@ CONTACTS = tuple(
     Contact(*row)
     for row in (
         ("AFM tip", _single(_bodies("Si3N4", "Si", _ADHESION_OF_OXIDES), 30e-9), (1e-9, 1e-7),
-         "Si₃N₄ on Si, radius 30 nm, 1 to 100 nN: assumed",
-         "mechanics hold, as for one summit; the slip stress is that of the film on the surfaces, and is to be measured"),
+         "Si₃N₄ on Si, radius 30 nm, 1 to 100 nN", "valid; measure the strength of the film"),
         ("fine powder", _single(PAIRS["SiO2/SiO2"].contact, 1e-6), (1e-8, 1e-5),
-         "silica spheres of 2 µm, smooth, 10 nN to 10 µN: assumed", "holds"),
+         "smooth silica spheres of 2 µm, 10 nN to 10 µN", "valid"),
         ("MEMS polysilicon", _rough(PAIRS["Si/Si"].contact, 5e-9, 1e-6, 1e-8), (1e-6, 1e-2),
-         "the pair Si/Si, σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa: assumed", "holds"),
+         "Si/Si, σ = 5 nm, R = 1 µm, 100 Pa to 1 MPa", "valid"),
         ("wafer on chuck", _rough(_bodies("Si", "DLC", _ADHESION_OF_OXIDES), 10e-9, 10e-6, 1e-6), (1e-3, 1.0),
-         "silicon on DLC, σ = 10 nm, R = 10 µm, 1 kPa to 1 MPa on the pins: assumed", "holds"),
+         "Si on DLC, σ = 10 nm, R = 10 µm, 1 kPa to 1 MPa", "valid"),
         ("DLC on steel", _rough(_bodies("DLC", "steel", 0.05), 50e-9, 20e-6, 1e-6), (1e-1, 1e2),
-         "polished, σ = 50 nm, R = 20 µm, 0.1 to 100 MPa: assumed",
-         "near the limit: look at the warnings, and use contact law 1 where they come"),
+         "σ = 50 nm, R = 20 µm, 0.1 to 100 MPa", "near the limit: heed the warnings"),
         ("ground steel", _rough(PAIRS["steel/steel"].contact, 0.4e-6, 20e-6, 1e-4, 0.04), (1.0, 2e3),
-         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa: assumed; hardened bearing steel, the surface of [metals.md](metals.md)",
-         "yields at any load: contact law 1, until the surface is worn in"),
+         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa ([metals.md](metals.md))", "yields: elastic-plastic law"),
         ("rubber", _rough(_RUBBER_ON_GLASS, 1e-6, 20e-6, 1e-4), (1e-2, 1e2),
-         "E = 2 MPa, in place of the hardness too, on glass of σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa: assumed",
-         "does not hold: viscoelastic and crowded"),
+         "E = H = 2 MPa, σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa", "not valid: viscoelastic, crowded"),
     )
 )  # fmt: skip
 
 
 def table() -> str:
     """The contacts as a table of Markdown: over their loads, from the lightest to the heaviest."""
-    rows = ["| Contact | Numbers | p/H | a/b | Real over nominal area | The law |", "|---|---|---|---|---|---|"]
+    rows = ["| Contact | Assumed numbers | p/H | a/b | Real over nominal area | Model |", "|---|---|---|---|---|---|"]
     for one in CONTACTS:
         pressure, radius, share = one.track(2)
         area = "one contact" if one.params.nominal_area == 0 else _pair(share)

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..materials import PAIRS
 from ..model import Model
 from ..params import Params
 from .contacts import CONTACTS
-from .measured import MEASUREMENTS, Band
+from .measured import MEASUREMENTS, Band, Measurement
 
 
 @dataclass(frozen=True)
@@ -24,16 +23,12 @@ class Rough:
         measured: friction coefficient, from lowest to highest.
         surfaces: that it is predicted for.
         loads: lightest and heaviest [N].
-        inputs: what is assumed.
-        source: with what of it was read.
     """
 
     name: str
     measured: Band
     surfaces: tuple[Params, ...]
     loads: Band
-    inputs: str
-    source: str
 
     def predicted(self) -> Band:
         """Friction coefficients with the default slip stresses."""
@@ -52,64 +47,37 @@ def _steels() -> tuple[Params, ...]:
     return ground.elastic_plastic(2e9), ground.elastic_plastic(ground.hardness)
 
 
-def _quartz(sigma: float, radius: float) -> tuple[Params, ...]:
-    """Silica in place of quartz, on 1 cm^2, with density times radius times sigma as of the ground steel."""
-    elastic = Params.si(
-        **PAIRS["SiO2/SiO2"].contact, height_std=sigma, summit_radius=radius, summit_density=0.04 / (radius * sigma),
-        nominal_area=1e-4,
-    )  # fmt: skip
-    return (elastic.elastic_plastic(elastic.hardness),)
-
-
-_BYERLEE = "J. D. Byerlee, The frictional characteristics of Westerly granite, thesis, MIT 1966, abstract"
-
-ROUGH = (
-    Rough(
-        "steel on steel in air, dry", (0.56, 0.58), _steels(), (12.0, 50.0),
-        "ground steel of the map, H = 2 and 7.5 GPa, contact law 1, 12 and 50 N",
-        "Measurement and analysis of the kinetic friction coefficient of AISI 52100 and ceramic balls on cold rolled high-strength "
-        "steel, abstract: 12 to 50 N, after some wear",
-    ),
-    Rough(
-        "granite and quartz, finely ground", (0.2, 0.2), _quartz(0.4e-6, 20e-6), (10.0, 1000.0),
-        "SiO₂, σ = 0.4 µm, R = 20 µm, contact law 1, 0.1 to 10 MPa", _BYERLEE,
-    ),
-    Rough(
-        "granite and quartz, rough", (0.6, 0.6), _quartz(5e-6, 50e-6), (10.0, 1000.0),
-        "SiO₂, σ = 5 µm, R = 50 µm, contact law 1, 0.1 to 10 MPa", _BYERLEE,
-    ),
-)  # fmt: skip
+ROUGH = (Rough("steel on steel in air, dry", (0.56, 0.58), _steels(), (12.0, 50.0)),)
 
 # Of docs/validation.md, rows whose strength is that of one contact or of a tip.
 _SINGLE = ("gold pillar on mica, AFM", "rough gold tip on mica, AFM", "mica on mica in air, SFA", "Si₃N₄ tip on silicon, AFM")
 
 
 def error() -> Band:
-    """How many times too low and too high friction with the default strength is at most: of the rows whose source was read, rock,
-    which is outside the domain, left out."""
-    ratios = [row.ratio() for row in MEASUREMENTS if row.name in _SINGLE and row.measured is not None]
-    ratios += [row.ratio() for row in ROUGH if "granite" not in row.name]
+    """How many times too low and too high friction with the default strength is at most: of the rows whose source was read."""
+    ratios = [row.ratio() for row in _singles() if row.measured is not None] + [row.ratio() for row in ROUGH]
     return 1 / min(low for low, _ in ratios), max(high for _, high in ratios)
+
+
+def _singles() -> list[Measurement]:
+    return [row for row in MEASUREMENTS if row.name in _SINGLE]
 
 
 def table() -> str:
     """Predicted with the defaults over measured, as a table of Markdown."""
-    rows = [
-        "| Interface | Measured | With the defaults | Default over measured | Assumed | Source |",
-        "|---|---|---|---|---|---|",
-    ]
-    for single in (row for row in MEASUREMENTS if row.name in _SINGLE):
+    rows = ["| Interface | Measured | With the defaults | Default over measured |", "|---|---|---|---|"]
+    for single in _singles():
         unit = " MPa" if "MPa" in single.quantity else ""
-        measured = "" if single.measured is None else _band(single.measured) + unit
-        rows.append(_row(single.name, measured, _band(single.predicted()) + unit, single.ratio(), single.open_inputs, single.source))
+        measured = "not given" if single.measured is None else _band(single.measured) + unit
+        rows.append(_row(single.name, measured, _band(single.predicted()) + unit, single.ratio()))
     for rough in ROUGH:
         measured, predicted = f"μ = {_band(rough.measured)}", f"μ = {_band(rough.predicted())}"
-        rows.append(_row(rough.name, measured, predicted, rough.ratio(), rough.inputs, rough.source))
+        rows.append(_row(rough.name, measured, predicted, rough.ratio()))
     return "\n".join(rows)
 
 
-def _row(name: str, measured: str, predicted: str, ratio: Band, inputs: str, source: str) -> str:
-    return f"| {name} | {measured} | {predicted} | {_times(ratio)} | {inputs} | {source} |"
+def _row(name: str, measured: str, predicted: str, ratio: Band) -> str:
+    return f"| {name} | {measured} | {predicted} | {_times(ratio)} |"
 
 
 def _band(band: Band) -> str:

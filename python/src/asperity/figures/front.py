@@ -1,4 +1,4 @@
-"""The law calibrated at one load against measurements that it did not see: two pictures.
+"""The model calibrated at one load against measurements that it did not see: two pictures.
 
 One is that of the front page, a measurement over its loads; the other has the residuals of all comparisons of `calibrated`,
 those that fail too.
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._style import BLUE, GREY, ORANGE
-from .calibrated import COMPARISONS, FILM_LOADS, film_law, film_measured
+from .calibrated import COMPARISONS, FILM_LOADS, film_predicted, film_measured
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -41,9 +41,9 @@ def _film(axes: Axes) -> None:
     amid, low, high = film_measured(_LOADS)
     axes.fill_between(_LOADS, low, high, color=ORANGE, alpha=0.3, lw=0)
     (measured,) = axes.plot(_LOADS, amid, color=ORANGE, lw=2, dashes=(5, 2))
-    (law,) = axes.plot(_LOADS, film_law(_LOADS), color=BLUE, lw=2.2)
+    (predicted,) = axes.plot(_LOADS, film_predicted(_LOADS), color=BLUE, lw=2.2)
     axes.plot(_LOADS[0], amid[0], "o", color=BLUE, ms=10, markeredgecolor="white", clip_on=False, zorder=5)
-    for number, line in enumerate((measured, law)):
+    for number, line in enumerate((measured, predicted)):
         line.set_gid(f"curve-{number}")
     axes.annotate("calibrated here", (1.15, 0.067), fontsize=11, color=BLUE, weight="bold")
     axes.annotate("predicted", (2.4, 0.0245), fontsize=11, color=BLUE, weight="bold")
@@ -52,8 +52,8 @@ def _film(axes: Axes) -> None:
 
 
 def _residuals(axes: Axes) -> None:
-    """Predicted over measured, at the reading of each comparison that the law misses most."""
-    axes.set_title("Calibrated once, the law meets two of six", loc="left", weight="bold", fontsize=11)
+    """Predicted over measured, at the reading of each comparison that the model misses most."""
+    axes.set_title("Calibrated once, the model meets two of six", loc="left", weight="bold", fontsize=11)
     axes.set(xscale="log", xlim=(0.4, 2.5), ylim=(len(COMPARISONS) - 0.45, -0.75))
     axes.set_xlabel("predicted / measured [–]", fontsize=11)
     axes.set_xticks([0.5, 0.7, 1, 1.4, 2], ["0.5", "0.7", "1", "1.4", "2"], fontsize=11)
@@ -66,7 +66,7 @@ def _residuals(axes: Axes) -> None:
     for number, one in enumerate(COMPARISONS):
         reading, residual = one.worst()
         low, high = (1 + end for end in residual)
-        colour = BLUE if one.holds else ORANGE
+        colour = BLUE if one.agrees else ORANGE
         # A single value is drawn as wide as 4 %, to be seen.
         amid = float(np.sqrt(low * high))
         ends = (low, high) if high > 1.04 * low else (amid / 1.02, amid * 1.02)

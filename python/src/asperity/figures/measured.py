@@ -1,4 +1,4 @@
-"""Measured friction next to what the law predicts with nothing fitted: the rows of `docs/validation.md`.
+"""Measured friction next to what the model predicts with nothing fitted: the rows of `docs/validation.md`.
 
 Inputs that a paper does not give are varied over a range, so that a prediction is a band. Measured values were read in
 their source; those that were only quoted elsewhere are marked.
@@ -135,7 +135,7 @@ MEASUREMENTS = (
         "σ 2 to 10 nm, density times R times σ = 0.05 at 10/µm², w 30 to 144 mJ/m², 1 to 100 µN on 100 µm × 100 µm",
         "Lim et al. 1990",
         _LIM,
-        "inside a band too wide to prove anything: neither roughness nor load is given, and adhesion makes both decide",
+        "the band is too wide to prove anything; the source gives neither roughness nor load, and with adhesion both decide",
     ),
     Measurement(
         "Si₃N₄ on polysilicon, static",
@@ -155,17 +155,17 @@ MEASUREMENTS = (
         "contact radius 5 to 50 nm, b 0.288 nm (gold) to 0.52 nm (mica)",
         "Li and Kim 2008",
         _LI_AND_KIM,
-        "the band ends at Hurtado and Kim's τ₁ = G*/43; measured is 0.0108 G*, 0.46 of it",
+        "the band ends at Hurtado and Kim's τ₁ = G*/43; the measured strength is 0.46 of it",
     ),
     Measurement(
         "rough gold tip on mica, AFM",
         "stress on the apparent area [MPa]",
         (40.5, 40.5),
         lambda: (208.0, 245.0),
-        "none: predicted in the paper by the same slip law, for a smooth tip",
+        "none: predicted in the paper with the same strengths, for a smooth tip",
         "Li and Kim 2008",
         _LI_AND_KIM,
-        "too high: nanometre roughness leaves a part of the apparent area in contact, and the summits were flattened",
+        "too high: with nanometre roughness only a part of the apparent area is in contact",
     ),
     Measurement(
         "mica on mica in air, SFA",
@@ -175,7 +175,7 @@ MEASUREMENTS = (
         "contact radius 20 to 100 µm",
         "Tribol. Trans. 1989",
         "Friction measured with a surface forces apparatus, Tribol. Trans. 32 (1989) 246, abstract: about 1 MPa, in ambient air",
-        "too high: water and what else air leaves on mica shear more easily than the clean faces",
+        "too high: water and other films from the air shear more easily than the clean faces",
     ),
     Measurement(
         "Si₃N₄ tip on silicon, AFM",
@@ -185,7 +185,7 @@ MEASUREMENTS = (
         "tip radius 20 to 100 nm, w 30 to 144 mJ/m², 10 to 100 nN",
         "quoted",
         "ratio quoted; the papers were not read",
-        "too high by 10 to 40 times: oxide, water and contamination make an interface that is not that of two clean crystals",
+        "too high: oxide, water and contamination shear more easily than two clean crystals",
         read=False,
         quoted_ratio=(10.0, 40.0),
     ),
@@ -193,16 +193,18 @@ MEASUREMENTS = (
 
 
 def table() -> str:
-    """The measurements as a table of Markdown."""
-    rows = [
-        "| Contact | Quantity | Measured | Predicted | Predicted over measured | Open inputs | Source |",
-        "|---|---|---|---|---|---|---|",
-    ]
+    """The measurements as a table of Markdown, and why each prediction agrees or differs."""
+    rows = ["| Contact | Quantity | Measured | Predicted | Predicted over measured | Source |", "|---|---|---|---|---|---|"]
     for row in MEASUREMENTS:
         measured = "" if row.measured is None else _band(row.measured)
         bands = (measured, _band(row.predicted()), _band(row.ratio()))
-        rows.append(f"| {' | '.join((row.name, row.quantity, *bands, row.open_inputs, row.source))} |")
-    return "\n".join(rows)
+        rows.append(f"| {' | '.join((row.name, row.quantity, *bands, row.label))} |")
+    return "\n".join([*rows, "", *(f"- **{row.name}**: {row.reason}." for row in MEASUREMENTS)])
+
+
+def inputs() -> str:
+    """What was varied for each prediction, and the source of the measured value, as a list of Markdown."""
+    return "\n".join(f"- **{row.name}**: {row.open_inputs}. Source: {row.source}." for row in MEASUREMENTS)
 
 
 def _band(band: Band) -> str:

@@ -1,4 +1,4 @@
-"""The page `gallery.md`: each figure next to what the paper says about it, with the numbers found here.
+"""The page `dev/gallery.md`: each figure next to what the paper says about it, with the numbers found here.
 
 Every number and every ordering on the page is computed when the page is written. An ordering that did not hold at all
 loads drawn would be printed with the loads where it does.
@@ -33,9 +33,9 @@ def _introduction() -> str:
     return f"""\
 # The paper's figures: friction coefficient against load
 
-This page draws the figures of section 3 of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact
-and friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, and compares them with what the paper says about
-them. Below these it has figures that the paper lacks. From the root of a checkout this command writes page and pictures:
+The library reproduces what the text of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact and
+friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, says about its figures 3 to 10; each table below says at which loads. The last
+sections have figures that the paper lacks. From the root of a checkout this command writes page and pictures:
 
 ```sh
 python -m asperity figures
@@ -47,7 +47,7 @@ the friction coefficient is μ = F/P.
 **What cannot be compared.** The paper prints no table of its curves, and its text names no load. So the curves cannot be
 compared point by point. The tables compare what the text says of them, at loads from {LIGHTEST:g} to {HEAVIEST:g} that were
 chosen here. Three more inputs had to be chosen: Poisson's ratio (0.3), b/h in the figures (1, which the paper calls
-typical) and the constants of the shear strength (Hurtado and Kim's, see [theory.md](theory.md)). The range of loads
+typical) and the constants of the shear strength (Hurtado and Kim's, see [model.md](../model.md)). The range of loads
 matters: if many summits are high, adhesion alone holds lightly loaded surfaces together, and μ grows without limit as the
 load goes to zero."""
 
@@ -81,7 +81,7 @@ def _figure_3() -> str:
     return f"""\
 ## Figure 3: summits out of contact
 
-![Friction with and without attraction of summits out of contact](figures/figure-3.svg)
+![Friction with and without attraction of summits out of contact](../figures/figure-3.svg)
 
 {_table(claims)}
 
@@ -139,7 +139,7 @@ def _skew_figure(figure: CurveFigure) -> str:
     return f"""\
 ## Figure {figure.number}: skew, α = {alpha:g}, β = {beta:g}, γ = {gamma:g}
 
-![Friction for skews from -1 to 1](figures/figure-{figure.number}.svg)
+![Friction for skews from -1 to 1](../figures/figure-{figure.number}.svg)
 
 {_table(claims)}
 
@@ -241,7 +241,7 @@ def _radius_figure(figure: CurveFigure) -> str:
     return f"""\
 ## Figure {figure.number}: radii that vary with height, α = {alpha:g}, β = {beta:g}, γ = {gamma:g}
 
-![Friction for radii that grow or shrink with height](figures/figure-{figure.number}.svg)
+![Friction for radii that grow or shrink with height](../figures/figure-{figure.number}.svg)
 
 {_table(claims)}
 
@@ -280,7 +280,7 @@ def _kurtosis() -> str:
     return f"""\
 ## Kurtosis at fixed skew: what Weibull heights cannot show
 
-![Friction for kurtoses from 2 to 6 at skew 0, and over the kurtosis](figures/kurtosis.svg)
+![Friction for kurtoses from 2 to 6 at skew 0, and over the kurtosis](../figures/kurtosis.svg)
 
 {_table(claims)}
 
@@ -325,7 +325,7 @@ def _regimes() -> str:
     return f"""\
 ## Regimes of slip
 
-![Fractions of the contacts in the regimes of slip, over the load](figures/regimes.svg)
+![Fractions of the contacts in the regimes of slip, over the load](../figures/regimes.svg)
 
 A contact of radius below a₁ = 28 b slips as a whole, at the largest shear strength; above a₂ = 80000 b the strength is
 30 times smaller; between it falls with the radius. β decides where a surface is, since β b is the radius of a contact
@@ -346,9 +346,9 @@ def _yield() -> str:
     return f"""\
 ## Regimes of yield
 
-![Fractions of elastic, elastic-plastic and flowing contacts, over the load](figures/yield.svg)
+![Fractions of elastic, elastic-plastic and flowing contacts, over the load](../figures/yield.svg)
 
-Summits that yield ([theory.md](theory.md#summits-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
+Summits that yield ([model.md](../model.md#summits-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
 (E*/H)(σ/R)^½. ψ decides, more than the load, until most summits touch: heavier loads bring more contacts of all sizes.
 Fractions of the contacts, with α = 0.01 and β = 1000, at loads in N G b² αβ²:
 
@@ -372,10 +372,10 @@ def _microslip() -> str:
     return f"""\
 ## Microslip
 
-![Tangential force over the displacement, and loops of hysteresis](figures/microslip.svg)
+![Tangential force over the displacement, and loops of hysteresis](../figures/microslip.svg)
 
 Contacts begin with the stiffness 8 Ĝ a and slip from their rims inwards until their force is their strength: those whose strength
-over radius is least, small ones, slip first ([theory.md](theory.md#before-a-contact-slips-stiffness-and-microslip)). T/F at displacements in F/K_t, at load
+over radius is least, small ones, slip first ([model.md](../model.md#before-a-contact-slips-stiffness-and-microslip)). T/F at displacements in F/K_t, at load
 {curves.MICROSLIP_LOAD:g}:
 
 | T/F | {heads} |
@@ -398,12 +398,12 @@ def _sensitivities() -> str:
     return f"""\
 ## What friction depends on
 
-![Sensitivities of the friction to six parameters, over the load](figures/sensitivities.svg)
+![Sensitivities of the friction to six parameters, over the load](../figures/sensitivities.svg)
 
 Logarithmic derivatives of the friction force with respect to each parameter, at constant load: per cent of friction per per cent of the
-parameter ([theory.md](theory.md#sensitivities)). Here {order}; w counts for
+parameter ([model.md](../model.md#sensitivities)). Here {order}; w counts for
 {_pair(adhesion)}. `Model.sensitivities` has all parameters at one load, and `uncertainty`
-makes a band of them ([python.md](python.md#what-friction-depends-on)).
+makes a band of them ([python.md](../python.md#what-friction-depends-on)).
 
 | % per % | {_heads(_SHOWN)} |
 |---|{'---|' * _SHOWN.size}

@@ -1,4 +1,4 @@
-"""The pictures of what the law is good for: the map of real contacts and the measurements next to their predictions.
+"""The pictures of where the model is valid: the map of real contacts and the measurements next to their predictions.
 
 Each can be read alone and without colour: labels stand at what they name.
 """
@@ -45,8 +45,8 @@ def _contacts() -> Figure:
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
     axes.axvspan(contacts.YIELD, 4, color=ORANGE, alpha=0.13, lw=0)
     axes.axhspan(1, contacts.CONTINUUM, color=GREY, alpha=0.18, lw=0)
-    _region(axes, 1.26, 4e5, "yielding:\nelastic-plastic\nlaw", ORANGE)
-    _region(axes, 8e-3, 4e5, "elastic: the elastic law", BLUE)
+    _region(axes, 1.26, 4e5, "yielding:\nelastic-plastic\nsummits", ORANGE)
+    _region(axes, 8e-3, 4e5, "elastic summits", BLUE)
     _region(axes, 1.2e-2, 1.7, "few atoms: no continuum", GREY)
     for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: lowest strength")):
         axes.plot((3e-4, 4), (radius, radius), color=GREY, lw=0.8, dashes=(4, 3))
@@ -57,7 +57,7 @@ def _contacts() -> Figure:
 
 
 def _track(axes: Axes, number: int, contact: contacts.Contact) -> None:
-    """A contact over its loads, with a dot at the heaviest; dashed where no law of the library holds."""
+    """A contact over its loads, with a dot at the heaviest; dashed if it is outside the model."""
     pressure, radius, share = contact.track()
     held = share.max() < contacts.CROWDED
     colour = BLUE if held and (pressure < contacts.YIELD).any() else ORANGE
@@ -65,7 +65,7 @@ def _track(axes: Axes, number: int, contact: contacts.Contact) -> None:
     line.set_gid(f"curve-{number}")
     axes.plot(pressure[-1:], radius[-1:], "o", color=colour, ms=6)
     end, shift, side = _LABELS[contact.name]
-    text = contact.name if held else f"{contact.name}: no law here,\nviscoelastic, crowded"
+    text = contact.name if held else f"{contact.name}: outside the model,\nviscoelastic, crowded"
     place = (float(pressure[end]), float(radius[end]))
     axes.annotate(text, place, shift, textcoords="offset points", ha=side, fontsize=10, color=colour, weight="bold")
 

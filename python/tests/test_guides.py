@@ -1,23 +1,24 @@
-"""The pages on height maps do what they say, from installing to a program in C; their table is what maps give."""
+"""The guides that start from data print what they say, in an environment with the dependencies of this one; tests/install/readme.rs
+and fortran/test.sh have their programs in C and Fortran."""
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
+import re
 import sysconfig
 from pathlib import Path
 
 import pytest
-from processes import fresh_environment
-from test_docs import check_page
+from processes import fresh_environment, run_main
+from test_docs import blocks, check_page, shows
 
+# And the pictures that each writes.
+GUIDES = {"start": (), "height-maps": ("band.svg", "cutoffs.svg"), "uncertainty-and-fits": ("fit.svg", "fit.png"), "studies": ("indices.svg",)}
 
 pytestmark = pytest.mark.usefixtures("one_build_at_a_time")
 
 
 @pytest.fixture(scope="module")
-def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """A fresh virtual environment, active, that finds the dependencies of this one and so need not download them."""
     directory = tmp_path_factory.mktemp("venv")
     active = fresh_environment(directory)
@@ -25,22 +26,35 @@ def environment(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[st
     (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n", encoding="utf-8")
     # A reader has no MPI, and mpi4py looks for its library in this environment.
     (packages / "mpi4py.py").write_text('raise ImportError("no MPI")\n', encoding="utf-8")
-    written = {name: value for name, value in os.environ.items() if name == "ASPERITY_WRITE_PAGES"}
-    return {**active, "ASPERITY": str(root), **written}
+    return active
 
 
-def test_the_tutorial_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
-    follow, page = root / "tests" / "consumers" / "follow_docs.py", root / "docs" / "height-maps.md"
-    command = [sys.executable, str(follow), str(page), str(tmp_path)]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert done.stdout.endswith("3 files, 5 blocks of commands, 3 outputs as written\n")
-
-
-def test_the_pages_on_height_maps_print_what_they_say(root: Path, environment: dict[str, str], tmp_path: Path) -> None:
+@pytest.mark.parametrize("guide", GUIDES)
+def test_a_guide_runs_and_prints_what_it_says(root: Path, environment: dict[str, str], tmp_path: Path, guide: str) -> None:
     (tmp_path / "python").symlink_to(root / "python")
-    check_page(root / "docs" / "height-maps.md", tmp_path, environment)
-    check_page(root / "docs" / "height-maps.md", tmp_path, environment)
+    check_page(root / "docs" / f"{guide}.md", tmp_path, environment)
+    assert all((tmp_path / picture).read_bytes().startswith((b"<?xml", b"\x89PNG")) for picture in GUIDES[guide])
+
+
+@pytest.mark.parametrize("guide, surfaces", (("start", 4), ("height-maps", 1)))
+def test_a_surface_file_gives_the_number_below_it(root: Path, tmp_path: Path, guide: str, surfaces: int) -> None:
+    page, file = root / "docs" / f"{guide}.md", tmp_path / "surface.toml"
+    for i, (kind, text) in enumerate(blocks(page)):
+        if kind == "toml":
+            file.write_text(text, encoding="utf-8")
+            at, shown = next((at, text) for at, (kind, text) in enumerate(blocks(page)) if kind == "text" and at > i)
+            ((load, mu, low, high),) = re.findall(r"^mu\((\S+) N\) = (\S+), 95 % band (\S+) to (\S+)$", shown, re.MULTILINE)
+            shows(page, at, shown, run_main("friction", "--surface", file, "--load", load).stdout)
+            # The table at the top.
+            assert guide != "start" or f"| {mu} ({low} to {high}) at {load} N |" in page.read_text(encoding="utf-8")
+            surfaces -= 1
+    assert surfaces == 0
+
+
+def test_front_pages_lead_to_the_starting_points(root: Path) -> None:
+    for page, folder in (("README.md", "docs/"), ("docs/site/index.md", "guide/docs/")):
+        text = (root / page).read_text(encoding="utf-8")
+        assert all(f"({folder}{guide}.md" in text for guide in ("start", "height-maps")), page
 
 
 def test_the_table_of_the_page_is_what_maps_give(root: Path) -> None:
