@@ -28,7 +28,7 @@ def warnings(header):
     yield from ("| `ASPERITY_WARNING_...` | What it says | Set if |", "|---|---|---|")
     for constant in header.warnings:
         what, *more = sentences(constant.doc.removeprefix("Bit of `warnings`: "))
-        when = next((one.removeprefix("Set if ").removesuffix(".") for one in more if one.startswith("Set")), "")
+        when = next((re.sub("^Set (if|while) ", "", one).removesuffix(".") for one in more if one.startswith("Set")), "")
         yield f"| `{constant.bare.removeprefix('WARNING_')}` | {cell(what.removesuffix('.'))} | {cell(when)} |"
 
 
