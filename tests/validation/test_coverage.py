@@ -21,20 +21,20 @@ CHEAP = [
 ]
 
 
-def test_the_frozen_kinds_are_of_today() -> None:
+def test_the_frozen_kinds_are_those_of_today() -> None:
     known = [(kind.call, kind.what, kind.points, kind.errors) for kind, _ in coverage.kinds()]
-    assert [one for one in known if one in (found := [(row.call, row.what, row.points, row.errors) for row in coverage.frozen()])] == found
+    assert [(row.call, row.what, row.points, row.errors) for row in coverage.frozen()] == known
 
 
 @pytest.mark.parametrize("row", coverage.frozen(), ids=lambda row: f"{row.call}, {row.what}, {row.points} {row.errors}")
 def test_bands_have_the_truth_as_often_as_they_say(row: Row) -> None:
-    count = row.repeats - row.refused
-    # Of fewer bands than these nothing can be counted; of fewer than a thousand by two standard deviations more.
-    if count >= 100:
-        off = 0.02 + 2 * math.sqrt(0.05 * 0.95 * max(1 / count - 1 / coverage.REPEATS, 0))
-        # The linear band of parameters that are known to 30 % is too narrow; samples have what is said.
-        is_linear = row.call == "uncertainty of spreads, linear"
-        assert (0.88 if is_linear else 0.95 - off) <= row.part <= 0.955 + off
+    """In 93 to 97 % of cases, but for what the page tells: a linear band of wide spreads, maps of one or two waves a side."""
+    assert row.repeats == coverage.REPEATS
+    is_linear = row.call == "uncertainty of spreads, linear"
+    has_few_waves = row.call == "summits of a map" and row.points < 4
+    # Of fewer bands than these nothing can be counted.
+    if row.repeats - row.refused >= 100:
+        assert (0.90 if is_linear else 0.92 if has_few_waves else 0.93) <= row.part <= 0.972
 
 
 @pytest.mark.parametrize("kind", CHEAP, ids=lambda kind: f"{kind.call}, {kind.what}, {kind.points}")
