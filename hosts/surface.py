@@ -1,5 +1,5 @@
 """The surface of all hosts, and the check that the model holds for it at the loads of a run. The same in C is
-hosts/surface.h. docs/solvers.md says where the numbers come from.
+hosts/surface.h. hosts/surface.toml says where the numbers come from.
 """
 
 from pathlib import Path
