@@ -415,8 +415,8 @@ typedef struct asperity_summary {
   /** Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
    * the pull-off load. */
   double min_table_load;
-  /** Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 %
-   * below exact states at ten times the load, 63 % at a thousand times (docs/c.md). */
+  /** Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 %
+   * below exact states at ten times the load, 53 % at a thousand times (docs/c.md). */
   double max_table_load;
   /** Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
    * made; between samples it may be four times as large, or 1e-9 where that is more. */
@@ -1263,7 +1263,7 @@ asperity_status asperity_microslip_turn(double *state, double cosine, double sin
  * load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-8
  * of exact ones, slopes within 1e-6, relative to the load or to the pull-off load, whichever is larger, or within what the
  * rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
- * the load goes on as a power of the compression.
+ * the load goes on as a power of the depth below the mean height.
  *
  * @param model  a model
  * @param gap    between the mean planes [length]; negative in deep compression

@@ -19,7 +19,8 @@ FENCE = re.compile(r"^```(\w+) .*$", re.MULTILINE)
 
 def gather(folder: Path) -> None:
     """Pages and the files that they link to, at the places that they have in the repository."""
-    waiting = sorted((ROOT / "docs").glob("*.md")) + sorted((ROOT / "docs" / "dev").glob("*.md")) + [ROOT / "CHANGELOG.md", ROOT / "README.md"]
+    waiting = [*sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "docs" / "dev").glob("*.md"))]
+    waiting += [ROOT / "CHANGELOG.md", ROOT / "README.md"]
     done = set()
     while waiting:
         source = waiting.pop()

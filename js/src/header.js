@@ -311,7 +311,7 @@ export const WORDS = {
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
- * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times (docs/c.md).
+ * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
  * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 1e-9 where that is more.
  */
 

@@ -17,7 +17,7 @@ const BLOCK: usize = 128;
 /// load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-8
 /// of exact ones, slopes within 1e-6, relative to the load or to the pull-off load, whichever is larger, or within what the
 /// rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
-/// the load goes on as a power of the compression.
+/// the load goes on as a power of the depth below the mean height.
 ///
 /// @param model  a model
 /// @param gap    between the mean planes [length]; negative in deep compression

@@ -106,8 +106,8 @@ pub struct asperity_summary {
     /// Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
     /// the pull-off load.
     pub min_table_load: f64,
-    /// Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a power of the load: up to 28 %
-    /// below exact states at ten times the load, 63 % at a thousand times (docs/c.md).
+    /// Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 %
+    /// below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
     /// made; between samples it may be four times as large, or 1e-9 where that is more.

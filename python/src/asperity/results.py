@@ -274,8 +274,8 @@ class Summary(_WithUnits):
             `min_table_load` is above zero, it is a continuation of the law.
         min_table_load: Lightest load of the compiled table [force]. Below it the law continues with its slope, as a
             power of the distance from the pull-off load.
-        max_table_load: Heaviest load of the compiled table [force]. Above it the law continues with its slope, as a
-            power of the load: up to 28 % below exact states at ten times the load, 63 % at a thousand times
+        max_table_load: Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a
+            power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times
             (docs/c.md).
         table_error: Largest relative error of the compiled friction force [-] at the samples that were compared when
             the model was made; between samples it may be four times as large, or 1e-9 where that is more.
