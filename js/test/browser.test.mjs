@@ -309,6 +309,36 @@ test("a height map gives the moments that the package computes", async () => {
   await page.close();
 });
 
+test("the browser refuses what the page's policy refuses: connections, pictures, other scripts", async () => {
+  const asked = [];
+  const server = createServer((request, response) => {
+    asked.push(request.url);
+    response.end();
+  });
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  const { page } = await open();
+  const refused = await page.evaluate(async (address) => {
+    const violated = [];
+    document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => violated.push(effectiveDirective));
+    const sent = await fetch(address, { method: "POST", body: "secret", mode: "no-cors" }).then(() => "sent", () => "refused");
+    const insert = (name, given) => document.body.append(Object.assign(document.createElement(name), given));
+    insert("img", { src: `${address}picture` });
+    insert("script", { src: `${address}script` });
+    insert("script", { textContent: "globalThis.ran = true" });
+    insert("iframe", { src: `${address}frame` });
+    const form = Object.assign(document.createElement("form"), { action: `${address}form`, method: "post" });
+    document.body.append(form);
+    form.submit();
+    await new Promise((done) => setTimeout(done, 300));
+    return { sent, ran: globalThis.ran === true, violated: [...new Set(violated)].sort() };
+  }, `http://127.0.0.1:${server.address().port}/`);
+  assert.deepEqual(asked, []);
+  const violated = ["connect-src", "form-action", "frame-src", "img-src", "script-src-elem"];
+  assert.deepEqual(refused, { sent: "refused", ran: false, violated });
+  await page.close();
+  server.close();
+});
+
 test("an address brings its surfaces back, and one that is none does no harm", async () => {
   const { page } = await open();
   await page.locator("#add").click();
