@@ -9,7 +9,7 @@ import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium, firefox } from "playwright-core";
-import { Model, contact, momentsOfAreal, momentsOfMap } from "asperity";
+import { INTERFACES, Model, contact, momentsOfAreal, momentsOfMap } from "asperity";
 import { shifted } from "../explorer/fields.js";
 import { withUnit } from "../explorer/text.js";
 import { answers, bits, scratch } from "./native.mjs";
@@ -305,6 +305,27 @@ test("a height map gives the moments that the package computes", async () => {
   }
   await page.locator("#map").setInputFiles({ name: "bad.csv", mimeType: "text/csv", buffer: Buffer.from("1,2\n3,oops\n") });
   await page.waitForFunction(() => /^bad\.csv, line 2: "oops"/.test(document.getElementById("map-result").textContent));
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("each interface and its source are one click away", async () => {
+  const { page, wrong } = await open();
+  await page.locator("#first").selectOption("steel");
+  await page.locator("#second").selectOption("steel");
+  assert.ok(await page.locator("#interfaces").isHidden());
+  await page.locator("#interfaces-section summary").click();
+  const shown = await page.locator("#interfaces p").allTextContents();
+  const all = Object.values(INTERFACES);
+  assert.equal(shown.length, all.length);
+  for (const { name, conditions, source, reference } of all)
+    assert.ok(shown.some((text) => text.startsWith(`${name}: `) && text.endsWith(`; ${conditions}. Source (${source}): ${reference}.`)), name);
+  assert.match(shown[0], /^steel\/steel dry: μ 0\.57 from 12\.0 N; ball of AISI 52100/);
+  // Who follows a link does not tell from where.
+  for (const link of await page.locator("#controls a").all()) {
+    assert.match(await link.getAttribute("href"), /^https:\/\/(doi|arxiv)\.org\//);
+    assert.equal(await link.getAttribute("rel"), "noreferrer");
+  }
   assert.deepEqual(wrong, []);
   await page.close();
 });

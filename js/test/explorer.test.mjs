@@ -13,6 +13,7 @@ import { curveOf, findSpans, isPartial } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
+import { interfacesFor, measuredText, partsOf } from "../explorer/sources.js";
 import { bandOf, decade, missing, rests, SHORT, spanText, strength, unmeasured, withUnit } from "../explorer/text.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
@@ -257,6 +258,32 @@ test("a message of the library points to its field", () => {
   assert.equal(fieldOf("friction_force = 1 at load = 1: must be above 2", areal), "calibration_friction_coefficient");
   assert.equal(fieldOf("load = -1: is below", areal), "calibration_load");
   assert.equal(fieldOf("nothing of the sort", areal), undefined);
+});
+
+test("references keep their text and have their addresses", () => {
+  const { INTERFACES, MATERIALS, PAIRS } = asperity;
+  const all = [INTERFACES, MATERIALS, PAIRS].flatMap(Object.values);
+  for (const { name, reference } of all) {
+    const parts = partsOf(reference);
+    assert.equal(parts.map(({ text }) => text).join(""), reference);
+    const links = parts.filter(({ href }) => href);
+    assert.equal(links.length, (reference.match(/\bdoi\b|\barXiv\b/gi) ?? []).length, `${name}: ${reference}`);
+    for (const { href } of links) assert.match(href, /^https:\/\/(doi\.org\/10\.\d+\/|arxiv\.org\/abs\/)[\w.()/-]*\w$/);
+  }
+  assert.deepEqual(partsOf("A, doi 10.1063/1.2711147, abstract; arXiv 1207.1863: 2").map(({ href }) => href), [
+    undefined, "https://doi.org/10.1063/1.2711147", undefined, "https://arxiv.org/abs/1207.1863", undefined,
+  ]);
+});
+
+test("the interfaces of a pair stand first, in either order, with what was measured", () => {
+  const all = Object.values(asperity.INTERFACES);
+  for (const [first, second] of [["Al", "steel"], ["steel", "Al"]]) {
+    const found = interfacesFor(asperity, { first, second });
+    assert.equal(found[0].name, "Al/steel clean");
+    assert.deepEqual(new Set(found), new Set(all));
+  }
+  assert.deepEqual(interfacesFor(asperity, { first: "Si", second: "mica" }), all);
+  for (const one of all) assert.match(measuredText(one), /^(τ₀ [\d.]+ [kMG]?Pa(, κ [\d.]+)?|μ [\d.]+( from [\d.]+ N)?)$/, one.name);
 });
 
 const PAGE = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
