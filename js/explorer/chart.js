@@ -16,8 +16,8 @@ export const STYLES = [
 const GROUNDS = { FEW: "#dedede", CROWDED: "#fdf3c9", PLASTIC: "#f2f0f9", STEEP: "#eaf4f0", ATOMIC: "#f7eef3", ADHESIVE: "#f8eedf",
   BROAD: "#eef1e6", STRONG: "#f6ebe6", FEW_WAVES: "#e9eef6" };
 const OTHER_GROUND = "#eeeeee";
-/** How opaque a band is, in hexadecimal: of the active surface, of the others. */
-const OPAQUE = ["33", "14"];
+/** How opaque a band and its edges are, in hexadecimal: of the active surface, of the others. Grounds must be seen through it. */
+const BAND = [["1c", "80"], ["0c", "40"]];
 const FONT = "system-ui, sans-serif";
 const INK = "#222";
 
@@ -56,13 +56,15 @@ export class Chart {
     const data = [curves[0].curve.loads];
     const series = [{}];
     const bands = [];
-    for (const { letter, curve, style } of curves) {
-      if (options.band) {
-        const edge = { stroke: "transparent", pxAlign: 0, points: { show: false } };
-        bands.push({ series: [data.length, data.length + 1], fill: style.color + OPAQUE[letter === options.active ? 0 : 1] });
-        data.push(curve.high, curve.low);
-        series.push(edge, edge);
-      }
+    for (const { letter, curve, style } of options.band ? curves : []) {
+      const [fill, stroke] = BAND[letter === options.active ? 0 : 1].map((opaque) => style.color + opaque);
+      const edge = { stroke, width: 1, pxAlign: 0, points: { show: false } };
+      bands.push({ series: [data.length, data.length + 1], fill });
+      data.push(curve.high, curve.low);
+      series.push(edge, edge);
+    }
+    // Every curve after all bands, which would lie over it.
+    for (const { curve, style } of curves) {
       data.push(curve.mu);
       series.push({ stroke: style.color, width: 2.5, dash: style.dash, pxAlign: 0, points: { show: false } });
     }

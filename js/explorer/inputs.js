@@ -1,6 +1,7 @@
 // The fields of a surface: they show the active one, and write to it.
 import { $, element, labelled } from "./dom.js";
 import { FIELDS, ROUGHNESS, UNMEASURED, fieldsOfPair, parsed, shifted } from "./fields.js";
+import { sources } from "./sources.js";
 import { LETTERS, active, page } from "./state.js";
 import { tabs } from "./tabs.js";
 import { missing } from "./text.js";
@@ -70,9 +71,7 @@ function notePair() {
   const pair = PAIRS[`${first}/${second}`] ?? PAIRS[`${second}/${first}`];
   const bodies = [...new Set([first, second])].map((name) => MATERIALS[name]);
   $("pair-note").textContent = [adhesion(pair), ...bodies.flatMap(missing)].join(" ");
-  const sources = bodies.map(({ name, reference }) => `${name}: ${reference}.`);
-  if (pair) sources.push(`${pair.name}: ${pair.reference}.`);
-  $("sources").replaceChildren(...sources.map((text) => element("p", {}, text)));
+  sources(page.library, active());
 }
 
 function adhesion(pair) {

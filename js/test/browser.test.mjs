@@ -9,7 +9,7 @@ import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium, firefox } from "playwright-core";
-import { Model, contact, momentsOfAreal, momentsOfMap } from "asperity";
+import { INTERFACES, Model, contact, momentsOfAreal, momentsOfMap } from "asperity";
 import { shifted } from "../explorer/fields.js";
 import { withUnit } from "../explorer/text.js";
 import { answers, bits, scratch } from "./native.mjs";
@@ -125,8 +125,8 @@ const heightsOf = (page, color, parts) =>
         const { data } = pixels.getImageData(x, Math.round((area.top - all.top) * scale), 1, Math.round(area.height * scale));
         const hits = [];
         for (let y = 0; y < data.length / 4; y++) {
-          const [r, g, b] = data.slice(4 * y, 4 * y + 3);
-          if (Math.abs(r - red) + Math.abs(g - green) + Math.abs(b - blue) < 60) hits.push(y);
+          const [r, g, b, opaque] = data.slice(4 * y, 4 * y + 4);
+          if (opaque > 200 && Math.abs(r - red) + Math.abs(g - green) + Math.abs(b - blue) < 60) hits.push(y);
         }
         const middle = hits.reduce((sum, y) => sum + y, 0) / hits.length;
         return (area.height * scale - middle) / scale;
@@ -137,16 +137,26 @@ const heightsOf = (page, color, parts) =>
 
 test("the line is drawn where the numbers are", async () => {
   const { page } = await open();
-  await page.locator("#band").uncheck();
   await page.locator("#lightest").fill("1e-3");
   const { rows } = await curves(page);
   const parts = [0.1, 0.3, 0.7, 0.9];
-  const found = await heightsOf(page, [0, 0x72, 0xb2], parts);
   const wanted = parts.map((part) => rows[Math.round(part * 120)][1]);
-  found.forEach((height, i) => {
-    const ratio = height / found[0] / (wanted[i] / wanted[0]);
-    assert.ok(Math.abs(ratio - 1) < 0.01, `${ratio} at ${parts[i]}`);
-  });
+  const assertDrawn = async (what) => {
+    await grounded(page);
+    const found = await heightsOf(page, [0, 0x72, 0xb2], parts);
+    found.forEach((height, i) => {
+      const ratio = height / found[0] / (wanted[i] / wanted[0]);
+      assert.ok(Math.abs(ratio - 1) < 0.01, `${what}: ${ratio} at ${parts[i]}`);
+    });
+  };
+  await assertDrawn("over its band");
+  await page.locator("#band").uncheck();
+  await assertDrawn("without a band");
+  // Its colour is its own where the band of another surface is active too.
+  await page.locator("#add").click();
+  await page.locator("#first").selectOption("Au");
+  await page.locator("#band").check();
+  await assertDrawn("in the band of another surface");
   await page.close();
 });
 
@@ -309,6 +319,57 @@ test("a height map gives the moments that the package computes", async () => {
   await page.close();
 });
 
+test("each interface and its source are one click away", async () => {
+  const { page, wrong } = await open();
+  await page.locator("#first").selectOption("steel");
+  await page.locator("#second").selectOption("steel");
+  assert.ok(await page.locator("#interfaces").isHidden());
+  await page.locator("#interfaces-section summary").click();
+  const shown = await page.locator("#interfaces p").allTextContents();
+  const all = Object.values(INTERFACES);
+  assert.equal(shown.length, all.length);
+  for (const { name, conditions, source, reference } of all)
+    assert.ok(shown.some((text) => text.startsWith(`${name}: `) && text.endsWith(`; ${conditions}. Source (${source}): ${reference}.`)), name);
+  assert.match(shown[0], /^steel\/steel dry: μ 0\.57 from 12\.0 N; ball of AISI 52100/);
+  // Who follows a link does not tell from where.
+  for (const link of await page.locator("#controls a").all()) {
+    assert.match(await link.getAttribute("href"), /^https:\/\/(doi|arxiv)\.org\//);
+    assert.equal(await link.getAttribute("rel"), "noreferrer");
+  }
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("the browser refuses what the page's policy refuses: connections, pictures, other scripts", async () => {
+  const asked = [];
+  const server = createServer((request, response) => {
+    asked.push(request.url);
+    response.end();
+  });
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  const { page } = await open();
+  const refused = await page.evaluate(async (address) => {
+    const violated = [];
+    document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => violated.push(effectiveDirective));
+    const sent = await fetch(address, { method: "POST", body: "secret", mode: "no-cors" }).then(() => "sent", () => "refused");
+    const insert = (name, given) => document.body.append(Object.assign(document.createElement(name), given));
+    insert("img", { src: `${address}picture` });
+    insert("script", { src: `${address}script` });
+    insert("script", { textContent: "globalThis.ran = true" });
+    insert("iframe", { src: `${address}frame` });
+    const form = Object.assign(document.createElement("form"), { action: `${address}form`, method: "post" });
+    document.body.append(form);
+    form.submit();
+    await new Promise((done) => setTimeout(done, 300));
+    return { sent, ran: globalThis.ran === true, violated: [...new Set(violated)].sort() };
+  }, `http://127.0.0.1:${server.address().port}/`);
+  assert.deepEqual(asked, []);
+  const violated = ["connect-src", "form-action", "frame-src", "img-src", "script-src-elem"];
+  assert.deepEqual(refused, { sent: "refused", ran: false, violated });
+  await page.close();
+  server.close();
+});
+
 test("an address brings its surfaces back, and one that is none does no harm", async () => {
   const { page } = await open();
   await page.locator("#add").click();
@@ -325,10 +386,10 @@ test("an address brings its surfaces back, and one that is none does no harm", a
   for (const one of [page, again.page, broken.page]) await one.close();
 });
 
-test("where a warning holds in part of the loads the chart is shaded and named, and the sentence stands below", async () => {
-  const { page, wrong } = await open();
-  await grounded(page);
-  /** What stands on the chart, and the colours of its ground at parts of the width, near its lower edge. */
+const SHADED = "where a warning holds in part of the loads the chart is shaded and named, and the sentence stands below";
+for (const width of [1280, 390]) test(`${SHADED}, ${width} pixels wide`, async () => {
+  const { page, wrong } = await open({ viewport: { width, height: 844 } });
+  /** What stands on the chart with the band or without it, turned, and the colours of its ground at parts of the width. */
   const chart = async (parts) => {
     await page.evaluate(() => {
       globalThis.written = [];
@@ -346,7 +407,7 @@ test("where a warning holds in part of the loads the chart is shaded and named, 
       const all = canvas.getBoundingClientRect();
       const scale = canvas.width / all.width;
       const colors = parts.map((part) => {
-        const place = [area.left - all.left + part * area.width, area.top - all.top + area.height - 5];
+        const place = [area.left - all.left + part * area.width, area.top - all.top + 0.23 * area.height];
         return [...canvas.getContext("2d").getImageData(...place.map((x) => Math.round(x * scale)), 1, 1).data].join(" ");
       });
       return { written: globalThis.written, colors };
@@ -357,6 +418,11 @@ test("where a warning holds in part of the loads the chart is shaded and named, 
   assert.ok(end > 0.05 && end < 0.9, `${end}`);
   const { written, colors } = await chart([end - 0.03, end + 0.03]);
   assert.deepEqual(colors, ["222 222 222 255", "0 0 0 0"]);
+  // It is seen through the band, here off the lines of the grid.
+  const [ground, beside] = (await chart([end - 0.03, end + 0.03])).colors.map((color) => color.split(" ").map(Number));
+  const onWhite = ([red, green, blue, alpha]) => [red, green, blue].map((one) => 255 + ((one - 255) * alpha) / 255);
+  const [dark, light] = [onWhite(ground), onWhite(beside)];
+  dark.forEach((one, i) => assert.ok(light[i] - one > 25 && light[i] > 220, `${dark} beside ${light}`));
   assert.ok(written.includes("fewer than 20 contacts"));
   // What holds at every load is said, not drawn.
   assert.ok(!written.includes("not calibrated"));

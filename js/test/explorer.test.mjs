@@ -1,6 +1,7 @@
 // The parts of the explorer that need no browser: moments of maps, files, the band, programs that are copied.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { test } from "node:test";
@@ -12,6 +13,7 @@ import { curveOf, findSpans, isPartial } from "../explorer/curves.js";
 import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
+import { interfacesFor, measuredText, partsOf } from "../explorer/sources.js";
 import { bandOf, decade, missing, rests, SHORT, spanText, strength, unmeasured, withUnit } from "../explorer/text.js";
 import { LINK, root, scratch } from "./native.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
@@ -258,15 +260,57 @@ test("a message of the library points to its field", () => {
   assert.equal(fieldOf("nothing of the sort", areal), undefined);
 });
 
+test("references keep their text and have their addresses", () => {
+  const { INTERFACES, MATERIALS, PAIRS } = asperity;
+  const all = [INTERFACES, MATERIALS, PAIRS].flatMap(Object.values);
+  for (const { name, reference } of all) {
+    const parts = partsOf(reference);
+    assert.equal(parts.map(({ text }) => text).join(""), reference);
+    const links = parts.filter(({ href }) => href);
+    assert.equal(links.length, (reference.match(/\bdoi\b|\barXiv\b/gi) ?? []).length, `${name}: ${reference}`);
+    for (const { href } of links) assert.match(href, /^https:\/\/(doi\.org\/10\.\d+\/|arxiv\.org\/abs\/)[\w.()/-]*\w$/);
+  }
+  assert.deepEqual(partsOf("A, doi 10.1063/1.2711147, abstract; arXiv 1207.1863: 2").map(({ href }) => href), [
+    undefined, "https://doi.org/10.1063/1.2711147", undefined, "https://arxiv.org/abs/1207.1863", undefined,
+  ]);
+});
+
+test("the interfaces of a pair stand first, in either order, with what was measured", () => {
+  const all = Object.values(asperity.INTERFACES);
+  for (const [first, second] of [["Al", "steel"], ["steel", "Al"]]) {
+    const found = interfacesFor(asperity, { first, second });
+    assert.equal(found[0].name, "Al/steel clean");
+    assert.deepEqual(new Set(found), new Set(all));
+  }
+  assert.deepEqual(interfacesFor(asperity, { first: "Si", second: "mica" }), all);
+  for (const one of all) assert.match(measuredText(one), /^(τ₀ [\d.]+ [kMG]?Pa(, κ [\d.]+)?|μ [\d.]+( from [\d.]+ N)?)$/, one.name);
+});
+
+const PAGE = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
+
 test("the explorer is one file below 500 kB that asks for nothing", () => {
-  const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
-  assert.ok(Buffer.byteLength(page) < 500e3, `${Buffer.byteLength(page)} bytes`);
-  assert.doesNotMatch(page, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
+  assert.ok(Buffer.byteLength(PAGE) < 500e3, `${Buffer.byteLength(PAGE)} bytes`);
+  assert.doesNotMatch(PAGE, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
+});
+
+test("the page's policy lets its own script and style run, and nothing connect", () => {
+  const [, content] = /<meta http-equiv="Content-Security-Policy" content="([^"]*)">/.exec(PAGE);
+  assert.ok(PAGE.indexOf(content) < PAGE.search(/<(script|style|link)/), "it stands before what it is for");
+  const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+  const [, style] = /<style>([^]*?)<\/style>/.exec(PAGE);
+  const [, script] = /<script>([^]*?)<\/script>/.exec(PAGE);
+  assert.deepEqual(Object.fromEntries(content.split("; ").map((one) => [one.split(" ")[0], one.split(" ").slice(1).join(" ")])), {
+    "default-src": "'none'",
+    "script-src": `${hash(script)} 'wasm-unsafe-eval'`,
+    "style-src": hash(style),
+    "img-src": "data:",
+    "base-uri": "'none'",
+    "form-action": "'none'",
+  });
 });
 
 test("the library in the page is the library", () => {
-  const page = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
-  const [, text] = /id="library">([^<]*)</.exec(page);
+  const [, text] = /id="library">([^<]*)</.exec(PAGE);
   const wasm = readFileSync(new URL("../dist/asperity.wasm", import.meta.url));
   assert.ok(wasm.equals(gunzipSync(decoded(text))));
   for (const length of [0, 1, 2, 3, 4, 5, 1000]) {

@@ -3,7 +3,7 @@
 //! A contact sticks with the stiffness 8 G^ a (Mindlin), then slips, in part or as a whole (`asperity::slip`), until its force is
 //! its strength, the friction force of a contact that slips. Small contacts slip first.
 
-use super::sums::Summit;
+use super::sums::{out_of_panels, Summit};
 use super::walk::Visitor;
 use super::Population;
 use crate::asperity::slip::{SlipOnset, Tangential};
@@ -114,6 +114,9 @@ impl Population {
         let population = Self { onset_ratio: Some(strength_over_radius), ..population };
         let mut displaced = Displaced { force_over_radius, onset, sums: Microslip::default() };
         population.visit(separation, &population.edge(separation), &mut displaced)?;
+        if displaced.sums.force.is_nan() {
+            return Err(out_of_panels(separation));
+        }
         Ok(displaced.sums)
     }
 }
