@@ -109,7 +109,8 @@ _DEFAULT: Any = _initialised()
 class Params:
     """Two rough elastic surfaces, as the equivalent rough surface against a flat.
 
-    All quantities are in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1.
+    All quantities are in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1. Those of
+    `si`, of `from_...` and of files count as SI units (`in_si`); of others say `replace(in_si=False)`.
     Loads, forces and areas are totals over `asperity_count` summits. Make one with
     `Params.from_iso25178`, `Params.from_profile`, `Params.si` or another of its class methods. `replace` returns a changed
     copy. `Model` checks the numbers.
@@ -216,6 +217,7 @@ class Params:
     summit_mean_height: float = _DEFAULT.summit_mean_height
     rms_slope: float = _DEFAULT.rms_slope
     # end of fields
+    in_si: bool = False
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -282,7 +284,7 @@ class Params:
         nominal_area: float | None = None,
         **options: Unpack[Options],
     ) -> Params:
-        """Parameters from numbers of the summits, in SI units or any other consistent system.
+        """Parameters from numbers of the summits, in SI units.
 
         Stiffness is either `composite_modulus` and `effective_shear_modulus`, or the two bodies `E1`, `nu1`, `E2`,
         `nu2`. The number of summits is either `asperity_count`, with `nominal_area` if that is known, or
@@ -328,7 +330,7 @@ class Params:
             "height_std": height_std,
             "summit_radius": summit_radius,
         }
-        return cls._made(moduli | named | summits, options)
+        return cls._made(moduli | named | summits | {"in_si": True}, options)
 
     @classmethod
     def _made(cls, fields: dict[str, Any], options: Any) -> Params:
@@ -537,7 +539,7 @@ class Params:
         struct = _initialised()
         check(LIBRARY.asperity_params_read(ctypes.byref(struct), os.fsencode(path)))
         try:
-            return cls._of_struct(struct)
+            return cls._of_struct(struct, True)
         except Error as error:
             raise Error(f"{os.fsdecode(path)}: {error}", error.status) from None
 
@@ -547,41 +549,47 @@ class Params:
 
         Args:
             text: in TOML.
-            start: what parameters are that the text does not give; without, they are the defaults.
+            start: what parameters are that the text does not give, in its units; without, they are the defaults.
 
         Raises:
             Error: as `from_toml`; the message names the line and the key.
         """
         struct = _initialised() if start is None else start._as_struct()
         _set_text(struct, text)
-        return cls._of_struct(struct)
+        return cls._of_struct(struct, start is None or start.in_si)
 
     def to_toml(self, path: str | os.PathLike[str]) -> None:
         """Writes a file of which `from_toml` makes equal parameters; fields that have their defaults are left out.
 
         A measurement that was made on another surface becomes a comment.
+
+        Raises:
+            Error: parameters that are not `in_si`: files are in SI units; or parameters that the library refuses.
         """
         _output.write(path, self.to_text())
 
     def to_text(self) -> str:
-        """The text that `to_toml` writes."""
+        """The text that `to_toml` writes; it raises the same."""
+        if not self.in_si:
+            says = "in_si = False: must be True, as a surface file is in SI units: convert by in_units, then replace(in_si=True)"
+            raise Error(says, Status.INVALID_PARAMETER)
         found = text_of(LIBRARY.asperity_params_text, ctypes.byref(self._as_struct()))
         if not found:
             raise Error(last_error(), Status.INVALID_PARAMETER)
         return found
 
     @classmethod
-    def _of_struct(cls, struct: Any) -> Params:
-        values: dict[str, Any] = {}
-        for field in fields(cls):
-            value = getattr(struct, field.name)
-            if field.name in _header.WORDS:
-                value = next(word for word, number in _header.WORDS[field.name].items() if number == value)
-            elif field.name in ("table_height", "table_density"):
+    def _of_struct(cls, struct: Any, in_si: bool) -> Params:
+        values: dict[str, Any] = {"in_si": in_si}
+        for name in _of_library():
+            value = getattr(struct, name)
+            if name in _header.WORDS:
+                value = next(word for word, number in _header.WORDS[name].items() if number == value)
+            elif name in ("table_height", "table_density"):
                 value = value[: struct.table_length]
             elif math.isnan(value):
-                raise Error(f"{field.name}: must be set", Status.INVALID_PARAMETER)
-            values[field.name] = value
+                raise Error(f"{name}: must be set", Status.INVALID_PARAMETER)
+            values[name] = value
         return cls(**values)
 
     def replace(self, **changes: Any) -> Params:
@@ -643,10 +651,10 @@ class Params:
         struct: Any = self._as_struct()
         struct.calibration_error = _real("error", error)
         check(call(ctypes.byref(struct), _real("load", load), _real(name, value)))
-        return self._of_struct(struct)
+        return self._of_struct(struct, self.in_si)
 
     def in_units(self, *, length: float, force: float) -> Params:
-        """A copy in other units: of parameters in SI units, as a surface file has them, in those of a solver.
+        """A copy in other units: of parameters in SI units, as a surface file has them, in those of a solver, not `in_si` then.
 
         Args:
             length: the new unit of length in the present one, > 0: 1e-3 from m to mm.
@@ -658,7 +666,7 @@ class Params:
         struct: Any = self._as_struct()
         units = _real("length", length), _real("force", force)
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
-        return self._of_struct(struct)
+        return self._of_struct(struct, self.in_si and units == (1.0, 1.0))
 
     def elastic_plastic(self, hardness: float) -> Params:
         """A copy whose summits yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
@@ -668,7 +676,7 @@ class Params:
         """
         struct: Any = self._as_struct()
         check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), _real("hardness", hardness)))
-        return self._of_struct(struct)
+        return self._of_struct(struct, self.in_si)
 
     def with_interface(self, name: str) -> Params:
         """A copy whose strength of the interface was measured on other specimens, by the name of the interface.
@@ -685,7 +693,7 @@ class Params:
         """
         struct: Any = self._as_struct()
         check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), name.encode()))
-        return self._of_struct(struct)
+        return self._of_struct(struct, self.in_si)
 
     def __repr__(self) -> str:
         shown = [field for field in fields(self) if getattr(self, field.name) != field.default]
@@ -699,13 +707,13 @@ class Params:
 
     def _as_struct(self) -> _header.asperity_params:
         struct: Any = _initialised()
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if field.name in _header.WORDS:
-                value = _header.WORDS[field.name][value]
+        for name in _of_library():
+            value = getattr(self, name)
+            if name in _header.WORDS:
+                value = _header.WORDS[name][value]
             elif isinstance(value, tuple):
                 value = (ctypes.c_double * len(value))(*value)  # the struct keeps it alive
-            setattr(struct, field.name, value)
+            setattr(struct, name, value)
         struct.table_length = len(self.table_height)
         return struct  # type: ignore[no-any-return]
 
@@ -715,6 +723,11 @@ class Params:
         text = ctypes.create_string_buffer(LIBRARY.asperity_params_text(ctypes.byref(struct), None, 0) + 1)
         LIBRARY.asperity_params_text(ctypes.byref(struct), text, len(text))
         return text.value.decode()
+
+
+def _of_library() -> list[str]:
+    """The fields that the library has too."""
+    return [field.name for field in fields(Params) if field.name != "in_si"]
 
 
 def _popped(given: dict[str, Any], names: Sequence[str]) -> dict[str, Any]:
@@ -877,6 +890,7 @@ def _column(name: str, value: Any) -> tuple[float, ...]:
 
 _CHECKS: dict[str, Any] = {
     "attraction": _flag,
+    "in_si": _flag,
     "table_height": _column,
     "table_density": _column,
     **dict.fromkeys(_header.WORDS, _word),
