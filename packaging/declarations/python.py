@@ -102,7 +102,7 @@ def options(header):
     """The fields with a default, as arguments by name."""
     for one in header.params:
         if one.name not in {*header.inputs, *NO_OPTIONS, "table_length"}:
-            yield f"        {one.name}: {annotation(one, header)}"
+            yield f"    {one.name}: {annotation(one, header)}"
 
 
 def annotation(one, header):

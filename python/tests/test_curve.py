@@ -96,8 +96,10 @@ def test_loads_that_a_curve_cannot_have_are_refused(model: Model, loads: Any) ->
 
 
 def test_a_curve_is_drawn_with_its_band_and_units(model: Model, tmp_path: Path) -> None:
-    curve = model.curve(LOADS, spread={"w": 0.2})
-    figure = curve.plot(tmp_path / "curve.svg", units="SI")
+    assert model.curve(LOADS).plot().axes[0].get_xlabel() == "normal load $P$ [force]"
+    curve = Model(model.params.replace(in_si=True)).curve(LOADS, spread={"w": 0.2})
+    assert "from 1 to 100 [N]; " in repr(curve)
+    figure = curve.plot(tmp_path / "curve.svg")
     (axes,) = figure.axes
     assert axes.get_xlabel() == "normal load $P$ [N]" and axes.get_xscale() == "log"
     assert np.array_equal(axes.lines[0].get_xydata(), np.column_stack([LOADS, curve.friction_coefficient]))
@@ -105,11 +107,9 @@ def test_a_curve_is_drawn_with_its_band_and_units(model: Model, tmp_path: Path) 
     assert len(axes.collections) == 1 and legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["95 % band\nstrength of the interface: as given\nw: 20 %"]
     again = tmp_path / "again.svg"
-    curve.plot(again, units="SI")
+    curve.plot(again)
     assert again.read_bytes() == (tmp_path / "curve.svg").read_bytes()
     assert curve.plot(axes=axes) is figure and len(axes.lines) == 2
-    with pytest.raises(ValueError, match="units = 'mm': must be 'SI', or None"):
-        curve.plot(units="mm")
 
 
 def test_figures_have_one_style_whatever_the_caller_set(model: Model) -> None:

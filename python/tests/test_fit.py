@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import re
 import subprocess
@@ -455,11 +456,9 @@ def test_the_figure_shows_data_fit_and_residuals(found: Fit, tmp_path: Path) -> 
     texts = "\n".join(text.get_text() for text in legend.get_texts()) if legend is not None else ""
     assert "gamma = " in texts and "95 % band of the fit" in texts and f"sigma = {found.values['sigma']:.4g}" in texts
     assert texts.count("[length]") == 1 and below.get_xlabel() == "normal load $P$ [force]"
-    above, below = found.plot(units="SI").axes
+    above, below = dataclasses.replace(found, params=found.params.replace(in_si=True)).plot().axes
     legend = above.get_legend()
     assert legend is not None and any("[m]" in text.get_text() for text in legend.get_texts()) and below.get_xlabel().endswith("[N]")
-    with pytest.raises(ValueError, match="units = 'cgs': must be 'SI'"):
-        found.plot(units="cgs")  # type: ignore[arg-type]
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import re
 import sys
+from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pandas
@@ -14,6 +15,7 @@ import pytest
 
 import asperity
 from asperity import Error, Estimate, Model, Params, ValidityWarning, friction, uncertainty
+from asperity._surface_text import KEYS, Roughness, Surface, text_of
 from asperity.materials import PAIRS, contact
 
 # Nobody measured the strength of these interfaces, and they say so.
@@ -54,8 +56,8 @@ def test_roughness_is_taken_in_several_forms() -> None:
     mean = {**ROUGH, "Ra": ROUGH["Sq"] * math.sqrt(2 / math.pi)}
     del mean["Sq"]
     assert friction("Si/Si", **mean, load=1e5).value == pytest.approx(expected, rel=1e-9)
-    summits = {"height_std": params.height_std, "summit_radius": params.summit_radius, "summit_density": params.asperity_count}
-    radii = {"radius_amplitude": params.radius_amplitude, "radius_rate": params.radius_rate}
+    summits: dict[str, Any] = {"height_std": params.height_std, "summit_radius": params.summit_radius, "summit_density": params.asperity_count}
+    radii: dict[str, Any] = {"radius_amplitude": params.radius_amplitude, "radius_rate": params.radius_rate}
     assert friction("Si/Si", **summits, **radii, load=1e5).value == pytest.approx(expected, rel=1e-9)
     two = friction("Si/Si", Rq=np.array([5e-9, 4e-9]), RSm=[600e-9, 900e-9], load=1e5)
     assert two.value != friction("Si/Si", Rq=5e-9, RSm=600e-9, load=1e5).value
@@ -129,6 +131,22 @@ def test_a_pair_that_was_measured_elsewhere_begins_with_that() -> None:
 def test_bad_input_is_refused(arguments: dict[str, Any], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         friction(**{**ROUGH, "pair": "Si/Si", "load": 1e5, **arguments})
+
+
+def test_the_names_that_types_know_are_those_of_the_library() -> None:
+    """And mypy refuses others: it complains of an ignored error that is none."""
+    with pytest.raises(Error, match="RSmm: no such key; the nearest is RSm"):
+        friction("steel/steel", Ra=1e-6, RSmm=1e-4, load=1.0)  # type: ignore[call-arg]
+    with pytest.raises(Error, match="must be one of ") as refused:
+        friction("steel/steel", process="grund", load=1.0)  # type: ignore[arg-type]
+    told = str(refused.value).partition("must be one of ")[2].split(", ")
+    assert told == list(get_args(get_type_hints(Roughness)["process"]))
+    known = set(chain(*KEYS.values()))
+    assert known == Surface.__annotations__.keys() | {"pair", "nominal_area", "coverage"} and sum(map(len, KEYS.values())) == len(known)
+    for name in known - {"pair"}:
+        with pytest.raises(Error) as caught:
+            Params.from_text(text_of([(name, "[[]]")]))
+        assert "no such key" not in str(caught.value), name
 
 
 def test_what_does_not_hold_is_warned_of() -> None:

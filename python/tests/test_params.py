@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import pickle
 from dataclasses import FrozenInstanceError, dataclass
@@ -9,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import HARD_CARBON
 
 from asperity import Error, Model, Params, Status, Warnings, _units
 from asperity.materials import PAIRS
@@ -115,8 +117,9 @@ def test_one_measured_point_gives_the_strength(params: Params) -> None:
 def test_a_measurement_is_kept_until_the_strength_is_another(params: Params, tmp_path: Path) -> None:
     measured = params.calibrated(5.0, 0.4, error=0.1)
     assert (measured.calibration_load, measured.calibration_friction_force, measured.calibration_error) == (5.0, 2.0, 0.1)
-    measured.to_toml(tmp_path / "surface.toml")
-    for same in (pickle.loads(pickle.dumps(measured)), eval(repr(measured)), Params.from_toml(tmp_path / "surface.toml")):
+    measured.replace(in_si=True).to_toml(tmp_path / "surface.toml")
+    assert Params.from_toml(tmp_path / "surface.toml") == measured.replace(in_si=True)
+    for same in (pickle.loads(pickle.dumps(measured)), eval(repr(measured))):
         assert same == measured
     assert measured.replace(height_std=9.0).calibration_friction_force == 2.0
     with Model(measured) as model:
@@ -177,6 +180,25 @@ def test_other_units_change_numbers_and_no_friction(params: Params) -> None:
     assert Model(other).friction_at_load(0.2) == pytest.approx(Model(params).friction_at_load(2.0), rel=1e-9)
     with pytest.raises(Error, match="^length = 0: must be"):
         params.in_units(length=0.0, force=1.0)
+
+
+def test_parameters_remember_that_they_are_in_si_units(params: Params, tmp_path: Path) -> None:
+    steel = Params.si(**PAIRS["steel/steel"].contact, height_std=0.3e-6, summit_radius=1e-5, asperity_count=1.7e6)
+    profile = Params.from_profile(Rq=5e-9, RSm=600e-9, nominal_area=1e-8, **PAIRS["Si/Si"].contact)
+    of_files = (Params.from_toml(HARD_CARBON), Params.from_text(steel.to_text()))
+    for metric in (steel, profile, *of_files, steel.calibrated(20.0, 0.16), steel.calibrated_force(20.0, 3.2), steel.elastic_plastic(3e9)):
+        same = (metric, copy.deepcopy(metric), pickle.loads(pickle.dumps(metric)), eval(repr(metric)), metric.replace(height_std=1e-7))
+        assert all(one.in_si for one in (*same, metric.in_units(length=1, force=1.0), Model(metric).params))
+        assert metric.replace(in_si=False) != metric
+        assert "[N/m]" in str(metric) and "[Pa]" in str(metric) and "in_si" not in str(metric) + metric._repr_html_()
+    assert Params.from_text("height_std = 2e-9", start=steel).in_si and steel.with_interface("MoS2 film in dry air").in_si
+    for other in (steel.in_units(length=1e-3, force=1.0), params, params.replace(skew=0.1), Params.from_text("skew = 0.1", start=params)):
+        assert not other.in_si
+        with pytest.raises(Error, match=r"^in_si = False: .*in SI units: convert by in_units, then replace\(in_si=True\)"):
+            other.to_toml(tmp_path / "surface.toml")
+    assert not (tmp_path / "surface.toml").exists()
+    with pytest.raises(Error, match="^in_si = 'SI': must be True or False"):
+        params.replace(in_si="SI")
 
 
 def test_summits_that_yield_have_a_hardness_and_no_adhesion(params: Params) -> None:

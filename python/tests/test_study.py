@@ -81,7 +81,7 @@ def test_the_dataset_says_what_it_is(small: xarray.Dataset) -> None:
     assert units == {"load": "force", "friction_force": "force", "tangential_stiffness": "force/length", "height_std": "length"}
     flags = small["warnings"].attrs
     assert flags["flag_meanings"].split()[0] == "PLASTIC" and flags["flag_masks"].tolist() == [int(one) for one in Warnings]
-    metric = study(PARAMS, {"height_std": [10.0]}, [1.0], units="SI", warnings=False, progress=False)
+    metric = study(PARAMS.replace(in_si=True), {"height_std": [10.0]}, [1.0], warnings=False, progress=False)
     assert metric["tangential_stiffness"].attrs["units"] == "N/m" and "warnings" not in metric
 
 

@@ -269,7 +269,7 @@ OTHERS: list[tuple[dict[str, Any], str]] = [
     ({"sampling": "latin"}, "sampling = 'sobol' where this one has 'latin'"),
     ({"warnings": False}, "warnings = True where this one has False"),
     ({"block": 5}, "block = 4 where this one has 5"),
-    ({"units": "SI"}, "units = '' where this one has 'SI'"),
+    ({"params": PARAMS.replace(in_si=True)}, "params = 'Params.* where this one has 'Params"),
 ]
 
 

@@ -6,7 +6,7 @@ import math
 import warnings
 from dataclasses import dataclass, field
 from statistics import NormalDist
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -29,6 +29,11 @@ from .materials import Pair
 from .one_line import of_pair
 from .params import Params, counted_of, moments_of
 from .results import Warnings
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._surface_text import Joint
 
 FAMILIES = ("gaussian", "weibull", "johnson", "tabulated")
 
@@ -156,7 +161,7 @@ def analyse(
     counted: bool | None = None,
     coverage: float = 0.95,
     progress: Progress = None,
-    **surface: Any,
+    **surface: Unpack[Joint],
 ) -> Analysis:
     """A friction coefficient with its band, and a verdict: from a map as the instrument gave it, in SI units.
 
@@ -200,7 +205,7 @@ def analyse(
         raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
     # What the map cannot be blamed for is refused at once, of a plain surface.
     given = {} if pair is None else dict(of_pair(pair))
-    given |= {"coverage": coverage} | surface
+    given |= {"coverage": coverage} | dict(surface)
     _estimate(given | {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, 1e5, coverage)
     steps: list[str] = []
     findings: list[Finding] = []

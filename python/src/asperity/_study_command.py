@@ -46,7 +46,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
             parser.error('--indices: needs sampling = "saltelli" in [study]')
         found = study(
             told.params, told.vary, told.loads, executor=executor, workers=options.workers, checkpoint=options.output,
-            progress=False if options.quiet else True, units="SI", **told.options,
+            progress=False if options.quiet else True, **told.options,
         )  # fmt: skip
         _tell(found, options.output)
         if options.indices is not None:

@@ -23,6 +23,7 @@ from . import _caller, _output
 from ._many_surfaces import Answers
 from ._study_draws import digest
 from ._study_lock import locked
+from ._units import SI
 from .errors import Status
 from .results import Warnings
 
@@ -58,7 +59,7 @@ _VARIABLES: dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]] = {
 # What of the identity changes with the number of samples.
 _DRAWN = "bits of the parameters drawn"
 _OF_SAMPLES = ("samples", "block", _DRAWN)
-_SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m2"}
+_SI = SI | {"length^2": "m2"}  # as CF has them
 
 
 class Layout:
@@ -75,12 +76,12 @@ class Layout:
 
     def __init__(
         self, parameters: dict[str, tuple[Array, str]], load: Array, attributes: dict[str, Any], identity: dict[str, Any],
-        block: int, warnings: bool, units: str | None,
+        block: int, warnings: bool, in_si: bool,
     ) -> None:  # fmt: skip
         self.parameters, self.load, self.block = parameters, load, block
         self.attributes, self.identity = attributes, identity
         self.names = [name for name in _VARIABLES if warnings or name != "warnings"]
-        self._si = units == "SI"
+        self._in_si = in_si
 
     @property
     def surfaces(self) -> int:
@@ -88,7 +89,7 @@ class Layout:
 
     def unit(self, dimension: str) -> str:
         """The unit of a dimension: the dimension itself where the system of units is the caller's own."""
-        return _SI.get(dimension, dimension or "1") if self._si else dimension or "1"
+        return _SI.get(dimension, dimension or "1") if self._in_si else dimension or "1"
 
     def described(self, name: str) -> dict[str, Any]:
         """The attributes of a variable."""

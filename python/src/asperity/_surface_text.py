@@ -1,26 +1,69 @@
-"""The text of a surface, of numbers and words by name: what Python and the command line hand to the library."""
+"""The keys of a surface, and its text: what Python and the command line hand to the library."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import MISSING, fields
-from typing import Any, Iterable
+from itertools import chain
+from typing import Any, Iterable, Literal, Sequence, TypedDict, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from .errors import Error
-from .params import CALIBRATION, Params
+from .params import Bodies, Contact, Params
+
+Numbers = Union[float, Sequence[float], npt.NDArray[Any]]
+
+
+class Joint(Contact, total=False):
+    """Two materials, what is between them, and what was measured of them."""
+
+    first: str
+    second: str
+    interface: str
+    measured: Union[Sequence[float], Sequence[Sequence[float]], npt.NDArray[Any]]
+
+
+class Roughness(TypedDict, total=False):
+    """The roughness of one surface, or of two as two numbers."""
+
+    m0: Numbers
+    m2: Numbers
+    m4: Numbers
+    Ra: Numbers
+    Rq: Numbers
+    RSm: Numbers
+    Rdq: Numbers
+    Sq: Numbers
+    Sdq: Numbers
+    Ssc: Numbers
+    Sds: Numbers
+    Ssk: float
+    Sku: float
+    summits: Literal["moments", "mccool"]
+    process: Literal["superfinished", "lapped", "honed", "ground", "turned", "bored", "milled"]
+
+
+class Surface(Joint, Roughness, total=False):
+    """All that surface files have beside the pair, the nominal area and the coverage."""
+
+    height_std: float
+    summit_radius: float
+    asperity_count: float
+    summit_density: float
+
 
 REQUIRED = tuple(field.name for field in fields(Params) if field.default is MISSING)
-OPTIONAL = tuple(
-    field.name for field in fields(Params) if field.default is not MISSING and field.name not in (*CALIBRATION, "nominal_area")
-)
-# The keys of surface files, by their table.
+_IN_TABLES = {"materials": ("first", "second", *Bodies.__annotations__), "roughness": tuple(Roughness.__annotations__)}
+_APART = [*REQUIRED, "summit_density", *chain(*_IN_TABLES.values())]
+# The keys of surface files, by their table, in the order of the help.
 KEYS = {
-    "": ("pair", *REQUIRED, "summit_density", "nominal_area", *OPTIONAL, "interface", *CALIBRATION, "measured", "coverage"),
-    "materials": ("first", "second", "E1", "nu1", "E2", "nu2"),
-    "roughness": ("m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits", "process"),
-}
+    "": (
+        "pair", *REQUIRED, "summit_density", "nominal_area", *(name for name in Surface.__annotations__ if name not in _APART), "coverage",
+    ),
+    **_IN_TABLES,
+}  # fmt: skip
 
 
 def text_of(given: Iterable[tuple[str, str]]) -> str:

@@ -12,21 +12,27 @@ from ._header import UNITS
 SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m^2"}
 
 
+def unit(dimension: str, in_si: bool) -> str:
+    """The SI unit of a dimension; the dimension itself if the system of units is the caller's own."""
+    return SI.get(dimension, dimension) if in_si else dimension
+
+
 def rows(of: Any) -> list[tuple[str, str, str]]:
-    """Name, value and dimension of each field of a dataclass that is not at its default."""
-    shown = [field for field in fields(of) if getattr(of, field.name) != field.default]
-    return [(field.name, _value(getattr(of, field.name)), UNITS.get(field.name, "")) for field in shown]
+    """Name, value and unit of each field of a dataclass that is not at its default."""
+    in_si = getattr(of, "in_si", False)
+    shown = [field.name for field in fields(of) if getattr(of, field.name) != field.default and field.name != "in_si"]
+    return [(name, _value(getattr(of, name)), unit(UNITS.get(name, ""), in_si)) for name in shown]
 
 
 def text(of: Any) -> str:
     """A dataclass with its units, a line for each field."""
-    lines = [f"  {name:28} {value}{f' [{unit}]' if unit else ''}" for name, value, unit in rows(of)]
+    lines = [f"  {name:28} {value}{f' [{of_it}]' if of_it else ''}" for name, value, of_it in rows(of)]
     return "\n".join([type(of).__name__, *lines])
 
 
 def table(of: Any) -> str:
     """The same as a table of HTML."""
-    cells = (f"<tr><td>{name}</td><td>{escape(value)}</td><td>{escape(unit)}</td></tr>" for name, value, unit in rows(of))
+    cells = (f"<tr><td>{name}</td><td>{escape(value)}</td><td>{escape(of_it)}</td></tr>" for name, value, of_it in rows(of))
     return f"<table><caption>{type(of).__name__}</caption>{''.join(cells)}</table>"
 
 

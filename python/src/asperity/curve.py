@@ -15,6 +15,7 @@ import numpy.typing as npt
 from ._band_figure import drawn
 from ._labelled import frame
 from ._sparkline import sparkline
+from ._units import unit
 from .params import Params
 from .results import Warnings
 
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = npt.NDArray[np.float64]
-
-UNITS = {"SI": {"force": "N"}, None: {"force": "force"}}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -53,26 +52,20 @@ class Curve:
     warnings: Warnings
     rests_on: tuple[str, ...]
 
-    def plot(
-        self, file: str | os.PathLike[str] | None = None, *, units: str | None = None, axes: Axes | None = None
-    ) -> Figure:
+    def plot(self, file: str | os.PathLike[str] | None = None, *, axes: Axes | None = None) -> Figure:
         """Draws the coefficient over the load, with the band and what it rests on, and writes the figure if a file is named.
 
         The axis of the coefficient is logarithmic where the band spans more than a factor of 10.
 
         Args:
             file: its ending is its format, for example "curve.svg".
-            units: "SI" if loads are in N.
             axes: of a figure of your own to draw in.
 
         Raises:
             ImportError: matplotlib is missing.
-            ValueError: other units.
         """
-        if units not in UNITS:
-            raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
         label = "\n".join((self._band(), *self.rests_on))
-        return drawn(file, axes, UNITS[units]["force"], self.load, self.friction_coefficient, self.low, self.high, label)
+        return drawn(file, axes, self._unit(), self.load, self.friction_coefficient, self.low, self.high, label)
 
     def to_pandas(self) -> Any:
         """A `pandas.DataFrame` of the arrays, a row for each load.
@@ -84,10 +77,13 @@ class Curve:
         return frame({name: getattr(self, name) for name in names if getattr(self, name) is not None})
 
     def __repr__(self) -> str:
-        ends = f"{self.load[0]:.4g} to {self.load[-1]:.4g} [force]"
+        ends = f"{self.load[0]:.4g} to {self.load[-1]:.4g} [{self._unit()}]"
         values = f"{self.friction_coefficient[0]:.4g} to {self.friction_coefficient[-1]:.4g}"
         band = f"{self._band()}; " if self.coverage is not None else ""
         return f"<Curve: friction coefficient {values} at {self.load.size} loads from {ends}; {band}{'; '.join(self.rests_on)}>"
+
+    def _unit(self) -> str:
+        return unit("force", self.params.in_si)
 
     def _band(self) -> str:
         return f"{100 * (self.coverage or 0.0):g} % band"

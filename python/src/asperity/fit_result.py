@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Iterable, Literal, NamedTuple
+from typing import TYPE_CHECKING, Iterable, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _units
 from ._friction_law import FrictionLaw
 from ._style import saved, style
-from ._units import SI
 from .fit_names import STRENGTHS
 from .fit_search import Data, Search
 from .params import Params
@@ -200,31 +200,29 @@ class Fit:
         difference = self.measured - self.fitted
         return difference if self.sigma is None else difference / self.sigma
 
-    def plot(self, file: str | os.PathLike[str] | None = None, *, units: Literal["SI"] | None = None) -> Figure:
+    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
         """Draws data and fit over the load with its band of 95 %, the residuals below.
+
+        Legend and axes have the SI units if the parameters are `in_si`, and otherwise say of which dimension each number is.
 
         Args:
             file: to write the figure to; its ending is its format, for example "fit.svg".
-            units: "SI" if loads and parameters are in SI units, which are named then; without, legend and axes say of
-                which dimension each number is.
 
         Raises:
             ImportError: matplotlib is missing.
         """
-        return _draw(self, file, units)
+        return _draw(self, file)
 
     def __str__(self) -> str:
         lines = [f"{name} = {_with_error(self.values[name], self.errors[name])}" for name in self.free]
         return "\n".join([*lines, self.message])
 
 
-def _draw(fit: Fit, file: str | os.PathLike[str] | None, units: str | None) -> Figure:
+def _draw(fit: Fit, file: str | os.PathLike[str] | None) -> Figure:
     """Draws it, and writes it if a file is named."""
-    if units not in (None, "SI"):
-        raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
 
     def unit(dimension: str) -> str:
-        return f" [{dimension if units is None else SI[dimension]}]" if dimension else ""
+        return f" [{_units.unit(dimension, fit.params.in_si)}]" if dimension else ""
 
     with style():
         from matplotlib.figure import Figure

@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator
 
 import numpy as np
 
@@ -18,6 +18,11 @@ from .estimate import Estimate, estimate
 from .materials import PAIRS, Pair
 from .results import ValidityWarning
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._surface_text import Surface
+
 
 def friction(
     pair: str | Pair,
@@ -25,7 +30,7 @@ def friction(
     load: Any,
     nominal_area: float = 1.0,
     coverage: float = 0.95,
-    **surface: Any,
+    **surface: Unpack[Surface],
 ) -> Estimate:
     """The friction coefficient of two materials with a roughness, at a load or at many, with its band. SI units.
 
@@ -73,7 +78,7 @@ def friction(
         raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
     if not 0 < coverage < 1:
         raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
-    given = dict(of_pair(pair)) | {"nominal_area": nominal_area, "coverage": coverage} | surface
+    given = dict(of_pair(pair)) | {"nominal_area": nominal_area, "coverage": coverage} | dict(surface)
     try:
         found = estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
     except Error as error:

@@ -60,7 +60,6 @@ def study(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: Progress = True,
     warnings: bool = True,
-    units: str | None = None,
     block: int | None = None,
 ) -> xarray.Dataset:
     """Friction of many surfaces at each of many loads.
@@ -94,12 +93,11 @@ def study(
             being done.
         warnings: whether to find the warnings of each state. They need an exact state for each load: without them a study of
             many loads takes a fraction of the time.
-        units: "SI" if the parameters are in SI units, for the attributes; by default they tell dimensions.
         block: surfaces in a block, by default up to 256.
 
     Returns:
         A dataset of (sample, load): friction_coefficient, friction_force, tangential_stiffness, warnings; of each sample status
-        and reason; the parameters as coordinates of sample. A surface that the library refuses has NaN, its status and the
+        and reason; the parameters as coordinates of sample; each with its SI unit if `params` are `in_si`, else its dimension. A surface that the library refuses has NaN, its status and the
         reason; it is counted in the attribute `refused` and never drawn anew. A load that is too heavy for a surface has NaN
         there alone.
 
@@ -113,8 +111,6 @@ def study(
     _require()
     if not isinstance(params, Params):
         raise TypeError(f"params = {params!r}: must be a Params")
-    if units not in (None, "SI"):
-        raise ValueError(f"units = {units!r}: must be 'SI', or None if they are others")
     _blocks.checked_workers(workers)
     load = _checks.one_or_more_loads(loads, "one-dimensional, one or more real numbers")
     seed = _whole("seed", seed, 0, 2**63 - 1)
@@ -124,7 +120,7 @@ def study(
         raise ValueError(f"loads: {load.size} of them for {surfaces} surfaces; must be at most {_MOST_STATES:g} states together")
     usual = max(1, min(_BLOCK, surfaces // _BLOCKS, _NUMBERS // load.size))
     size = usual if block is None else _whole("block", block, 1, surfaces)
-    layout = _layout(params, draws, load, seed, sampling, size, bool(warnings), units)
+    layout = _layout(params, draws, load, seed, sampling, size, bool(warnings))
     with nullcontext(Memory(layout)) if checkpoint is None else _study_store.checkpoint(checkpoint, layout) as store:
         missing = store.missing()
 
@@ -164,9 +160,8 @@ class _Told:
 
 
 def _layout(
-    params: Params, draws: _study_draws.Draws, load: Array, seed: int, sampling: str, block: int, warnings: bool,
-    units: str | None,
-) -> Layout:  # fmt: skip
+    params: Params, draws: _study_draws.Draws, load: Array, seed: int, sampling: str, block: int, warnings: bool
+) -> Layout:
     names = names_of(draws.names, params)
     parameters = {
         name.given: (draws.values[:, j], UNITS.get(name.field, name.dimension)) for j, name in enumerate(names)
@@ -184,13 +179,12 @@ def _layout(
     identity = {
         **{name: value for name, value in attributes.items() if name != "title"},
         "loads": f"{load.size} from {load.min():g} to {load.max():g}",
-        "units": units or "",
         "warnings": warnings,
         "block": block,
         "bits of the loads": _study_draws.digest(load),
         "bits of the parameters drawn": _study_draws.digest(draws.values),
     }
-    return Layout(parameters, load, attributes, identity, block, warnings, units)
+    return Layout(parameters, load, attributes, identity, block, warnings, params.in_si)
 
 
 def _whole(name: str, value: Any, least: int, most: int) -> int:

@@ -333,10 +333,10 @@ def strength_of(law: FrictionLaw) -> Strength:
     params = law.params
     load, force, error = params.calibration_load, params.calibration_friction_force, 100 * params.calibration_error
     if force > 0:
+        at = f"{load:g} {'N' if params.in_si else '[force]'} to {error:.3g} %"
         if abs(law.friction_force_at_load(load) - force) <= _SAME * force:
-            return Strength(STRENGTH_DEVIATION, True, f"strength of the interface: measured at {load:g} [force] to {error:.3g} %")
-        told = f"strength of the interface: measured on another surface, at {load:g} [force] to {error:.3g} %"
-        return Strength(params.calibration_error, False, told)
+            return Strength(STRENGTH_DEVIATION, True, f"strength of the interface: measured at {at}")
+        return Strength(params.calibration_error, False, f"strength of the interface: measured on another surface, at {at}")
     return Strength(STRENGTH_DEVIATION, False, NOT_MEASURED) if law.uncalibrated else Strength(0.0, False, AS_GIVEN)
 
 
