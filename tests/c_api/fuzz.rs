@@ -53,7 +53,9 @@ fn input(seed: u64) -> Vec<u8> {
 /// off, a slope at a far displacement.
 #[test]
 fn bytes_that_once_failed_do_not_again() {
-    for seed in [0xa9e_0001_6062, 0xdc9_0001_6062, 0x15e7_0001_6062, 0x1a14_0001_6062, 0x2a9e_0001_6062, 0x687c_0000_0309] {
+    for seed in
+        [0xa9e_0001_6062, 0xdc9_0001_6062, 0x15e7_0001_6062, 0x1a14_0001_6062, 0x2a9e_0001_6062, 0x687c_0000_0309]
+    {
         run(&input(seed), &mut Tally::default());
     }
 }
