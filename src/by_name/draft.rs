@@ -77,12 +77,12 @@ impl Draft {
         }
         if self.skew != 0.0 {
             let allowed =
-                "must be 0 unless heights are Johnson's; the skew of Weibull heights follows from weibull_shape";
+                "must be 0 unless heights are Johnson's: choose those, or the weibull_shape of this skew";
             return Err(Error::invalid("skew", self.skew, allowed));
         }
         if self.kurtosis != 3.0 {
             let allowed =
-                "must be 3 unless heights are Johnson's; the kurtosis of other heights follows from their shape";
+                "must be 3 unless heights are Johnson's: choose those, with skew and kurtosis";
             return Err(Error::invalid("kurtosis", self.kurtosis, allowed));
         }
         Ok(())

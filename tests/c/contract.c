@@ -656,7 +656,7 @@ static void names_of_heights_choose_them(void)
     refuses_shape(p, "skew = -1: must be 0 unless heights are Johnson's");
     p = surface(0);
     CHECK(asperity_params_set_values(&p, 2, gaussian, skewed) == ASPERITY_OK, "%s", last_message());
-    refuses_shape(p, "ASPERITY_HEIGHTS_JOHNSON, or call asperity_params_set_skew");
+    refuses_shape(p, "choose those, or the weibull_shape of this skew");
 }
 
 static void names_are_refused_with_the_nearest_and_nothing_changes(void)
