@@ -132,7 +132,6 @@ def test_indices_need_independent_parameters(vary: Any, message: str) -> None:
         ({"seed": 10**400}, "seed = a number of more than 300 digits: must be from 0"),
         ({"seed": 0.5}, "seed = 0.5: must be a whole number"),
         ({"sampling": "monte carlo"}, "sampling = 'monte carlo': must be one of 'sobol'"),
-        ({"units": "cgs"}, "units = 'cgs': must be 'SI'"),
         ({"block": 0}, "block = 0: must be from 1 to 8"),
         ({"workers": 0}, "workers = 0: must be from 1 to 1024"),
         ({"workers": 1.5}, "workers = 1.5: must be a whole number"),
