@@ -255,7 +255,7 @@ test("a text alone has friction with its band", () => {
   const one = estimate(text, 10);
   assert.ok(Math.abs(one.friction_coefficient - 0.194) < 5e-4 && one.low > 0.16 && one.high < 0.23);
   assert.equal(one.strength_source, "measured");
-  assert.equal(one.friction_force, 10 * one.friction_coefficient);
+  assert.ok(Math.abs(one.friction_force / (10 * one.friction_coefficient) - 1) < 1e-15);
   const many = estimate(text, Float64Array.from({ length: 3000 }, (_, i) => 1 + i));
   assert.equal(many.length, 3000);
   assert.ok(Math.abs(many[9].low / one.low - 1) < 1e-6 && many[2999].load === 3000);
