@@ -17,7 +17,7 @@ from pathlib import Path
 from targets import ROOT, Refusal, demand_size, run
 
 # A released shared library, stripped. Who adds a part that is worth its bytes raises it.
-LIBRARY_LIMIT = 1_050_000
+LIBRARY_LIMIT = 1_055_000
 # What gives the functions in the trace of a panic their names: only `make dist` builds Rust's standard library without it.
 NAMES_OF_TRACES = 270_000
 

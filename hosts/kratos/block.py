@@ -115,7 +115,7 @@ def check_altered(folder):
     files = {name: str(folder / f"{name}.toml") for name in ("slippery", "stiffer")}
     as_it_is, slippery = surface.surface(AREA), surface.surface(AREA).replace(work_of_adhesion=0.02)
     slippery.to_toml(files["slippery"])
-    surface.surface(AREA, force=1e-2).to_toml(files["stiffer"])  # all its stresses are 100 times as great
+    surface.surface(AREA, force=1e-2).replace(in_si=True).to_toml(files["stiffer"])  # all its stresses are 100 times as great
 
     def in_hectopascal(parameters):
         process_of(parameters, 1)["surface"].SetString(files["stiffer"])

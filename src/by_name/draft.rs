@@ -76,13 +76,11 @@ impl Draft {
             return Ok(());
         }
         if self.skew != 0.0 {
-            let allowed =
-                "must be 0 unless heights are Johnson's: choose those, or the weibull_shape of this skew";
+            let allowed = "must be 0 unless heights are Johnson's: choose those, or the weibull_shape of this skew";
             return Err(Error::invalid("skew", self.skew, allowed));
         }
         if self.kurtosis != 3.0 {
-            let allowed =
-                "must be 3 unless heights are Johnson's: choose those, with skew and kurtosis";
+            let allowed = "must be 3 unless heights are Johnson's: choose those, with skew and kurtosis";
             return Err(Error::invalid("kurtosis", self.kurtosis, allowed));
         }
         Ok(())
