@@ -90,9 +90,11 @@ pub struct Continuation {
 }
 
 impl Continuation {
-    /// As in a table of so many rows per binade.
-    pub const SHIFT: u32 = MANTISSA_BITS - FRACTION;
-    pub const WITHIN_ROW: u64 = !(u64::MAX << Self::SHIFT);
+    /// How far bits of x are shifted for its rows, as in a table.
+    #[inline]
+    pub const fn shift() -> u32 {
+        Table::shift_of(FRACTION)
+    }
 
     /// From the end of a table at `x` beyond an origin, where the quantity has this value and slope, to lighter or to heavier loads;
     /// `base` is the value at x = 0 of lighter ones, 0 of heavier ones.
@@ -151,8 +153,8 @@ impl Continuation {
             }
         }
         let of_mantissa = x.to_bits() & Table::MANTISSA;
-        let t = f64::from_bits(of_mantissa & Self::WITHIN_ROW | Table::ONE) - 1.0;
-        let (value, rate) = polynomial(&self.rows[(of_mantissa >> Self::SHIFT) as usize].0, t);
+        let t = f64::from_bits(of_mantissa & Table::within_row(Self::shift()) | Table::ONE) - 1.0;
+        let (value, rate) = polynomial(&self.rows[(of_mantissa >> Self::shift()) as usize].0, t);
         let per_mantissa = f64::from_bits(Table::TWICE_BIAS - (x.to_bits() - of_mantissa));
         (self.base + factor * value, factor * rate * per_mantissa)
     }

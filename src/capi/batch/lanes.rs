@@ -344,7 +344,7 @@ unsafe fn find<L: Lanes>(table: &Table, loads: L) -> Found<L> {
     let inside = L::below(offset, (table.row_count as u64) << ROW_SHIFT);
     Found {
         load,
-        t: L::splat(f64::NAN).or_where(inside, within::<L>(table.within_row(), x)),
+        t: L::splat(f64::NAN).or_where(inside, within::<L>(Table::within_row(table.shift), x)),
         offset: L::or_bits_where(L::splat_bits(0), inside, offset),
     }
 }
@@ -504,10 +504,10 @@ unsafe fn or_beyond<L: Lanes, const SLOPE: bool>(
             }
         }
         // The row's offset in bytes, as in the table, within a binade.
-        let shifted = L::shift_right(x, Continuation::SHIFT - ROW_SHIFT);
+        let shifted = L::shift_right(x, Continuation::shift() - ROW_SHIFT);
         let offset = L::and_bits(shifted, L::splat_bits((end.rows.len() as u64 - 1) << ROW_SHIFT));
         let c = L::rows(end.rows.as_ptr(), &offset);
-        let (power, rate) = polynomial::<L, SLOPE>(&c, within::<L>(Continuation::WITHIN_ROW, x));
+        let (power, rate) = polynomial::<L, SLOPE>(&c, within::<L>(Table::within_row(Continuation::shift()), x));
         value = value.or_where(is_answered, L::splat(end.base).add(factor.mul(power)));
         if SLOPE {
             slope = slope.or_where(is_answered, factor.mul(rate).mul(per_mantissa::<L>(x)));
