@@ -86,15 +86,15 @@ impl Quantity {
     fn continued(self, model: &Model, load: f64) -> (f64, f64) {
         let beyond = self.beyond(model);
         if beyond.is_moderate(load) && (self != Self::Coefficient || moderate(load)) {
-            self.from_tabulated(model, load, beyond.at_moderate(load))
+            self.of_tabulated(model, load, beyond.at_moderate(load))
         } else {
-            fp_environment::held(|| self.from_tabulated(model, load, beyond.at(load)))
+            fp_environment::held(|| self.of_tabulated(model, load, beyond.at(load)))
         }
     }
 
     /// From what tables have at a load.
     #[inline(always)]
-    fn from_tabulated(self, model: &Model, load: f64, (value, slope): (f64, f64)) -> (f64, f64) {
+    fn of_tabulated(self, model: &Model, load: f64, (value, slope): (f64, f64)) -> (f64, f64) {
         match self {
             Self::Coefficient => model.coefficient_and_slope(load, value, slope),
             _ => (value, slope),
