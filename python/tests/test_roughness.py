@@ -223,7 +223,7 @@ def test_asperities_of_a_map_follow_from_its_moments_and_summits_are_counted_whe
     assert counted.summit_mean_height == found.height_mean.value > 0
     load = 1e-3 * found.iso.Sdq * found.nominal_area
     assert Warnings.BROAD in Model(counted).check(load, load) and Warnings.BROAD not in Model(by_moments).check(load, load)
-    with pytest.raises(TypeError, match="heights = 'johnson': is for the summits of a map: give counted=True"):
+    with pytest.raises(Error, match="heights = 'johnson': is for the summits of a map: give counted=True"):
         Params.from_topography(found, heights="johnson", **CONTACT_OF_POINTS)
 
 
