@@ -105,7 +105,7 @@ def test_a_pair_that_was_measured_elsewhere_begins_with_that() -> None:
     "arguments, error, message",
     [
         ({"pair": "steel/wood"}, Error, "steel/wood: no pair has this name; wood: no material has this name; docs/materials.md lists them"),
-        ({"pair": "Si/gold"}, Error, "Si/gold: no pair has this name; the nearest is Si/Au"),
+        ({"pair": "Si/Auu"}, Error, "Si/Auu: no pair has this name; the nearest is Si/Au"),
         ({"pair": 'Si/"\\Au'}, Error, r'Si/\\"\\\\Au: no pair has this name'),
         ({"pair": 5}, TypeError, "pair = 5: must be a name"),
         ({"load": math.nan}, Error, "element 0: load = NaN: must be finite"),
