@@ -73,10 +73,7 @@ const HEIGHTS: &str = "heights";
 
 /// What is said of words that people expect to be keys.
 const EXPECTED: &Expected = &[
-    (
-        "Rz|Rt|Rp|Rv|Rmax|Sz|Sp|Sv",
-        "a height from peak to valley, which grows with the length measured: give Ra or Rq",
-    ),
+    ("Rz|Rt|Rp|Rv|Rmax|Sz|Sp|Sv", "a height from peak to valley, which grows with the length measured: give Ra or Rq"),
     ("Sa", "give it as Ra"),
     (
         "mu|cof|friction|friction_coefficient",

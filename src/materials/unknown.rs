@@ -122,11 +122,11 @@ mod tests {
             ("steel/rubber", "steel/rubber: no pair has this name; rubber: no material has this name; rubber is visco"),
             ("rubber", "rubber: no pair has this name; rubber is viscoelastic"),
             ("stel/stel", "stel/stel: no pair has this name; the nearest is steel/steel; no material is called stel"),
-            ("mild steel/SIC", "mild steel/SIC: no pair has this name; mild steel: no material has this name; steel has the"),
             (
-                "stel/gold",
-                "stel/gold: no pair has this name; the nearest is steel/Au; no material is called stel",
+                "mild steel/SIC",
+                "mild steel/SIC: no pair has this name; mild steel: no material has this name; steel has the",
             ),
+            ("stel/gold", "stel/gold: no pair has this name; the nearest is steel/Au; no material is called stel"),
         ] {
             let said = NoPair(name.as_bytes()).to_string();
             assert!(said.starts_with(says) && !said.contains("stel or stel"), "{said}");

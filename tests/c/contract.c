@@ -203,10 +203,10 @@ static void what_was_never_set_is_named(void)
 
     asperity_params_init(&p, sizeof p);
     for (int i = 0; i < 8; i++) {
-        snprintf(expected, sizeof expected, "%s: must be set", names[i]);
-        CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && strcmp(last_message(), expected) == 0, "'%s'",
+        snprintf(expected, sizeof expected, "%s: must be set; ", names[i]);
+        CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says(expected), "'%s'",
               last_message());
-        CHECK(asperity_params_calibrate(&p, 1, 0.5) == ASPERITY_INVALID_PARAMETER && strcmp(last_message(), expected) == 0,
+        CHECK(asperity_params_calibrate(&p, 1, 0.5) == ASPERITY_INVALID_PARAMETER && says(expected),
               "'%s'", last_message());
         inputs[i] = (&whole.composite_modulus)[i];
     }
