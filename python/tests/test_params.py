@@ -322,9 +322,9 @@ def test_a_roughness_in_another_unit_is_named_as_it_was_given() -> None:
     """Not as a number that was made of it."""
     area: dict[str, Any] = {"nominal_area": 1e-4, **PAIRS["Si/Si"].contact}
     cases: tuple[tuple[Any, dict[str, float], str], ...] = (
-        (Params.from_profile, {"Ra": 0.8, "RSm": 80e-6}, "^Ra = 0.8: must be at most 1e-3 m: is it in um\\?"),
-        (Params.from_profile, {"Rq": 1e-6, "RSm": 80.0}, "^RSm = 80: must be at most 4e-3 m: is it in mm, or in um\\?"),
-        (Params.from_iso25178, {"Sq": 5.0, "Sdq": 0.08}, "^Sq = 5: must be at most 1e-3 m: is it in um\\?"),
+        (Params.from_profile, {"Ra": 0.8, "RSm": 80e-6}, "^Ra = 0.8: must be in m, and at most 1e-3; is it in um or nm\\?"),
+        (Params.from_profile, {"Rq": 1e-6, "RSm": 80.0}, "^RSm = 80: must be in m, and at most 4e-3; is it in um or nm\\?"),
+        (Params.from_iso25178, {"Sq": 5.0, "Sdq": 0.08}, "^Sq = 5: must be in m, and at most 1e-3; is it in um or nm\\?"),
     )
     for make, given, message in cases:
         with pytest.raises(Error, match=message):

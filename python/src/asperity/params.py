@@ -598,7 +598,8 @@ class Params:
             elif name in ("table_height", "table_density"):
                 value = value[: struct.table_length]
             elif math.isnan(value):
-                raise Error(f"{name}: must be set")
+                model = ctypes.POINTER(_header.asperity_model)()
+                check(LIBRARY.asperity_create(ctypes.byref(struct), ctypes.byref(model)))  # says what sets it
             values[name] = value
         return cls(**values)
 
