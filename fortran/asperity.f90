@@ -2325,8 +2325,14 @@ contains
 
   subroutine stop_with(message)
     character(*), intent(in) :: message
+    interface
+      subroutine c_exit(status) bind(c, name='exit')
+        import :: c_int32_t
+        integer(c_int32_t), value :: status
+      end subroutine c_exit
+    end interface
     write (error_unit, '(a)') 'asperity: ' // message
-    error stop 1
+    call c_exit(1_c_int32_t)  ! and not ERROR STOP, behind which gfortran prints its own state
   end subroutine stop_with
 
   ! A constant C string as a Fortran one.

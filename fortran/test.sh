@@ -61,14 +61,15 @@ echo "valgrind: no leak, no invalid access"
 stops() {
     local status=0
     "$build/stops" "$1" >"$build/stops.out" 2>"$build/stops.err" || status=$?
-    if [ "$status" != 1 ] || [ -s "$build/stops.out" ] || ! grep -qxF "asperity: $2" "$build/stops.err"; then
+    if [ "$status" != 1 ] || [ -s "$build/stops.out" ] || [ "$(cat "$build/stops.err")" != "asperity: $2" ]; then
         echo "FAIL: $1: exit status $status, not 1, or another message than '$2':" >&2
         cat "$build/stops.out" "$build/stops.err" >&2
         exit 1
     fi
 }
 stops parameter 'summit_radius = 0: must be finite and > 0'
-stops forgotten 'asperity_count: must be set'
+stops forgotten "asperity_count: must be set; a roughness with a nominal_area sets it: Ra or Rq with RSm or a process, \
+Sq with Sdq, m0 with m2"
 stops never_created "friction_model: no model here: call create on this variable first; a bitwise copy, as \
 allocate(source=) makes, has none"
 stops load 'element 2: load = inf: must be finite'

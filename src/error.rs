@@ -19,7 +19,7 @@ pub enum Error {
         allowed: &'static str,
     },
     /// A parameter was never set.
-    #[error("{name}: must be set")]
+    #[error("{name}: must be set; {}", sets(name))]
     Unset {
         /// The parameter.
         name: &'static str,
@@ -211,6 +211,18 @@ impl CalibrationFailure {
             ),
             Self::Weakness => ("must be at least ", "; are load and friction_force in the units of the parameters?"),
         }
+    }
+}
+
+/// What sets a parameter that was never set.
+fn sets(name: &str) -> &'static str {
+    match name {
+        "composite_modulus" | "effective_shear_modulus" => {
+            "two materials set it, by their names or by E1, nu1, E2 and nu2"
+        }
+        "work_of_adhesion" => "it is 0 without adhesion, and the name of a pair of materials sets it",
+        "adhesion_range" | "burgers_vector" => "the name of a pair of materials sets it",
+        _ => "a roughness with a nominal_area sets it: Ra or Rq with RSm or a process, Sq with Sdq, m0 with m2",
     }
 }
 

@@ -40,6 +40,16 @@ impl Display for Instead<'_> {
     }
 }
 
+/// Words that people expect to be names, with `|` between them, and what is said of each.
+pub type Expected = [(&'static str, &'static str)];
+
+/// What is said of a word that people expect to be a name, capitals or not; of one letter the other case is another symbol.
+pub fn expected(words: &Expected, name: &[u8]) -> Option<&'static str> {
+    let is_meant =
+        |word: &str| word.as_bytes() == name || (word.len() > 1 && word.as_bytes().eq_ignore_ascii_case(name));
+    words.iter().find(|(words, _)| words.split('|').any(is_meant)).map(|(_, says)| *says)
+}
+
 /// As many letters may be wrong, if they are less than half of the name.
 const SLIPS: usize = 2;
 /// So long a word is looked for within names.

@@ -91,7 +91,7 @@ def test_a_curve_has_a_band_where_nobody_measured_the_strength(tmp_path: Path) -
 
 @pytest.mark.parametrize("loads", [[], [0.0, 1.0], [[1.0, 2.0]], [-1.0], [math.nan]])
 def test_loads_that_a_curve_cannot_have_are_refused(model: Model, loads: Any) -> None:
-    with pytest.raises(ValueError, match="loads: must be one-dimensional, not empty and > 0|load = NaN"):
+    with pytest.raises(Error, match="^loads"):
         model.curve(loads)
 
 

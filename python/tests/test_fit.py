@@ -396,13 +396,13 @@ GOOD: dict[str, Any] = {"load": [1.0, 2.0, 3.0, 4.0], "mu": [1.0, 0.9, 0.8, 0.7]
         ({"sigma": 0.0}, r"sigma\[0\] = 0: must be > 0"),
         ({"sigma": [0.1, 0.1, -0.1, 0.1]}, r"sigma\[2\] = -0.1: must be > 0"),
         ({"sigma": math.nan}, r"sigma\[0\] = nan: must be finite"),
-        ({"load": [[1.0, 2.0], [3.0, 4.0]]}, "load: must be a one-dimensional array of real numbers"),
-        ({"mu": ["a", "b", "c", "d"]}, "mu: must be a one-dimensional array of real numbers"),
+        ({"load": [[1.0, 2.0], [3.0, 4.0]]}, "load: must be a one-dimensional array of one or more real numbers"),
+        ({"mu": ["a", "b", "c", "d"]}, "mu: must be real numbers"),
         ({"force": [1.0, 2.0, 3.0, 4.0]}, "give either mu or force"),
         ({"mu": None}, "give either mu or force"),
         ({"mu": None, "force": [1.0, 2.0, -3.0, 4.0]}, r"force\[2\] = -3: must be >= 0"),
-        ({"free": ()}, "must be a sequence of one or more names"),
-        ({"free": "gamma"}, "must be a sequence of one or more names"),
+        ({"free": ()}, "must have one or more names"),
+        ({"free": "gamma"}, "must be a sequence of names"),
         ({"free": ("kurtosis",)}, "'kurtosis': is of Johnson's heights; give params a kurtosis to start from"),
         ({"free": ("gama",)}, "name 'gama': must be one of composite_modulus or E.*, gamma"),
         ({"free": ("gamma", "w")}, "free names gamma and w both vary work_of_adhesion"),
@@ -425,7 +425,7 @@ GOOD: dict[str, Any] = {"load": [1.0, 2.0, 3.0, 4.0], "mu": [1.0, 0.9, 0.8, 0.7]
 def test_bad_input_is_refused(params: Params, changes: dict[str, Any], message: str) -> None:
     arguments = GOOD | {"params": params.replace(**changes.get("start", {}))} | changes
     arguments.pop("start", None)
-    with pytest.raises(ValueError, match=message):
+    with pytest.raises((Error, TypeError), match=message):
         fit(**arguments)
 
 

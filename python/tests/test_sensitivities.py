@@ -301,7 +301,7 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
         ({"spread": {"sigma": 0.1, "height_std": 0.1}}, "both vary"),
         ({"loads": None}, "loads: must be given"),
         ({"loads": [[1.0]]}, "one-dimensional"),
-        ({"quantity": "stress"}, "must be 'mu' or 'force'"),
+        ({"quantity": "stress"}, "quantity = 'stress': must be one of 'mu', 'force'"),
         ({"samples": 1}, "from 2 on"),
         ({"coverage": 1.0}, "between 0 and 1"),
     ],

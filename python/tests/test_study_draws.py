@@ -75,7 +75,7 @@ def test_a_seed_draws_the_same_and_another_one_others(sampling: str) -> None:
 
 
 REFUSED = [
-    ({}, 8, "vary = {}: must be a mapping"),
+    ({}, 8, "vary = {}: must name one parameter or more"),
     (0.1, 8, "vary = 0.1: must be a mapping"),
     ({"heigth_std": 0.1}, 8, "'heigth_std': no parameter has this name; the nearest is height_std"),
     ({3: 0.1}, 8, "3: no parameter has this name"),
@@ -124,8 +124,8 @@ def test_indices_need_independent_parameters(vary: Any, message: str) -> None:
 @pytest.mark.parametrize(
     "changes, message",
     [
-        ({"loads": []}, "loads: must be one-dimensional, one or more real numbers"),
-        ({"loads": ["heavy"]}, "loads: must be one-dimensional, one or more real numbers"),
+        ({"loads": []}, "loads: must be a real number or a one-dimensional array of one or more"),
+        ({"loads": ["heavy"]}, "loads: must be real numbers"),
         ({"loads": [1.0, math.nan]}, r"loads\[1\] = nan: must be finite"),
         ({"loads": np.ones(2000), "samples": 10**7}, "2000 of them for 10000000 surfaces; must be at most 1e.10 states"),
         ({"seed": -1}, "seed = -1: must be from 0"),

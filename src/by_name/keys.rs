@@ -2,7 +2,7 @@
 
 use super::fields::FIELDS;
 use super::toml::{self, Keys, Outcome, Problem, Shown, Value};
-use crate::nearest::Instead;
+use crate::nearest::{expected, Expected, Instead};
 use std::fmt::{Display, Formatter};
 
 /// A table of a text, or the top of it.
@@ -72,35 +72,29 @@ impl Display for Table {
 const HEIGHTS: &str = "heights";
 
 /// What is said of words that people expect to be keys.
-const EXPECTED: [(&[&str], &str); 16] = [
+const EXPECTED: &Expected = &[
+    ("Rz|Rt|Rp|Rv|Rmax|Sz|Sp|Sv", "a height from peak to valley, which grows with the length measured: give Ra or Rq"),
+    ("Sa", "give it as Ra"),
     (
-        &["Rz", "Rt", "Rp", "Rv", "Rmax", "Sz", "Sp", "Sv"],
-        "a height from peak to valley, which grows with the length measured: give Ra or Rq",
-    ),
-    (&["Sa"], "give it as Ra"),
-    (
-        &["mu", "cof", "friction", "friction_coefficient"],
+        "mu|cof|friction|friction_coefficient",
         "give calibration_friction_coefficient with calibration_load, in a text also measured = [[load, coefficient]]",
     ),
-    (&["machining", "finish"], "give process in [roughness] of a text"),
-    (&["sigma"], "the standard deviation of the summit heights is height_std"),
-    (&["R", "radius"], "the radius of the summits is summit_radius"),
-    (&["E", "nu", "young", "poisson"], "give E1, nu1, E2 and nu2, in a text in [materials]"),
-    (&["material"], "give first and second in [materials] of a text, or pair = \"steel/steel\""),
-    (&["H", "HV", "HB", "HRC"], "give hardness in Pa, of the softer body: HV times 9.81e6"),
+    ("machining|finish", "give process in [roughness] of a text"),
+    ("sigma", "the standard deviation of the summit heights is height_std"),
+    ("R|radius", "the radius of the summits is summit_radius"),
+    ("E|nu|young|poisson", "give E1, nu1, E2 and nu2, in a text in [materials]"),
+    ("material", "give first and second in [materials] of a text, or pair = \"steel/steel\""),
+    ("H|HV|HB|HRC", "give hardness in Pa, of the softer body: HV times 9.81e6"),
+    ("w|gamma|adhesion|surface_energy", "give work_of_adhesion in N/m: of like bodies twice the surface energy"),
+    ("h", "the range of adhesion is adhesion_range"),
+    ("b", "the Burgers vector is burgers_vector"),
+    ("A|area", "the nominal area is nominal_area"),
+    ("P|load|force|pressure", "a load is given to the call and not with the surface"),
     (
-        &["w", "gamma", "adhesion", "surface_energy"],
-        "give work_of_adhesion in N/m: of like bodies twice the surface energy",
-    ),
-    (&["h"], "the range of adhesion is adhesion_range"),
-    (&["b"], "the Burgers vector is burgers_vector"),
-    (&["A", "area"], "the nominal area is nominal_area"),
-    (&["P", "load", "force", "pressure"], "a load is given to the call and not with the surface"),
-    (
-        &["speed", "velocity", "temperature", "lubricant", "viscosity"],
+        "speed|velocity|temperature|lubricant|viscosity",
         "it is not in the model: measure friction with it, and calibrate",
     ),
-    (&["N", "count"], "the number of summits is asperity_count, or summit_density with nominal_area"),
+    ("N|count", "the number of summits is asperity_count, or summit_density with nominal_area"),
 ];
 
 /// Of a word that is no slip of a name.
@@ -108,9 +102,7 @@ pub const LISTED: &str = "docs/solvers.md lists them";
 
 /// What to give in place of a word that people expect to be a name.
 pub fn meant(name: &str) -> Option<&'static str> {
-    // Of one letter the other case is another symbol.
-    let is_meant = |word: &&str| *word == name || (word.len() > 1 && word.eq_ignore_ascii_case(name));
-    EXPECTED.iter().find(|(words, _)| words.iter().any(&is_meant)).map(|(_, meant)| *meant)
+    expected(EXPECTED, name.as_bytes())
 }
 
 /// A key with its value.

@@ -7,15 +7,22 @@
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
 use crate::estimate::known::{machined_slope, Process, PROCESSES};
-use crate::params::positive;
+use crate::params::{positive, STEEPEST};
 use crate::spectrum::SpectralMoments;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::fmt::Arguments;
+use std::ops::RangeInclusive;
 
 /// No surface that slides has more [m].
 const HIGHEST: f64 = 1e-3;
 /// The widest elements of a profile that a standard has a cutoff for (8 mm, ISO 4288) [m].
 const WIDEST: f64 = 4e-3;
+
+/// No surface that slides was measured to be steeper along a profile: 63 degrees. Beyond it is the slope in another unit.
+const STEEPEST_GIVEN: f64 = 2.0;
+/// What heights and widths of surfaces that slide usually are [m]: in which unit a number is likely to be.
+const HEIGHTS: RangeInclusive<f64> = 1e-10..=1e-4;
+const WIDTHS: RangeInclusive<f64> = 1e-8..=WIDEST;
 
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,16 +70,25 @@ struct Kind {
     slopes: &'static [&'static str],
     /// One of these, or all in turn, gives m4.
     curvatures: &'static [&'static str],
+    /// What to give where no slope is known.
+    otherwise: &'static str,
     called: &'static str,
 }
 
-const MOMENTS: Kind =
-    Kind { height: "m0", names: &["m0", "m2", "m4"], slopes: &["m2"], curvatures: &["m4"], called: "spectral moments" };
+const MOMENTS: Kind = Kind {
+    height: "m0",
+    names: &["m0", "m2", "m4"],
+    slopes: &["m2"],
+    curvatures: &["m4"],
+    otherwise: "the mean square slope of a profile; if it is not known, give Rq with RSm or process in place of m0",
+    called: "spectral moments",
+};
 const AREAL: Kind = Kind {
     height: "Sq",
     names: &["Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku"],
     slopes: &["Sdq"],
     curvatures: &["Ssc", "Sds"],
+    otherwise: "the slope of the map; if it is not known, give Rq with RSm or process in place of Sq",
     called: "areal parameters",
 };
 const PROFILE: Kind = Kind {
@@ -80,6 +96,7 @@ const PROFILE: Kind = Kind {
     names: &["Rq", "RSm", "Rdq", "process"],
     slopes: &["RSm", "Rdq"],
     curvatures: &[],
+    otherwise: "or Rdq, or process if neither was measured",
     called: "parameters of a profile",
 };
 const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
@@ -99,6 +116,7 @@ impl Roughness {
         let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         for surface in 0..count {
             let (m0, m2) = (given.height(kind, surface)?, given.slope(kind, surface)?);
+            given.check_slope(kind, m2)?;
             let m4 = given.curvature(m2, surface)?;
             moments = SpectralMoments { m0: moments.m0 + m0, m2: moments.m2 + m2, m4: moments.m4 + m4 };
         }
@@ -188,7 +206,7 @@ impl Given<'_> {
                 ));
             }
             (None, None) if self.process.is_none() => {
-                return Err(self.refused(kind.height, format_args!("must be set, or Ra")));
+                return Err(self.refused(kind.height, format_args!("must be set, or Ra in its place")));
             }
             _ => {}
         }
@@ -202,10 +220,7 @@ impl Given<'_> {
         }
         match kind.slopes.iter().filter(|name| self.at(name).is_some()).count() {
             0 if self.process.is_some() => Ok(()),
-            0 => {
-                let others = kind.slopes.get(1).map_or("", |_| ", or Rdq, or process");
-                Err(self.refused(kind.slopes[0], format_args!("must be set{others}")))
-            }
+            0 => Err(self.refused(kind.slopes[0], format_args!("must be set, {}", kind.otherwise))),
             1 => Ok(()),
             _ => Err(self.refused("Rdq", format_args!("must not be given together with RSm, which it replaces"))),
         }
@@ -221,18 +236,41 @@ impl Given<'_> {
         {
             return Ok(());
         }
-        let height = (HIGHEST, "must be at most 1e-3 m: is it in um?");
-        let width = (WIDEST, "must be at most 4e-3 m: is it in mm, or in um?");
-        let limits = [("Ra", height), ("Rq", height), ("Sq", height), ("RSm", width)];
-        for (name, (most, says)) in limits {
+        for (name, most, likely) in
+            [("Ra", HIGHEST, HEIGHTS), ("Rq", HIGHEST, HEIGHTS), ("Sq", HIGHEST, HEIGHTS), ("RSm", WIDEST, WIDTHS)]
+        {
             if let Some(value) = (0..count).filter_map(|surface| self.get(name, surface)).find(|&length| length > most)
             {
-                let at = self.at(name).unwrap_or(self.begin);
+                let units = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9)];
+                let meant = units.into_iter().filter(|(_, metres)| likely.contains(&(value * metres)));
+                let meant = meant.map(|(unit, _)| unit).collect::<Vec<_>>().join(" or ");
+                let asked = if meant.is_empty() { String::new() } else { format!("; is it in {meant}?") };
                 let value = Value::Number(value);
-                return Err(Problem::new(at, format_args!("{}{name} = {value}: {says}", Table::Roughness)));
+                return Err(Problem::new(
+                    self.at(name).unwrap_or(self.begin),
+                    format_args!("{}{name} = {value}: must be in m, and at most {most:e}{asked}", Table::Roughness),
+                ));
             }
         }
         Ok(())
+    }
+
+    /// Refuses a slope that no surface has, by the name that gives it.
+    fn check_slope(&self, kind: &Kind, m2: f64) -> Outcome<()> {
+        let given = kind.slopes.iter().find(|name| self.at(name).is_some());
+        let slope = m2.sqrt();
+        if slope <= given.map_or(STEEPEST * FRAC_1_SQRT_2, |_| STEEPEST_GIVEN) {
+            return Ok(());
+        }
+        let (name, says) = match given {
+            Some(&"RSm") => ("RSm", "are Ra or Rq and RSm in one unit?"),
+            Some(&"m2") => ("m2", "is it the square of a slope, and the slope not in degrees or per cent?"),
+            Some(name) => (*name, "is it in degrees or per cent? A slope is the tangent of its angle"),
+            None if self.at("Rq").is_some() => ("Rq", "is it in another unit?"),
+            None => ("Ra", "is it in another unit?"),
+        };
+        let slope = Value::Number(slope);
+        Err(self.refused(name, format_args!("makes a slope of {slope} along a profile, which no surface has; {says}")))
     }
 
     /// How many rough surfaces the numbers are of: for each key the same.

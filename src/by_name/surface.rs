@@ -181,7 +181,10 @@ impl Entries<'_> {
             }
             match Params::measured_force(load, coefficient) {
                 Ok(force) => Ok(Point { load, force, error }),
-                Err(error) => refused(format_args!("{error}")),
+                Err(error) => {
+                    let says = error.to_string().replace("calibration_friction_", "").replacen("calibration_", "", 1);
+                    refused(format_args!("{says}"))
+                }
             }
         };
         rows.iter().enumerate().map(point).collect()

@@ -266,6 +266,19 @@ fn slips_of_units_that_no_contact_has_are_asked_for() {
     assert!(at(STEEL, 1e6).contains("above the hardness, which no contact bears: is load in N"), "{}", at(STEEL, 1e6));
     // The heaviest counts, of the measured points too.
     assert!(!at(&format!("{STEEL}measured = [10, 0.2]\n"), 1e-3).contains("check"));
+    for (text, says) in [
+        (
+            format!("{SILICON}[roughness]\nSq = 5e-9\nSdq = 1.5\n"),
+            "check: the slope of the surface is 1.5: is it in degrees",
+        ),
+        (format!("{SILICON}work_of_adhesion = 6.3\n{SMOOTH}"), "check: work_of_adhesion is 6.3: is it in mJ/m^2?"),
+        (
+            format!("{SILICON}pressure_coefficient = 24\n{SMOOTH}"),
+            "check: pressure_coefficient is 24: is it in per cent?",
+        ),
+    ] {
+        assert!(written(&text, &[1e-3]).contains(says), "{}", written(&text, &[1e-3]));
+    }
     // In per cent: more than the bodies bear, than any surfaces have, or to be asked for.
     assert!(refused(&format!("{STEEL}measured = [1000, 16]\n{ROUGH}"))
         .contains("is the coefficient in per cent (16 for 0.16)"));
@@ -284,9 +297,17 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         ("measured = [[1000, 0.16], [10]]\n", "line 1: measured: point 2: must be [load, coefficient] or"),
         (
             "measured = [[1000, 160]]\n",
-            "line 1: measured: point 1: calibration_friction_coefficient = 160: must be > 0",
+            "line 1: measured: point 1: coefficient = 160: must be > 0 and at most 20; is it a force?",
         ),
-        ("measured = [[-1, 0.16]]\n", "line 1: measured: point 1: calibration_load = -1: must be > 0"),
+        ("measured = [[-1, 0.16]]\n", "line 1: measured: point 1: load = -1: must be > 0"),
+        (
+            "measured = [0.3, 1e-5]\n",
+            "line 1: measured: point 1: coefficient = 1e-5: most are between 0.001 and 10, as the load",
+        ),
+        (
+            "measured = [0.16, 12]\n",
+            "line 1: measured: point 1: coefficient = 12: most are between 0.001 and 10, as the load is",
+        ),
         ("measured = [[1000, 0.16, 5]]\n", "line 1: measured: point 1: error = 5: must be > 0 and at most 1"),
         ("measured = [[1000, 0.16], 3]\n", "line 1: measured: must be an array of numbers, or of arrays of numbers"),
         ("measured = [[[1]]]\n", "line 1: measured: must be an array of numbers, or of arrays of numbers"),
@@ -316,10 +337,21 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         ("process = 3", "[roughness] process = 3: must be one of superfinished"),
         ("process = \"ground\"\nSq = 1e-6\nSdq = 0.1", "[roughness] process: is not for areal parameters, as Sq is"),
         ("Ra = 0.8e-6", "[roughness] Ra: give with it RSm or Rdq, or process, or Sdq, or m2"),
-        ("Ra = 0.8e-6\nRSm = 0.08", "line 5: [roughness] RSm = 0.08: must be at most 4e-3 m: is it in mm, or in um?"),
-        ("Ra = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 60]", "line 5: [roughness] RSm = 60: must be at most 4e-3 m"),
-        ("Sq = 0.8\nSdq = 0.1", "line 4: [roughness] Sq = 0.8: must be at most 1e-3 m: is it in um?"),
-        ("process = \"ground\"\nRa = 0.8", "line 5: [roughness] Ra = 0.8: must be at most 1e-3 m: is it in um?"),
+        ("Ra = 0.8e-6\nRSm = 0.08", "line 5: [roughness] RSm = 0.08: must be in m, and at most 4e-3; is it in mm or um?"),
+        ("Ra = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 60]", "line 5: [roughness] RSm = 60: must be in m, and at most 4e-3; is it in um or nm?"),
+        ("Sq = 0.8\nSdq = 0.1", "line 4: [roughness] Sq = 0.8: must be in m, and at most 1e-3; is it in um or nm?"),
+        ("Sq = 5\nSdq = 0.1", "line 4: [roughness] Sq = 5: must be in m, and at most 1e-3; is it in um or nm?"),
+        ("Sq = 800\nSdq = 0.1", "[roughness] Sq = 800: must be in m, and at most 1e-3; is it in nm?"),
+        ("Sq = 0.005\nSdq = 0.1", "[roughness] Sq = 0.005: must be in m, and at most 1e-3; is it in mm or um?"),
+        ("Sq = 1e9\nSdq = 0.1", "[roughness] Sq = 1000000000: must be in m, and at most 1e-3"),
+        ("Sq = 5e-9\nSdq = 3", "line 5: [roughness] Sdq: makes a slope of 2.12"),
+        ("Rq = 5e-9\nRdq = 3", "line 5: [roughness] Rdq: makes a slope of 3 along a profile, which no surface has; is it in degrees or per cent?"),
+        ("Rq = 5e-9\nRSm = 1e-9", "line 5: [roughness] RSm: makes a slope of 31.4"),
+        ("m0 = 25e-18\nm2 = 9", "line 5: [roughness] m2: makes a slope of 3 along a profile, which no surface has; is it the square"),
+        ("process = \"ground\"\nRa = 0.8e-3", "line 5: [roughness] Ra: makes a slope of 4.4"),
+        ("Sq = 5e-9", "line 3: [roughness] Sdq: must be set, the slope of the map; if it is not known, give Rq with RSm or process in"),
+        ("Rq = 5e-9", "line 3: [roughness] RSm: must be set, or Rdq, or process if neither was measured"),
+        ("process = \"ground\"\nRa = 0.8", "line 5: [roughness] Ra = 0.8: must be in m, and at most 1e-3; is it in um or nm?"),
     ] {
         let found = refused(&format!("{STEEL}[roughness]\n{rough}\n"));
         assert!(found.contains(says), "{found}\nnot\n{says}");

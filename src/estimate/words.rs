@@ -14,6 +14,10 @@ const WORTHWHILE: f64 = 0.01;
 pub const OFF: f64 = 2.0;
 /// Clean metals in vacuum and sticky microstructures have friction coefficients of some ones; beyond it is asked for the unit.
 const LARGE: f64 = 5.0;
+/// Surfaces that slide are less steep: 35 degrees.
+const STEEP: f64 = 0.7;
+/// Works of adhesion of clean metals are some J/m^2.
+const STICKY: f64 = 5.0;
 /// Of a steel sheet of 1 mm under its weight [Pa]: where the heaviest load makes less, a unit may be wrong.
 const LIGHT: f64 = 77.0;
 /// More points are told by their number.
@@ -129,6 +133,22 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
     if let Some(ratio) = ratios.filter(|&ratio| ratio > LARGE).reduce(f64::max) {
         let [ratio, part] = [ratio, 0.01 * ratio].map(Figures);
         writeln!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?")?;
+    }
+    let Params { rms_slope, pressure_coefficient, work_of_adhesion, .. } = estimate.described.params;
+    let is_given = estimate.described.machined.as_ref().map_or(true, |machined| machined.has_slope);
+    for (name, value, most, says) in [
+        (
+            "the slope of the surface",
+            if is_given { rms_slope } else { 0.0 },
+            STEEP,
+            "is it in degrees or per cent? It is the tangent of an angle",
+        ),
+        ("pressure_coefficient", pressure_coefficient, LARGE, "is it in per cent?"),
+        ("work_of_adhesion", work_of_adhesion, STICKY, "is it in mJ/m^2?"),
+    ] {
+        if value > most {
+            writeln!(out, "check: {name} is {}: {says}", Figures(value))?;
+        }
     }
     let Params { nominal_area, hardness, .. } = estimate.params;
     let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));

@@ -51,29 +51,29 @@ macro_rules! metal {
 /// All materials.
 #[allow(clippy::needless_update)] // in rows of which all is known
 pub static MATERIALS: &[Material] = bodies! {
-    "Si" or "silicon" or "polysilicon": E 160e9 in [152e9, 170e9], nu 0.22, H 12e9 in [10e9, 13e9], b 0.384e-9,
+    "Si" or "silicon" or "polysilicon" or "poly-Si": E 160e9 in [152e9, 170e9], nu 0.22, H 12e9 in [10e9, 13e9], b 0.384e-9,
         from "polysilicon films: Sharpe et al., IMECE 2000, MEMS, 255-259, and J. Microelectromech. Syst. 6 (1997) \
         193; hardness limited by a change of phase: Domnich et al., Rev. Adv. Mater. Sci. 17 (2008) 33; <110>/2 with \
         a = 0.5431 nm: Hirth and Lothe, Theory of Dislocations";
-    "SiO2" or "silica": E 72e9 in [70e9, 74e9], nu 0.17, H 9e9 in [8e9, 10e9], b 0.31e-9,
+    "SiO2" or "silica" or "fused silica" or "silicon dioxide" or "silicon oxide": E 72e9 in [70e9, 74e9], nu 0.17, H 9e9 in [8e9, 10e9], b 0.31e-9,
         from "fused silica: Oliver and Pharr, J. Mater. Res. 7 (1992) 1564; a glass: Si to Si across an oxygen atom, \
         twice 0.162 nm at about 144 degrees: Mozzi and Warren, J. Appl. Crystallogr. 2 (1969) 164";
     "Au" or "gold": E 78e9 in [77e9, 80e9], nu 0.44, H 1.3e9 in [0.2e9, 2e9], b 0.288e-9,
         from "bulk, with the lower hardness: Kaye and Laby, Tables of Physical and Chemical Constants; film on glass: \
         Zhou et al., Mater. Sci. Forum 561-565 (2007) 2005; <110>/2 with a = 0.4078 nm";
-    "steel": E 205e9 in [190e9, 210e9], nu 0.3, H 7.5e9 in [2e9, 9e9], b 0.248e-9,
+    "steel" or "bearing steel" or "chrome steel" or "AISI 52100" or "52100" or "100Cr6": E 205e9 in [190e9, 210e9], nu 0.3, H 7.5e9 in [2e9, 9e9], b 0.248e-9,
         from "AISI 52100, hardened to 60-64 HRC, the lower end annealed: ASTM A295 and makers' data sheets; <111>/2 \
         of iron with a = 0.2866 nm";
-    "DLC" or "diamond-like carbon": E 260e9 in [100e9, 630e9], nu 0.25, H 27e9 in [10e9, 80e9], b 0.25e-9,
+    "DLC" or "diamond-like carbon" or "a-C:H" or "ta-C": E 260e9 in [100e9, 630e9], nu 0.25, H 27e9 in [10e9, 80e9], b 0.25e-9,
         from "a-C:H, the upper end ta-C: Nature Commun. 12 (2021), doi 10.1038/s41467-021-24766-6, table 1; the range \
         from soft to ta-C: Robertson, Mater. Sci. Eng. R 37 (2002) 129; Poisson's ratio is assumed; a glass: second \
         neighbours";
-    "mica": E 54e9 in [50e9, 60e9], nu 0.1, b 0.52e-9,
+    "mica" or "muscovite": E 54e9 in [50e9, 60e9], nu 0.1, b 0.52e-9,
         from "muscovite, normal to its layers, from the stiffnesses of Vaughan and Guggenheim, J. Geophys. Res. 91 \
         (1986) 4657: C33 - 2 C13^2/(C11 + C12) and C13/(C11 + C12), with means over the plane; repeat of the surface \
         lattice; its layers shear more easily than an isotropic body of this E, C44 = 16.5 and C55 = 19.5 GPa in the same work \
         in place of 24.5: a strength that is a share of G* comes out up to 1.4 times too high, one in Pa does not";
-    "Si3N4" or "silicon nitride": E 222e9 in [150e9, 310e9], nu 0.28, H 21e9 in [15e9, 30e9], b 0.29e-9,
+    "Si3N4" or "silicon nitride" or "SiN": E 222e9 in [150e9, 310e9], nu 0.28, H 21e9 in [15e9, 30e9], b 0.29e-9,
         from "LPCVD film: Vlassak and Nix, J. Mater. Res. 7 (1992) 3242; the range is that used for cantilever tips \
         and of dense nitride; a glass: second neighbours";
     "Al" or "aluminium" or "aluminum": E 70e9, nu 0.35, H 0.167e9 in [0.16e9, 0.35e9], b 0.286e-9,
@@ -92,7 +92,7 @@ pub static MATERIALS: &[Material] = bodies! {
         from "E and Poisson's ratio: WebElements, elasticities of the elements; Vickers hardness: Samsonov, Handbook \
         of the Physicochemical Properties of the Elements (1968); <111>/2 with a = 0.315 nm: Ashcroft and Mermin, \
         Solid State Physics";
-    "Cr" or "chromium": E 279e9, nu 0.21, H 1.06e9 in [0.687e9, 6.5e9], b 0.249e-9,
+    "Cr" or "chromium" or "chrome": E 279e9, nu 0.21, H 1.06e9 in [0.687e9, 6.5e9], b 0.249e-9,
         from metal!(
             "Vickers hardness, the range Brinell's, from annealed to electroplated", "<111>/2 with a = 0.288 nm"
         );
@@ -106,16 +106,16 @@ pub static MATERIALS: &[Material] = bodies! {
         from metal!("Brinell hardness", "<11-20>/3, a = 0.321 nm");
     "Pb" or "lead": E 16e9, nu 0.44, H 38e6, b 0.35e-9,
         from metal!("Brinell hardness", "<110>/2 with a = 0.495 nm");
-    "Al-6061": E 68.9e9 in [68.9e9, 70e9], nu 0.33, H 1.05e9, b 0.286e-9,
+    "Al-6061" or "6061" or "Al6061" or "AA6061" or "6061-T6": E 68.9e9 in [68.9e9, 70e9], nu 0.33, H 1.05e9, b 0.286e-9,
         from "6061-T6, Vickers 107 converted from Brinell 95: Aluminum Association, in ASM and MatWeb's data sheet of \
         6061-T6; the upper E and the Burgers vector are those of aluminium";
-    "Ti-6Al-4V": E 113.8e9 in [108e9, 122e9], nu 0.342, H 3.4e9 in [3.3e9, 3.9e9], b 0.295e-9,
+    "Ti-6Al-4V" or "Ti6Al4V" or "Ti64": E 113.8e9 in [108e9, 122e9], nu 0.342, H 3.4e9 in [3.3e9, 3.9e9], b 0.295e-9,
         from "annealed, Vickers 349 converted from Rockwell C: ASM and MatWeb's data sheet MTP641; the range from \
         annealed rod to printed parts: Materials 14 (2021) 658, table 4; the Burgers vector is that of titanium";
-    "stainless" or "stainless steel": E 196e9 in [193e9, 200e9], nu 0.29, H 1.27e9, b 0.258e-9,
+    "stainless" or "stainless steel" or "AISI 304" or "304" or "1.4301": E 196e9 in [193e9, 200e9], nu 0.29, H 1.27e9, b 0.258e-9,
         from "AISI 304, annealed, Vickers 129 converted from Rockwell B: ASM and MatWeb's data sheet of 304; Burgers \
         vector: Frost and Ashby, Deformation-Mechanism Maps (1982), chapter 8";
-    "Al2O3" or "alumina": E 416e9 in [386e9, 446e9], nu 0.231, H 15e9, b 0.476e-9,
+    "Al2O3" or "alumina" or "aluminium oxide" or "aluminum oxide": E 416e9 in [386e9, 446e9], nu 0.231, H 15e9, b 0.476e-9,
         from "sintered, 99.5 % pure, the range its uncertainty: Munro, J. Am. Ceram. Soc. 80 (1997) 1919, and NIST \
         Standard Reference Database 150; <11-20>/3, a = 0.476 nm";
     "SiC" or "silicon carbide": E 415e9, nu 0.16, H 32e9, b 0.308e-9,
@@ -132,10 +132,10 @@ pub static MATERIALS: &[Material] = bodies! {
     "GaAs" or "gallium arsenide": E 116.5e9, nu 0.242, b 0.4e-9,
         from "Voigt, Reuss and Hill's mean of C11 = 119, C12 = 53.4, C44 = 59.6 GPa: Goldberg and Schmidt, Handbook \
         Series on Semiconductor Parameters 2 (1999); <110>/2 with a = 0.5653 nm";
-    "glass": E 71.3e9 in [70e9, 82e9], nu 0.22, H 5.98e9 in [5.59e9, 5.98e9], b 0.31e-9,
+    "glass" or "crown glass" or "BK7" or "N-BK7" or "soda-lime glass" or "float glass": E 71.3e9 in [70e9, 82e9], nu 0.22, H 5.98e9 in [5.59e9, 5.98e9], b 0.31e-9,
         from "crown glass: Kaye and Laby, section 2.2.2; the upper E and the hardness, Knoop 610: Schott's N-BK7, a \
         borosilicate crown glass, as pmoptics.com has it; the lower ends, Knoop 570: soda-lime float glass, MakeItFrom; the distance of like atoms is that of SiO2";
-    "PDMS": E 2e6 in [1.32e6, 2.97e6], nu 0.5,
+    "PDMS" or "Sylgard 184" or "Sylgard": E 2e6 in [1.32e6, 2.97e6], nu 0.5,
         from "Sylgard 184, by the temperature of curing: Johnston et al., J. Micromech. Microeng. 24 (2014) 035017; \
         taken as incompressible; an elastomer has no Burgers vector, and its viscoelasticity is outside the law";
 };

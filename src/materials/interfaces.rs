@@ -63,13 +63,12 @@ pub static INTERFACES: &[Interface] = interfaces! {
         conditions "nanocomposite DLC (C:H:Si:O), less than 1 % humidity, Hertz' pressure of 0.3 GPa; falls as the pressure grows",
         read "Scharf et al., J. Appl. Phys. (2007), doi 10.1063/1.2711147, abstract: about 0.02";
     "DLC in air": mu 0.2,
-        conditions "nanocomposite DLC (C:H:Si:O), air, Hertz' pressure of 0.3 GPa; the copy that was read has gaps and does not tell \
-        which humidity",
+        conditions "nanocomposite DLC (C:H:Si:O), air, Hertz' pressure of 0.3 GPa; humidity not given",
         read "Scharf et al., J. Appl. Phys. (2007), doi 10.1063/1.2711147, abstract: about 0.2";
     "diamond/WC in vacuum": tau 238e6,
         conditions "tip of tungsten carbide on hydrogen-terminated diamond (111), ultrahigh vacuum, one contact",
-        quoted "Enachescu et al., Phys. Rev. Lett. 81 (1998) 1877: 238 MPa; its abstract, which was read, says that friction is in \
-        proportion to the area, and has no number";
+        quoted "Enachescu et al., Phys. Rev. Lett. 81 (1998) 1877: 238 MPa; the abstract says that friction is \
+        proportional to the area, without a number";
     "mica/mica in air": tau 1e6,
         conditions "cleaved muscovite, ambient air, surface forces apparatus",
         read "Friction measured with a surface forces apparatus, Tribol. Trans. 32 (1989) 246, abstract: about 1 MPa";
@@ -160,5 +159,5 @@ pub static INTERFACES: &[Interface] = interfaces! {
         read "paper on a diamond pin on silver films in ultrahigh vacuum, World Tribology Congress 2005, WTC2005/42029/439, abstract";
     "PTFE/steel dry": mu 0.12,
         conditions "AISI 1045 steel, 24 C; a polymer, so that time and speed matter; load not given",
-        read "a test of torsional contact of PTFE; the copy that was read names neither authors nor journal";
+        read "study of torsional contacts of PTFE; authors, journal and year not known";
 };

@@ -10,9 +10,14 @@ use crate::elementary::{exp, log};
 use crate::error::{CalibrationFailure as Reason, Error};
 use crate::float_bits::finite;
 use crate::params::{Params, LARGEST};
+use std::ops::RangeInclusive;
 
 /// Above it surfaces have seized, or a force was given.
 const LARGEST_COEFFICIENT: f64 = 20.0;
+/// What most coefficients lie between: of a load within beside a coefficient without, the two are swapped.
+const USUAL: RangeInclusive<f64> = 1e-3..=10.0;
+/// A lighter load looks like a coefficient.
+const LARGEST_USUAL_LOAD: f64 = 2.0;
 /// Strengths so close to the measured one are it.
 const ROUNDING: f64 = 1e-12;
 
@@ -31,7 +36,8 @@ impl Params {
     /// Scales both slip stresses so that the friction coefficient at a load is the one measured there, and keeps the measurement.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] for a load that does not press, or a coefficient that is not above 0 and at most 20; those of
+    /// [`Error::InvalidParameter`] for a load that does not press, a coefficient that is not above 0 and at most 20, or one below
+    /// 0.001 or above 10 with a load that looks like a coefficient; those of
     /// [`Params::calibrate_force`]. The parameters are then as before.
     pub fn calibrate(&mut self, load: f64, friction_coefficient: f64) -> Result<(), Error> {
         self.calibrate_force(load, Self::measured_force(load, friction_coefficient)?)
@@ -48,7 +54,14 @@ impl Params {
         }
         if !finite(friction_coefficient) || friction_coefficient <= 0.0 || friction_coefficient > LARGEST_COEFFICIENT {
             let allowed =
-                "must be > 0 and at most 20; is it a force? Calibrate with the friction force then; or is it in per cent?";
+                "must be > 0 and at most 20; is it a force? Calibrate with the friction force then; or is it in per cent? Or is \
+                 it the load, which comes first?";
+            return Err(Error::invalid("calibration_friction_coefficient", friction_coefficient, allowed));
+        }
+        if !USUAL.contains(&friction_coefficient) && (*USUAL.start()..=LARGEST_USUAL_LOAD).contains(&load) {
+            let allowed =
+                "most are between 0.001 and 10, as the load is here: are the two swapped? The load comes first; \
+                           where they are not, calibrate with the friction force";
             return Err(Error::invalid("calibration_friction_coefficient", friction_coefficient, allowed));
         }
         Ok(friction_coefficient * load)

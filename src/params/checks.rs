@@ -11,7 +11,7 @@ use crate::population::radius::RadiusProfile;
 use std::sync::Arc;
 
 /// No surface is steeper on average; it is the slope in another unit.
-const STEEPEST: f64 = 5.0;
+pub const STEEPEST: f64 = 5.0;
 /// Means of summits are no higher, in height_std: gaps between mean planes would have few digits.
 const HIGHEST_SUMMITS: f64 = 1e4;
 
@@ -64,8 +64,8 @@ impl Params {
         self.check_calibration()?;
         self.check_contact_law()?;
         let groups = self.groups();
-        check_groups(&groups)?;
         unit_slips::check(self)?;
+        check_groups(&groups)?;
         Ok((groups, heights, radius))
     }
 
@@ -181,7 +181,7 @@ impl Params {
 pub(super) fn check_rms_slope(slope: f64) -> Result<(), Error> {
     not_negative("rms_slope", slope, "must be finite and >= 0; 0 means not known")?;
     if slope > STEEPEST {
-        let allowed = "must be at most 5, a slope of 79 degrees; is Sdq in degrees or per cent?";
+        let allowed = "must be at most 5, a slope of 79 degrees; is it in degrees or per cent? A slope is the tangent of its angle";
         return Err(Error::out_of_range("rms_slope", slope, allowed));
     }
     Ok(())
@@ -209,7 +209,7 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
         "gamma" where adheres, groups.gamma, 1e-9..=10.0,
             "work_of_adhesion/(composite_modulus burgers_vector) must be 0 or between 1e-9 and 10; ",
             below "are work_of_adhesion and the moduli in one system of units?",
-            above "is work_of_adhesion in mJ/m^2, or in J/m^2 with lengths in mm, or are the moduli in GPa? An elastomer has no Burgers \
+            above "is work_of_adhesion in mJ/m^2, or in J/m^2 with lengths in mm, or are the moduli in MPa or GPa? An elastomer has no Burgers \
                 vector: set slip_stress_1 = slip_stress_2, and burgers_vector to a length above \
                 work_of_adhesion/(10 composite_modulus); the answers then do not depend on it";
         "h/sigma" where adheres, groups.reach(), 0.0..=1e6, "adhesion_range/height_std must be at most 1e6; ",
@@ -297,7 +297,11 @@ mod tests {
         let names = set.physical().map(|(name, _)| name);
         for (i, name) in names.into_iter().enumerate() {
             assert_eq!(params.surface().err(), Some(Error::Unset { name }));
-            assert_eq!(params.surface().unwrap_err().to_string(), format!("{name}: must be set"));
+            let message = params.surface().unwrap_err().to_string();
+            assert!(
+                message.starts_with(&format!("{name}: must be set; ")) && message.ends_with(['2', 't']),
+                "{message}"
+            );
             *params.physical()[i].1 = *set.physical()[i].1;
         }
         assert_eq!(params, set);

@@ -16,6 +16,7 @@ use crate::float_bits::infinite;
 use crate::materials::{Bodies, Interface};
 pub(crate) use crate::spectrum::LEAST_BANDWIDTH;
 use crate::spectrum::{SpectralMoments, Summits};
+pub(crate) use checks::STEEPEST;
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST;
 use numbers::{magnitude, not_negative, poisson_ratio};
@@ -321,7 +322,7 @@ impl Params {
         }
         checks::check_rms_slope(moments.rms_slope())?;
         if !moments.exist() {
-            let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit?";
+            let allowed = "must be at least 1.5, the least of isotropic surfaces; are all lengths in one unit, Ssc per m and Sds per m^2?";
             return Err(Error::invalid("bandwidth m0 m4/m2^2", moments.bandwidth(), allowed));
         }
         if moments.bandwidth() > BROADEST.0 {

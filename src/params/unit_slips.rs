@@ -25,7 +25,7 @@ const SPARSEST: (f64, &str) = (
 );
 /// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
 const SOFTEST_METAL: (f64, &str) =
-    (3e-4, "must be at least 3e-4, or hardness 0 for not known; is hardness in GPa, and of the softer body?");
+    (3e-4, "must be at least 3e-4, or hardness 0 for not known; is hardness in GPa or in MPa, and of the softer body?");
 
 /// What surfaces have in units that their Burgers vector tells, each bound with what it is and the likely slip.
 struct Units {
@@ -34,7 +34,7 @@ struct Units {
     softest: (f64, &'static str),
     /// Diamond has 6e11 Pa; rigid bodies may be given a thousand times that.
     stiffest: (f64, &'static str),
-    /// Diamond takes some 11 J/m^2 to cleave.
+    /// Diamond takes some 11 J/m^2 to cleave, more than all others.
     strongest_adhesion: (f64, &'static str),
     /// Summits that differ by tenths of a millimetre make a casting, and not a surface that was finished.
     roughest: (f64, &'static str),
@@ -49,15 +49,15 @@ struct Units {
 const UNITS: [Units; 2] = [
     Units {
         burgers_vector: 1e-10..=1e-9,
-        softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in GPa?"),
+        softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in MPa or GPa?"),
         stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; is it too large by a factor of 1e9?"),
-        strongest_adhesion: (20.0, "must be at most 20 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
-        roughest: (1e-4, "must be at most 1e-4 m where burgers_vector is in m; is it in mm or um?"),
-        widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in um?"),
+        strongest_adhesion: (12.0, "must be at most 12 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
+        roughest: (1e-4, "must be at most 1e-4 m where burgers_vector is in m; is it in mm, um or nm?"),
+        widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in mm, um or nm?"),
         fewest_summits: (
             0.5,
-            "fewer than one summit; is the summit density per um^2 or mm^2, and the area in m^2? To model a part \
-             of a summit, ask a model of the whole summit for load/part, and take that part of the force",
+            "fewer than one summit; is nominal_area smaller than a wave of the roughness, or the summit density per um^2 or mm^2 \
+             and the area in m^2? To model a part of a summit, ask a model of the whole summit for load/part, and take that part of the force",
         ),
         most_summits: (
             3e16,
@@ -68,13 +68,13 @@ const UNITS: [Units; 2] = [
         burgers_vector: 1e-7..=1e-6,
         softest: (1e-6, "must be at least 1e-6 GPa, or 1e-3 MPa, where burgers_vector is in mm"),
         stiffest: (1e7, "must be at most 1e7 MPa where burgers_vector is in mm; is it in Pa?"),
-        strongest_adhesion: (0.02, "must be at most 0.02 N/mm where burgers_vector is in mm; is it in J/m^2?"),
+        strongest_adhesion: (0.012, "must be at most 0.012 N/mm where burgers_vector is in mm; is it in J/m^2?"),
         roughest: (0.1, "must be at most 0.1 mm where burgers_vector is in mm; is it in um?"),
         widest_summit: (100.0, "must be at most 100 mm where burgers_vector is in mm; is it in um?"),
         fewest_summits: (
             0.5,
-            "fewer than one summit; is the summit density per um^2, and the area in mm^2? To model a part of a \
-             summit, ask a model of the whole summit for load/part, and take that part of the force",
+            "fewer than one summit; is nominal_area smaller than a wave of the roughness, or the summit density per um^2 and the \
+             area in mm^2? To model a part of a summit, ask a model of the whole summit for load/part, and take that part of the force",
         ),
         most_summits: (
             3e16,
@@ -98,7 +98,8 @@ pub fn check(params: &Params) -> Result<(), Error> {
     let hardness = params.hardness / params.composite_modulus;
     if params.hardness != 0.0 && !HARDNESS.contains(&hardness) {
         let allowed =
-            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, and of the softer body?";
+            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, in MPa or a Vickers number (times 9.81e6 in Pa), \
+             and of the softer body?";
         return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
     }
     if params.nominal_area > 0.0 && params.is_of_many() {
@@ -188,11 +189,11 @@ mod tests {
         assert_eq!(passes(|_| {}, ""), all);
         let none: [&str; 0] = [];
         assert_eq!(passes(|params| params.work_of_adhesion *= 1e3, "in mJ/m^2"), none);
-        assert_eq!(passes(|params| params.summit_radius *= 1e6, "in um?"), ["gold tip on mica"]);
-        assert_eq!(passes(|params| params.height_std *= 1e6, "height_std in um or nm?|is it in mm or um?"), none);
-        assert_eq!(passes(|params| params.height_std *= 1e9, "height_std in um or nm?"), none);
+        assert_eq!(passes(|params| params.summit_radius *= 1e6, "in um?|is it in mm, um or nm?"), ["gold tip on mica"]);
+        assert_eq!(passes(|params| params.height_std *= 1e6, "height_std in um or nm?|is it in mm, um or nm?"), none);
+        assert_eq!(passes(|params| params.height_std *= 1e9, "height_std in um or nm?|is it in mm, um or nm?"), none);
         let both = |params: &mut Params| (params.height_std, params.summit_radius) = (1e-3, 10.0);
-        assert_eq!(passes(both, "in um?"), none);
+        assert_eq!(passes(both, "is it in mm, um or nm?"), none);
         assert_eq!(passes(|params| params.burgers_vector *= 1e9, "burgers_vector in nm?"), none);
         assert_eq!(passes(|params| params.adhesion_range *= 1e9, "adhesion_range in nm?"), none);
         let in_gpa = |params: &mut Params, work: f64| {
@@ -235,7 +236,7 @@ mod tests {
         let in_mm = |params: &mut Params| {
             (params.height_std, params.summit_radius) = (1e3 * params.height_std, 1e3 * params.summit_radius);
         };
-        assert!(!passes(in_mm, "in mm or um?").contains(&"ground steel"));
+        assert!(!passes(in_mm, "in mm, um or nm?").contains(&"ground steel"));
         // One summit may stand for a sphere.
         let one = |params: &mut Params| (params.asperity_count, params.height_std) = (1.0, 1e-3);
         assert!(passes(one, "in um or nm?").contains(&"ground steel"));

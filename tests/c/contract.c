@@ -203,10 +203,10 @@ static void what_was_never_set_is_named(void)
 
     asperity_params_init(&p, sizeof p);
     for (int i = 0; i < 8; i++) {
-        snprintf(expected, sizeof expected, "%s: must be set", names[i]);
-        CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && strcmp(last_message(), expected) == 0, "'%s'",
+        snprintf(expected, sizeof expected, "%s: must be set; ", names[i]);
+        CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && says(expected), "'%s'",
               last_message());
-        CHECK(asperity_params_calibrate(&p, 1, 0.5) == ASPERITY_INVALID_PARAMETER && strcmp(last_message(), expected) == 0,
+        CHECK(asperity_params_calibrate(&p, 1, 0.5) == ASPERITY_INVALID_PARAMETER && says(expected),
               "'%s'", last_message());
         inputs[i] = (&whole.composite_modulus)[i];
     }
@@ -723,10 +723,10 @@ static void materials_are_found_by_their_names(void)
     CHECK(count == 30 && asperity_material_name(SIZE_MAX) == NULL, "%d materials", (int)count);
 
     other = untouched;
-    CHECK(asperity_material("Steel", &other) == ASPERITY_INVALID_PARAMETER &&
-          says("Steel: no material has this name; the nearest is steel"), "%s", last_message());
-    CHECK(asperity_material("gold", &other) == ASPERITY_INVALID_PARAMETER &&
-          says("gold: no material has this name; the nearest is Au"), "%s", last_message());
+    CHECK(asperity_material("Stel", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("Stel: no material has this name; the nearest is steel"), "%s", last_message());
+    CHECK(asperity_material("rubber", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("rubber: no material has this name; rubber is viscoelastic"), "%s", last_message());
     CHECK(asperity_material("steel/steel", &other) == ASPERITY_INVALID_PARAMETER, "a pair is no material");
     CHECK(asperity_material(NULL, &other) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
     CHECK(asperity_material("steel", NULL) == ASPERITY_NULL_POINTER && says("material is NULL"), "%s", last_message());
@@ -752,8 +752,8 @@ static void pairs_are_found_in_either_order(void)
     CHECK(count == 26 && asperity_pair_name(SIZE_MAX) == NULL, "%d pairs", (int)count);
     CHECK(asperity_pair("stel/steel", &other) == ASPERITY_INVALID_PARAMETER &&
           says("stel/steel: no pair has this name; the nearest is steel/steel"), "%s", last_message());
-    CHECK(asperity_pair("gold/mica", &other) == ASPERITY_INVALID_PARAMETER &&
-          says("gold/mica: no pair has this name; the nearest is Au/mica"), "%s", last_message());
+    CHECK(asperity_pair("Au/mika", &other) == ASPERITY_INVALID_PARAMETER &&
+          says("Au/mika: no pair has this name; the nearest is Au/mica"), "%s", last_message());
     CHECK(asperity_pair("Steel", &other) == ASPERITY_INVALID_PARAMETER &&
           says("Steel: no pair has this name; the nearest is steel/steel"), "%s", last_message());
     CHECK(asperity_pair("WC/SiC", &other) == ASPERITY_INVALID_PARAMETER &&
@@ -788,8 +788,8 @@ static void a_pair_sets_what_it_tells_and_nothing_else(void)
           part.burgers_vector == 0.308e-9 && part.adhesion_range == part.burgers_vector, "%s", last_message());
     CHECK(asperity_create(&part, &model) == ASPERITY_INVALID_PARAMETER && says("work_of_adhesion: must be set"), "%s", last_message());
     refused = p;
-    CHECK(asperity_params_set_pair(&refused, "Si/gold") == ASPERITY_INVALID_PARAMETER && SAME(refused, p) &&
-          says("Si/gold: no pair has this name; the nearest is Si/Au"), "%s", last_message());
+    CHECK(asperity_params_set_pair(&refused, "Si/Auu") == ASPERITY_INVALID_PARAMETER && SAME(refused, p) &&
+          says("Si/Auu: no pair has this name; the nearest is Si/Au"), "%s", last_message());
     CHECK(asperity_params_set_pair(NULL, "Si/Si") == ASPERITY_NULL_POINTER && says("params is NULL"), "%s", last_message());
     CHECK(asperity_params_set_pair(&p, NULL) == ASPERITY_NULL_POINTER && says("name is NULL"), "%s", last_message());
 }

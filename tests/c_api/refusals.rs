@@ -110,6 +110,9 @@ fn a_measurement_that_cannot_be_meant_is_refused() {
     let before = steel();
     for (load, measured, by_force, told) in [
         (20.0, 47.0, false, "calibration_friction_coefficient = 47: must be > 0 and at most 20; is it a force?"),
+        (0.3, 1e-5, false, "calibration_friction_coefficient = 1e-5: most are between 0.001 and 10, as the load is here: are the two swapped?"),
+        (0.16, 12.0, false, "calibration_friction_coefficient = 12: most are between 0.001 and 10, as the load is here"),
+        (0.16, 1000.0, false, "or is it in per cent? Or is it the load, which comes first?"),
         (20.0, 0.0, false, "must be > 0 and at most 20"),
         (20.0, f64::NAN, false, "must be > 0 and at most 20"),
         (0.0, 0.16, false, "calibration_load = 0: must be > 0; at zero load"),

@@ -892,14 +892,14 @@ void a_surface_is_refused_until_all_is_set() {
     Params params;
     EXPECT(params.c().struct_size == sizeof(asperity_params) && params.max_friction_coefficient() == 1000.0);
     const auto refusal = [&] { return std::string(thrown_by([&] { Model{params}; }).what()); };
-    EXPECT(refusal() == "composite_modulus: must be set");
+    EXPECT(begins(refusal().c_str(), "composite_modulus: must be set; "));
     EXPECT(thrown_by([&] { params.calibrate(1e-3, 0.3); }).what() == refusal());
     params.set_materials(160e9, 0.22, 160e9, 0.22);
-    EXPECT(refusal() == "work_of_adhesion: must be set");
+    EXPECT(begins(refusal().c_str(), "work_of_adhesion: must be set; "));
     params.set_pair("Si/Si");
-    EXPECT(refusal() == "height_std: must be set");
+    EXPECT(begins(refusal().c_str(), "height_std: must be set; "));
     params.height_std(5e-9).summit_radius(1e-6);
-    EXPECT(refusal() == "asperity_count: must be set");
+    EXPECT(begins(refusal().c_str(), "asperity_count: must be set; "));
     EXPECT(Model(params.asperity_count(1e5)).friction_at_load(1e-3) > 0.5);
 }
 

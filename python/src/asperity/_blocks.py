@@ -15,6 +15,7 @@ from typing import Any, Callable, Iterable, Iterator
 
 from . import _checks
 from ._library import version
+from .errors import Error
 
 Work = Callable[[Any], Any]
 # So often a block is sent before its failure is raised, and so often in a row workers may die with no block done between.
@@ -26,10 +27,7 @@ _IN_FLIGHT, _EACH = 256, 4
 
 def checked_workers(workers: Any) -> int:
     """The number of processes, checked: 1 is this process itself."""
-    count = _checks.whole("workers", 1 if workers is None else workers)
-    if not 1 <= count <= 1024:
-        raise ValueError(f"workers = {count}: must be from 1 to 1024; for more, give an executor of Dask or MPI")
-    return count
+    return _checks.whole("workers", 1 if workers is None else workers, 1, 1024)  # for more, an executor of Dask or MPI
 
 
 def completed(
@@ -45,7 +43,7 @@ def completed(
 
     Raises:
         TypeError: no executor, or no whole number.
-        ValueError: both, or too many workers.
+        Error: both, or too many workers.
         ChildProcessError: the executor is broken, or workers die again and again.
     """
     if executor is None and checked_workers(workers) == 1:
@@ -53,7 +51,7 @@ def completed(
             yield number, work(task)
         return
     if executor is not None and workers is not None:
-        raise ValueError(f"workers = {workers}: is for pools made here; the executor has its own")
+        raise Error(f"workers = {workers}: is for pools made here; the executor has its own")
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise TypeError(f"executor = {executor!r}: must have the interface of concurrent.futures.Executor")
     yield from _Engine(work, executor, checked_workers(workers)).answers(iter(tasks))

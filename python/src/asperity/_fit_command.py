@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _surface_options
+from .errors import Error
 from .fit import fit
 
 
@@ -69,10 +70,10 @@ def _read(file: str) -> tuple[Any, Any, Any]:
             try:
                 rows.append([float(word) for word in words])
             except ValueError as error:
-                raise ValueError(f"{file}, line {number}: {error}; # makes a heading a comment") from None
+                raise Error(f"{file}, line {number}: {error}; # makes a heading a comment") from None
     counts = {len(row) for row in rows}
     if counts not in ({2}, {3}):
         found = " or ".join(map(str, sorted(counts))) or "none"
-        raise ValueError(f"{file}: must have 2 or 3 columns, load, friction and its standard error; it has {found}")
+        raise Error(f"{file}: must have 2 or 3 columns, load, friction and its standard error; it has {found}")
     columns = np.array(rows).T
     return columns[0], columns[1], columns[2] if len(columns) == 3 else None

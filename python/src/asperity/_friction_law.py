@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from . import _caller, _header
+from . import _caller, _checks, _header
 from . import table as _table
 from ._handle import Handle
 from ._labelled import HasLabels, Labelled, like
@@ -174,13 +174,13 @@ class FrictionLaw:
         handle = self._open()
         rate = _number("transition_rate", transition_rate, "slip_force")
         if not 1e-60 <= rate <= 1e60:
-            raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60", Status.INVALID_PARAMETER)
-        pairs = np.broadcast_arrays(as_array("load", load), as_array("slip_rate", slip_rate))
+            raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60")
+        pairs = np.broadcast_arrays(_checks.array("load", load), _checks.array("slip_rate", slip_rate))
         loads, rates = (np.ascontiguousarray(of.ravel()) for of in pairs)
         still = ~np.isfinite(rates)
         if still.any():
             i = int(np.argmax(still))
-            raise Error(f"element {i}: slip_rate = {rates[i]}: must be finite", Status.INVALID_PARAMETER)
+            raise Error(f"element {i}: slip_rate = {rates[i]}: must be finite")
         found = np.empty((3, loads.size))
         LIBRARY.asperity_slip_forces(handle.pointer, loads.size, _data(loads), _data(rates), rate, *map(_data, found))
         refused = np.isnan(found[0])
@@ -305,7 +305,7 @@ class FrictionLaw:
             Error: a load as for `state_at_load`, or a displacement that is not finite.
         """
         pointer = self._open().pointer
-        pairs = np.broadcast(as_array("load", load), as_array("displacement", displacement))
+        pairs = np.broadcast(_checks.array("load", load), _checks.array("displacement", displacement))
         found = np.empty((2, pairs.size))
         force, slope = ctypes.c_double(), ctypes.c_double()
         for i, (at, by) in enumerate(pairs):
@@ -341,12 +341,9 @@ class FrictionLaw:
 
         Raises:
             Error: a load as for `state_at_load`.
-            ValueError: an amplitude that is not finite and > 0, or fewer than two points.
+            Error: an amplitude that is not finite and > 0, or fewer than two points.
         """
-        if not (math.isfinite(amplitude) and amplitude > 0):
-            raise ValueError(f"amplitude = {amplitude}: must be finite and > 0")
-        if points < 2:
-            raise ValueError(f"points = {points}: must be at least 2")
+        amplitude, points = _checks.positive("amplitude", amplitude), _checks.whole("points", points, 2)
         first = np.linspace(0.0, amplitude, points)
         loading = self.tangential(load, first)[0]
         back = amplitude - 2.0 * first
@@ -431,7 +428,7 @@ class FrictionLaw:
         """
         bits = ctypes.c_uint64()
         handle = self._open()
-        check(LIBRARY.asperity_check_loads(handle.pointer, float(lightest), float(heaviest), ctypes.byref(bits)))
+        check(LIBRARY.asperity_check_loads(handle.pointer, _checks.real("lightest", lightest), _checks.real("heaviest", heaviest), ctypes.byref(bits)))
         return Warnings(bits.value)
 
     @property
@@ -447,14 +444,14 @@ class FrictionLaw:
                 at doubles.
 
         Raises:
-            ValueError: another type.
+            Error: another type.
         """
         found = _table.of_doubles(self._open())
         if np.dtype(dtype) == np.float64:
             return found
         if np.dtype(dtype) == np.float32:
             return _table.of_floats(found)
-        raise ValueError(f"dtype = {np.dtype(dtype)}: must be float64 or float32")
+        raise Error(f"dtype = {np.dtype(dtype)}: must be float64 or float32")
 
     def load_table(self) -> _table.Table:
         """Load against gap as arrays: minus the gap stands in place of a load, and the load in place of F."""
@@ -486,8 +483,8 @@ class FrictionLaw:
         Raises:
             Error: an overlap or height that is not finite, or out of range; the message names its index.
         """
-        overlaps = as_array("overlap", overlap)
-        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(as_array("height", height), overlaps.shape))
+        overlaps = _checks.array("overlap", overlap)
+        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(_checks.array("height", height), overlaps.shape))
         found = SummitStates(*(np.empty(overlaps.shape) for _ in range(3)))
         outputs = [_data(one) for one in found]
         pointer = self._open().pointer
@@ -532,7 +529,7 @@ class FrictionLaw:
         handle = self._open()
         if isinstance(at, numbers.Real):
             return _state(handle, call, float(at))
-        places = as_array(name, at)
+        places = _checks.array(name, at)
         tell = teller(progress, places.size > _MANY, "asperity")
         found = []
         for i, one in enumerate(places.ravel().tolist()):
@@ -552,8 +549,8 @@ class FrictionLaw:
         if not 1e-60 <= area <= 1e60:
             missing = nominal_area is None and area == 0
             says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
-            raise Error(f"nominal_area = {area:g}: {says}", Status.INVALID_PARAMETER)
-        load = float(pressure) * area if isinstance(pressure, numbers.Real) else as_array("pressure", pressure) * area
+            raise Error(f"nominal_area = {area:g}: {says}")
+        load = float(pressure) * area if isinstance(pressure, numbers.Real) else _checks.array("pressure", pressure) * area
         if not slope:
             return _relabelled(pressure, scaled(call(load), area))
         values, slopes = call(load, slope=True)
@@ -564,7 +561,7 @@ class FrictionLaw:
     ) -> Any:
         handle = self._open()
         if not isinstance(load, numbers.Real):
-            arrays = _evaluate_array(handle, many, as_array(argument, load), slope, argument)
+            arrays = _evaluate_array(handle, many, _checks.array(argument, load), slope, argument)
             found_there = tuple(like(load, array, name) for array in arrays)
             return found_there if slope else found_there[0]
         found = ctypes.c_double()
@@ -582,13 +579,6 @@ def _number(name: str, at: Any, method: str) -> float:
     if not isinstance(at, numbers.Real):
         raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.{method}(x) for x in ...]")
     return float(at)
-
-
-def as_array(name: str, values: Any) -> Array:
-    array = np.asarray(values)
-    if array.dtype.kind not in "iuf" and array.size > 0:
-        raise TypeError(f"{name}: must be real numbers, not an array of {array.dtype}")
-    return np.asarray(array, dtype=np.float64, order="C")
 
 
 def _evaluate_array(

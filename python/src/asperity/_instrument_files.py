@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _text_maps
+from .errors import Error
 
 Array = npt.NDArray[np.float64]
 
@@ -71,7 +72,7 @@ def read(
     Raises:
         ImportError: SurfaceTopography is not installed.
         OSError: there is no such file, or it cannot be opened.
-        ValueError: no known format, or a damaged file; several maps of heights and no `channel`, or no such channel; a profile, or no
+        Error: no known format, or a damaged file; several maps of heights and no `channel`, or no such channel; a profile, or no
             heights; a unit or size missing, or given although the file has it; sizes or slopes that no map has.
     """
     library = _library()
@@ -79,7 +80,7 @@ def read(
     with open(name, "rb") as file:
         first = file.read(2)  # an OSError says what is wrong with the path, in the system's words
     if not first:
-        raise ValueError(f"{name}: is empty: copy it again")
+        raise Error(f"{name}: is empty: copy it again")
     given = channel, unit, physical_sizes
     if first != b"\x1f\x8b":
         return _read(library, name, name, *given)
@@ -90,9 +91,9 @@ def read(
                 while some := packed.read(2**20):
                     plain.write(some)
                     if plain.tell() > _MOST_BYTES:
-                        raise ValueError(f"{name}: has more than {_MOST_BYTES} bytes unpacked: unpack it, and crop the map")
+                        raise Error(f"{name}: has more than {_MOST_BYTES} bytes unpacked: unpack it, and crop the map")
         except (OSError, EOFError) as error:
-            raise ValueError(f"{name}: damaged gzip file ({error}): copy it again") from None
+            raise Error(f"{name}: damaged gzip file ({error}): copy it again") from None
         return _read(library, name, inside, *given)
 
 
@@ -110,7 +111,7 @@ def _read(library: Any, name: str, file: str, channel: Any, unit: str | None, si
                 return _opened(library, name, one, table, channel, unit, sizes)
             except library.Exceptions.CannotDetectFileFormat:
                 pass
-    raise ValueError(
+    raise Error(
         f"{name}: no format that SurfaceTopography knows: export it as X3P, SDF or Gwyddion's format, unpack it if it is an archive, or "
         "give surface.summits the array with the distances dx and dy in its unit"
     )
@@ -130,12 +131,12 @@ def _opened(library: Any, name: str, file: str, table: Any, channel: Any, unit: 
     except (library.Exceptions.CannotDetectFileFormat, MemoryError):
         raise
     except _Said as said:
-        raise ValueError(str(said)) from None
+        raise Error(str(said)) from None
     except library.Exceptions.MetadataAlreadyFixedByFile as error:
-        raise ValueError(f"{name}: {error}: leave it out") from None
+        raise Error(f"{name}: {error}: leave it out") from None
     except Exception as error:  # readers of forty formats, and files that may be damaged
         says = str(error) if isinstance(error, library.Exceptions.ReadFileError) else f"cannot be read ({type(error).__name__}: {error})"
-        raise ValueError(f"{name}: {says}; if the file is whole, export it as X3P, SDF or Gwyddion's format") from None
+        raise Error(f"{name}: {says}; if the file is whole, export it as X3P, SDF or Gwyddion's format") from None
 
 
 class _Said(ValueError):
@@ -266,7 +267,7 @@ def _of_points(name: str, points: Array, unit: str | None) -> HeightMap:
 def of_topography(topography: Any) -> HeightMap:
     """The map of a `SurfaceTopography.Topography`, in metres if it has a unit, else in its own."""
     if getattr(topography, "dim", None) != 2:
-        raise ValueError("height_map: this topography is no map of heights over x and y")
+        raise Error("height_map: this topography is no map of heights over x and y")
     if topography.unit is not None:
         topography = topography.to_unit("m")
     # SurfaceTopography's first axis is x.

@@ -73,10 +73,10 @@ class Answers(NamedTuple):
 
 
 def names_of(given: Sequence[str], params: Params) -> tuple[FreeName, ...]:
-    """The names of a fit, `asperity.fit_names`, and those of some fields more; `ValueError` for any other."""
+    """The names of a fit, `asperity.fit_names`, and those of some fields more; `Error` for any other."""
     for name in given:
         if name not in (*KNOWN, *_OTHERS):
-            raise ValueError(f"{name!r}: no parameter has this name; {instead(str(name), [*KNOWN, *_OTHERS])}")
+            raise Error(f"{name!r}: no parameter has this name; {instead(str(name), [*KNOWN, *_OTHERS])}")
     known = tuple(name for name in given if name not in _OTHERS)
     found = {name.given: name for name in (free_names(known, params) if known else ())}
     return tuple(found[name] if name in found else _other(name) for name in given)

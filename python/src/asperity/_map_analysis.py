@@ -6,16 +6,16 @@ import math
 import warnings
 from dataclasses import dataclass, field
 from statistics import NormalDist
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import numpy as np
 
-from . import _map_warnings
+from . import _checks, _map_warnings
 from ._instrument_files import HeightMap, implausible
 from ._map_cleaning import Cleaned, clean, holes
 from ._map_cutoffs import Cutoffs, table
 from ._map_filter import filter, noise_slope
-from ._map_input import MOST_DEGREE, checked, degree, length
+from ._map_input import MOST_DEGREE, checked, degree
 from ._map_rows import offsets
 from ._map_spikes import particles, spikes as spikes_of
 from ._progress import Progress
@@ -194,23 +194,21 @@ def analyse(
         **surface: keys of surface files but for the roughness: `measured`, `interface`, `hardness`, `work_of_adhesion`, ...
 
     Raises:
-        ValueError: a load, degree or coverage that cannot be, or what the library refuses of `surface`. What is wrong with the map is
+        Error: a load, degree or coverage that cannot be, or what the library refuses of `surface`. What is wrong with the map is
             in the findings.
-        TypeError: no real numbers; distances missing, or given twice.
+        TypeError: no real numbers; distances missing, or given twice; a keyword that surface files do not have.
         ImportError: SciPy is not installed.
     """
-    load = length("load", load)
+    load = _checks.positive("load", load)
     degree(detrend)
-    if not 0 < coverage < 1:
-        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
     # What the map cannot be blamed for is refused at once, of a plain surface.
     given = {} if pair is None else dict(of_pair(pair))
     given |= {"coverage": coverage} | dict(surface)
-    _estimate(given | {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, 1e5, coverage)
+    _estimate(given | {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, 1e5, coverage, surface)
     steps: list[str] = []
     findings: list[Finding] = []
 
-    def stopped(error: ValueError, kind: str = "map", **more: Any) -> Analysis:
+    def stopped(error: Exception, kind: str = "map", **more: Any) -> Analysis:
         says = str(error).removeprefix("height_map: ")
         says, _, remedy = says.partition(": ")
         last = Finding(kind, says, remedy or "measure a larger or finer map", True)
@@ -219,7 +217,7 @@ def analyse(
     try:
         raw = checked(height_map, dx, dy, missing=True)
         if (wrong := implausible(raw)) is not None:
-            return stopped(ValueError(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
+            return stopped(Error(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
         cleaned = _cleaned(raw, detrend, rows, spikes, dust, progress, steps, findings)
     except ValueError as error:
         return stopped(error)
@@ -397,11 +395,11 @@ def _spread(
     }
 
 
-def _estimate(given: dict[str, Any], load: float, coverage: float) -> Estimate:
+def _estimate(given: dict[str, Any], load: float, coverage: float, keywords: Iterable[str] = ()) -> Estimate:
     try:
         return estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
     except Error as error:
-        raise without_line(error) from None
+        raise without_line(error, keywords) from None
 
 
 def _friction_of(given: dict[str, Any], load: float, coverage: float) -> float:

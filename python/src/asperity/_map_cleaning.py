@@ -14,6 +14,7 @@ from ._map_steps import Steps, steps
 from ._map_warnings import MapWarning
 from ._progress import LARGE, Progress, teller
 from ._summit_search import basis, products_of
+from .errors import Error
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
@@ -84,7 +85,7 @@ def clean(
         progress: as for `summits`.
 
     Raises:
-        ValueError: as `summits`; more than half of the points missing; more than 1 % of them stand out, which are no
+        Error: as `summits`; more than half of the points missing; more than 1 % of them stand out, which are no
             spikes but what the surface is: `spikes=False` leaves them.
         TypeError: no real numbers.
         ImportError: SciPy is not installed.
@@ -99,7 +100,7 @@ def clean(
     bad = np.isnan(raw)
     missing = int(bad.sum())
     if 2 * missing > raw.size:
-        raise ValueError(f"height_map: {missing} of {raw.size} heights are missing: at most half may be; crop the map")
+        raise Error(f"height_map: {missing} of {raw.size} heights are missing: at most half may be; crop the map")
     tell(0.0, "levelling the known points")
     level = _level(raw, bad, detrend)
     found = steps(recorded)
@@ -126,7 +127,7 @@ def clean(
         bad |= more
         count = known - (raw.size - int(bad.sum()))
         if count > _map_spikes.MOST * raw.size:
-            raise ValueError(
+            raise Error(
                 f"height_map: {count} of {raw.size} points stand out from those around them: too many for spikes, so the surface "
                 "is like that, or the map is mostly noise: give spikes=False to leave them, and filter the map"
             )

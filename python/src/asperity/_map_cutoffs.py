@@ -10,15 +10,16 @@ from typing import TYPE_CHECKING, Any, Callable
 import numpy as np
 import numpy.typing as npt
 
-from . import _caller, _map_warnings
+from . import _caller, _checks, _map_warnings
 from ._instrument_files import HeightMap
 from ._map_filter import filter
-from ._map_input import checked, length
+from ._map_input import checked
 from ._progress import LARGE, Progress, teller
 from ._style import saved, style
 from ._summit_search import without_polynomial
 from ._summit_statistics import summits
 from ._summits import Summits
+from .errors import Error
 from .model import Model
 from .params import Params
 from .results import Warnings
@@ -149,7 +150,7 @@ def cutoffs(
         **contact: what `Params.from_topography` takes: materials, adhesion, `nominal_area`, `heights`, options.
 
     Raises:
-        ValueError: none of the cutoffs gives friction: what the first that the map has says, as `filter`, `summits` and the library.
+        Error: none of the cutoffs gives friction: what the first that the map has says, as `filter`, `summits` and the library.
         TypeError: as `Params.from_topography`.
         ImportError: SciPy is not installed.
 
@@ -174,13 +175,13 @@ Make = Callable[[Summits], "tuple[Params, float | None]"]
 
 def table(given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Make, progress: Progress) -> Cutoffs:
     """As `cutoffs`, without its warnings, with the surfaces that `make` makes of the summits."""
-    step, load = max(given.dx, given.dy), length("load", load)
+    step, load = max(given.dx, given.dy), _checks.positive("load", load)
     longest = min(given.height_map.shape[0] * given.dy, given.height_map.shape[1] * given.dx) / 4
     chosen = step * np.array(_POINTS) if cutoff is None else _ascending(cutoff)
     if cutoff is None:
         chosen = chosen[chosen <= longest]
     if chosen.size == 0:
-        raise ValueError(
+        raise Error(
             f"height_map: {given.height_map.shape[0]} x {given.height_map.shape[1]} points, dx = {given.dx:g}, dy = {given.dy:g}: "
             "too small for the shortest cutoff, 2 points, which a map must be 4 times as wide and as high as"
         )
@@ -242,10 +243,8 @@ def _summits(given: HeightMap, cutoff: float) -> Summits:
 
 
 def _ascending(cutoff: npt.ArrayLike) -> Array:
-    array = np.asarray(cutoff)
-    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise ValueError("cutoff: must be a one-dimensional array of one or more lengths")
-    return np.unique(np.array([length(f"cutoff[{i}]", float(one)) for i, one in enumerate(array)]))
+    array = _checks.column("cutoff", cutoff)
+    return np.unique(np.array([_checks.positive(f"cutoff[{i}]", float(one)) for i, one in enumerate(array)]))
 
 
 def _draw(found: Cutoffs, file: str | os.PathLike[str] | None) -> Figure:

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from . import _checks
 from ._instrument_files import HeightMap
-from ._map_input import checked, length
+from ._map_input import checked
 from ._summit_search import without_polynomial
+from .errors import Error
 
 Array = npt.NDArray[np.float64]
 
@@ -35,7 +37,7 @@ def filter(
         longest: wavelength above which waves are taken away.
 
     Raises:
-        ValueError: a cutoff shorter than two points, which no map has waves of, or longer than the map; as `summits`.
+        Error: a cutoff shorter than two points, which no map has waves of, or longer than the map; as `summits`.
         TypeError: no real numbers; neither cutoff.
         ImportError: SciPy is not installed.
     """
@@ -59,11 +61,11 @@ def noise_slope(deviation: float, cutoff: float, dx: float, dy: float) -> float:
 def _smooth(heights: Array, given: HeightMap, name: str, cutoff: float) -> Array:
     from scipy.ndimage import gaussian_filter1d
 
-    cutoff = length(name, cutoff)
+    cutoff = _checks.positive(name, cutoff)
     rows, columns = heights.shape
     least, most = 2 * max(given.dx, given.dy), min(rows * given.dy, columns * given.dx)
     if not least <= cutoff <= most:
-        raise ValueError(f"{name} = {cutoff:g}: must be from two points, {least:g}, to the side of the map, {most:g}")
+        raise Error(f"{name} = {cutoff:g}: must be from two points, {least:g}, to the side of the map, {most:g}")
     for axis, step in enumerate((given.dy, given.dx)):
         deviation = _ALPHA * cutoff / step / math.sqrt(2 * math.pi)
         inside = gaussian_filter1d(np.ones(heights.shape[axis]), deviation, mode="constant")

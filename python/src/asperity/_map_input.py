@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
-import numbers
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _checks
 from ._instrument_files import HeightMap, of_topography
+from .errors import Error
 
 Array = npt.NDArray[np.float64]
 
@@ -37,8 +37,8 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
     known = array[~unknown] if unknown.any() else array
     if known.size == 0 or known.min() == known.max():
         found = f"constant at {known[0] if known.ndim == 1 else known[0, 0]}" if known.size else "without a known height"
-        raise ValueError(f"height_map: {found}: must be rough")
-    return HeightMap(array, length("dx", dx), length("dy", dx if dy is None else dy), recorded)
+        raise Error(f"height_map: {found}: must be rough")
+    return HeightMap(array, _checks.positive("dx", dx), _checks.positive("dy", dx if dy is None else dy), recorded)
 
 
 def _array(height_map: Any) -> Array:
@@ -47,32 +47,21 @@ def _array(height_map: Any) -> Array:
     if array.dtype.kind not in "iuf":
         raise TypeError(f"height_map: must be real numbers, not an array of {array.dtype}")
     if array.ndim != 2 or min(array.shape) < 3:
-        raise ValueError(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
+        raise Error(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
     heights = np.asarray(array, dtype=np.float64)
     return np.where(np.ma.getmaskarray(height_map), np.nan, heights) if masked else heights
 
 
 def _refuse(array: Array, unknown: npt.NDArray[np.bool_]) -> None:
     row, column = (int(index) for index in np.unravel_index(int(np.argmax(unknown)), unknown.shape))
-    raise ValueError(
+    raise Error(
         f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked or not finite, the first is "
         f"{array[row, column]} at [{row}, {column}]: all must be known; surface.clean fills them, or crop the map"
     )
 
 
-def length(name: str, value: Any) -> float:
-    if not isinstance(value, numbers.Real):
-        raise TypeError(f"{name} = {value!r}: must be a real number")
-    length = float(value)
-    if not (math.isfinite(length) and length > 0):
-        raise ValueError(f"{name} = {length}: must be finite and > 0")
-    return length
-
-
 def degree(detrend: Any, shape: tuple[int, ...] = (MOST_DEGREE + 2,)) -> int:
     """The degree of the polynomial that is taken away from a map."""
-    if isinstance(detrend, bool) or detrend not in range(MOST_DEGREE + 1):
-        raise ValueError(f"detrend = {detrend!r}: must be a whole number from 0 to {MOST_DEGREE}")
-    if detrend > min(shape) - 2:
-        raise ValueError(f"detrend = {detrend}: is too high for a map of {' x '.join(map(str, shape))} points")
+    if _checks.whole("detrend", detrend, 0, MOST_DEGREE) > min(shape) - 2:
+        raise Error(f"detrend = {detrend}: is too high for a map of {' x '.join(map(str, shape))} points")
     return int(detrend)

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _header
+from . import _checks, _header
 from ._handle import Handle
 from ._library import LIBRARY
-from .errors import Status, check
+from .errors import Error, Status, check
 from .params import Params
 
 Array = npt.NDArray[np.float64]
@@ -75,7 +75,7 @@ class Microslip:
 
         Raises:
             Error: an angle or a state that is not finite; the contacts are then as before.
-            ValueError: angles that do not have the shape of the contacts.
+            Error: angles that do not have the shape of the contacts.
         """
         shape = self.state.shape[:-1]
         length = LIBRARY.asperity_microslip_length(self._handle.pointer)
@@ -101,7 +101,7 @@ class Microslip:
         Raises:
             Error: a load that is NaN, infinite or too heavy, an increment or a state that is not finite. The message names the
                 element; the contacts are then as before.
-            ValueError: arrays that do not have the shape of the contacts.
+            Error: arrays that do not have the shape of the contacts.
         """
         shape = self.state.shape[:-1]
         loads = _like("load", load, shape)
@@ -141,11 +141,11 @@ class Microslip:
 
 
 def _like(name: str, given: npt.ArrayLike, shape: tuple[int, ...]) -> Array:
-    array = np.asarray(given, dtype=np.float64)
+    array = _checks.array(name, given)
     try:
         return np.ascontiguousarray(np.broadcast_to(array, shape))
     except ValueError:
-        raise ValueError(f"{name} of shape {array.shape}: must have the shape of the contacts, {shape}") from None
+        raise Error(f"{name} of shape {array.shape}: must have the shape of the contacts, {shape}") from None
 
 
 def _data(array: Array) -> Any:

@@ -52,7 +52,7 @@ def _area(model: Model) -> float:
     area = model.params.nominal_area
     if area == 0:
         message = "nominal_area = 0: must be set for a table of pressures, which are loads over it"
-        raise Error(message, Status.INVALID_PARAMETER)
+        raise Error(message)
     return area
 
 

@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from . import _checks
 from ._style import DASHES, saved, style
+from .errors import Error
 
 if TYPE_CHECKING:
     import xarray
@@ -53,20 +55,17 @@ def sobol_indices(
         samples in which no surface was refused. The others are left out. NaN where nothing varies.
 
     Raises:
-        ValueError: a study that was sampled otherwise, another quantity, or too few rows.
+        Error: a study that was sampled otherwise, another quantity, or too few rows.
     """
+    if not hasattr(found, "attrs"):
+        raise TypeError(f"found = {found!r}: must be what asperity.study.study returns")
     if found.attrs.get("sampling") != "saltelli":
-        raise ValueError(
+        raise Error(
             f'found: a study with sampling = {found.attrs.get("sampling")!r}; Sobol\' indices need sampling="saltelli"'
         )
-    if quantity not in ("friction_coefficient", "friction_force", "tangential_stiffness"):
-        raise ValueError(
-            f"quantity = {quantity!r}: must be 'friction_coefficient', 'friction_force' or 'tangential_stiffness'"
-        )
-    if not 0 < coverage < 1:
-        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
-    if resamples != int(resamples) or not 2 <= resamples <= 100_000:
-        raise ValueError(f"resamples = {resamples!r}: must be a whole number from 2 to 100000")
+    _checks.word("quantity", quantity, ("friction_coefficient", "friction_force", "tangential_stiffness"))
+    _checks.share("coverage", coverage)
+    resamples, seed = _checks.whole("resamples", resamples, 2, 100_000), _checks.whole("seed", seed, 0)
     import xarray
 
     rows = int(found.attrs["samples"])
@@ -81,7 +80,7 @@ def sobol_indices(
             whole = sheets[:, np.isfinite(sheets[:, :, i]).all(axis=0), i]
             kept[first + i] = whole.shape[1]
             if whole.shape[1] < _FEWEST:
-                raise ValueError(
+                raise Error(
                     f"found: only {whole.shape[1]} of {rows} rows are whole at the load {float(found['load'][first + i]):g}; "
                     f"indices need {_FEWEST} or more"
                 )

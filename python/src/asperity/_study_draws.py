@@ -20,6 +20,7 @@ import numpy.typing as npt
 
 from . import _checks
 from ._many_surfaces import names_of
+from .errors import Error
 from .fit_names import FreeName
 from .params import Params
 
@@ -58,25 +59,26 @@ def digest(values: Array) -> str:
 
 
 def drawn(params: Params, vary: Any, samples: Any, seed: int, sampling: str) -> Draws:
-    """Draws; `ValueError` and `TypeError` name what cannot be used."""
-    if sampling not in SAMPLINGS:
-        raise ValueError(f"sampling = {sampling!r}: must be one of {', '.join(map(repr, SAMPLINGS))}")
+    """Draws; `Error` and `TypeError` name what cannot be used."""
+    _checks.word("sampling", sampling, SAMPLINGS)
     if callable(vary):
         return _joint(params, vary, samples, seed, sampling)
-    if not isinstance(vary, Mapping) or not vary:
+    if not isinstance(vary, Mapping):
         raise TypeError(f"vary = {vary!r}: must be a mapping, {{name: spread, distribution, list or function}}, or a function")
+    if not vary:
+        raise Error("vary = {}: must name one parameter or more, {name: spread, distribution, list or function}")
     names = names_of(tuple(vary), params)
     grids = {name.given: _grid(name.given, vary[name.given]) for name in names if _is_grid(vary[name.given])}
     points = math.prod(len(values) for values in grids.values())
     chance = [name for name in names if name.given not in grids]
     if sampling == "saltelli" and (grids or len(chance) < 2):
-        raise ValueError(
+        raise Error(
             "sampling = 'saltelli': Sobol' indices are of two or more parameters that vary independently at random, not of lists"
         )
     count = _count(samples, bool(chance))
     surfaces = points * count * (len(chance) + 2 if sampling == "saltelli" else 1)
     if surfaces > MOST:
-        raise ValueError(f"samples = {count}: make {surfaces} surfaces; must make at most {MOST}")
+        raise Error(f"samples = {count}: make {surfaces} surfaces; must make at most {MOST}")
     columns, told = _columns(params, chance, vary, count, seed, sampling)
     told |= {name: f"{len(values)} values, {values.min():g} to {values.max():g}" for name, values in grids.items()}
     by_name = dict(zip(grids, zip(*itertools.product(*grids.values())))) if grids else {}
@@ -145,9 +147,9 @@ def _quantile(params: Params, name: FreeName, given: Any) -> tuple[Quantile, str
         try:
             middle = float(inverse(0.5))
         except (TypeError, ValueError) as error:
-            raise ValueError(f"vary {name.given} = {given!r}: is no distribution of one number ({error})") from None
+            raise Error(f"vary {name.given} = {given!r}: is no distribution of one number ({error})") from None
         if math.isnan(middle):
-            raise ValueError(f"vary {name.given}: {_told(given)} has no values: its own parameters are out of bounds")
+            raise Error(f"vary {name.given}: {_told(given)} has no values: its own parameters are out of bounds")
         return lambda unit: np.asarray(inverse(unit), dtype=np.float64), _told(given)
     if isinstance(given, bool) or not isinstance(given, numbers.Real):
         raise TypeError(
@@ -156,12 +158,12 @@ def _quantile(params: Params, name: FreeName, given: Any) -> tuple[Quantile, str
     spread, value = float(given), name.start(params)
     if name.positive and not _NARROWEST <= spread <= _WIDEST:
         meant = f"; {spread:g} % are {spread / 100:g}" if _WIDEST < spread <= 100 else ""
-        raise ValueError(
+        raise Error(
             f"vary {name.given} = {given!r}: is a spread relative to the value, and must be from {_NARROWEST:g} to {_WIDEST:g}"
             f"{meant}; a list or a distribution gives values"
         )
     if not name.positive and not 0 < spread < math.inf:
-        raise ValueError(f"vary {name.given} = {given!r}: is a standard deviation, and must be finite and > 0")
+        raise Error(f"vary {name.given} = {given!r}: is a standard deviation, and must be finite and > 0")
     from scipy.special import ndtri
 
     if name.positive:
@@ -181,7 +183,7 @@ def _told(distribution: Any) -> str:
 def _joint(params: Params, vary: Callable[..., Any], samples: Any, seed: int, sampling: str) -> Draws:
     """Parameters that one function draws together, correlated as it likes."""
     if sampling == "saltelli":
-        raise ValueError("sampling = 'saltelli': needs a mapping of parameters, which vary independently, not one function")
+        raise Error("sampling = 'saltelli': needs a mapping of parameters, which vary independently, not one function")
     count = _count(samples, True)
     found = vary(np.random.default_rng(seed), count)
     if not isinstance(found, Mapping) or not found:
@@ -195,7 +197,7 @@ def _joint(params: Params, vary: Callable[..., Any], samples: Any, seed: int, sa
 def _column(name: str, values: Any, count: int) -> Array:
     array = np.asarray(values)
     if array.shape != (count,) or array.dtype.kind not in "iuf":
-        raise ValueError(
+        raise Error(
             f"vary {name}: the function returned {array.dtype} of shape {array.shape}; must be real numbers of shape ({count},)"
         )
     return array.astype(np.float64)
@@ -215,24 +217,17 @@ def _grid(name: str, given: Any) -> Array:
     except ValueError:
         array = np.empty(0)
     if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise ValueError(f"vary {name} = {given!r}: a list must have one or more real numbers")
+        raise Error(f"vary {name} = {given!r}: a list must have one or more real numbers")
     values = array.astype(np.float64)
     if not np.isfinite(values).all():
-        raise ValueError(f"vary {name} = {given!r}: a list must have finite numbers")
+        raise Error(f"vary {name} = {given!r}: a list must have finite numbers")
     return values
 
 
 def _count(samples: int | None, chance: bool) -> int:
     if samples is None:
         return 1024 if chance else 1
-    samples = _checks.whole("samples", samples)
-    if not 1 <= samples <= MOST:
-        raise ValueError(f"samples = {short(samples)}: must be from 1 to {MOST}")
+    samples = _checks.whole("samples", samples, 1, MOST)
     if not chance and samples != 1:
-        raise ValueError(f"samples = {samples}: all of vary are lists, whose grid has each point once; leave samples out")
+        raise Error(f"samples = {samples}: all of vary are lists, whose grid has each point once; leave samples out")
     return samples
-
-
-def short(number: Any) -> str:
-    """A number as text, however many digits it has: Python refuses to write more than some thousand."""
-    return f"{float(number):g}" if abs(number) < 1e300 else "a number of more than 300 digits"

@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ._study_draws import SAMPLINGS, short
-from .errors import Error, Status, instead
+from ._checks import short
+from ._study_draws import SAMPLINGS
+from .errors import Error, instead
 from .params import Params
 
 if sys.version_info >= (3, 11):
@@ -45,22 +46,22 @@ def read(file: str | os.PathLike[str]) -> StudyFile:
     try:
         return _study(_text(file))
     except tomllib.TOMLDecodeError as error:
-        raise _error(f"{file}: no TOML: {error}") from None
+        raise Error(f"{file}: no TOML: {error}") from None
     except UnicodeDecodeError as error:
-        raise _error(f"{file}: must be UTF-8: {error}") from None
+        raise Error(f"{file}: must be UTF-8: {error}") from None
     except RecursionError:
-        raise _error(f"{file}: must not have arrays or tables so deep inside each other") from None
+        raise Error(f"{file}: must not have arrays or tables so deep inside each other") from None
     except Error as error:
         raise Error(f"{file}: {error}", error.status) from None
     except (TypeError, ValueError, OverflowError) as error:
-        raise _error(f"{file}: {error.args[0]}") from None
+        raise Error(f"{file}: {error.args[0]}") from None
 
 
 def _text(file: str | os.PathLike[str]) -> str:
     with open(file, "rb") as stream:
         text = stream.read(_LONGEST + 1)
     if len(text) > _LONGEST:
-        raise _error("longer than 1 MiB: must be a study, whose keys docs/studies.md has")
+        raise Error("longer than 1 MiB: must be a study, whose keys docs/studies.md has")
     return text.decode("utf-8-sig").replace("\r\n", "\n")
 
 
@@ -70,7 +71,7 @@ def _study(text: str) -> StudyFile:
     parts = {name: _table(found, name) for name in ("vary", "loads", "study")}
     vary = {name: _varied(name, value) for name, value in parts["vary"].items()}
     if not vary:
-        raise _error("[vary]: must have one parameter or more, as height_std = 0.1")
+        raise Error("[vary]: must have one parameter or more, as height_std = 0.1")
     return StudyFile(Params.from_text(surface), vary, _loads(parts["loads"]), _options(parts["study"]))
 
 
@@ -88,10 +89,10 @@ def _parted(text: str) -> tuple[str, str]:
 
 def _table(found: dict[str, Any], name: str) -> dict[str, Any]:
     if name not in found and name != "study":
-        raise _error(f"[{name}]: must be there; docs/studies.md has its keys")
+        raise Error(f"[{name}]: must be there; docs/studies.md has its keys")
     table = found.get(name, {})
     if not isinstance(table, dict):
-        raise _error(f"{name} = {_shown(table)}: must be a table, [{name}]")
+        raise Error(f"{name} = {_shown(table)}: must be a table, [{name}]")
     return table
 
 
@@ -111,7 +112,7 @@ def _distribution(name: str, given: dict[str, Any]) -> Any:
     kind = given.get("distribution")
     family = getattr(stats, kind, None) if isinstance(kind, str) and kind.isidentifier() else None
     if not isinstance(family, (stats.rv_continuous, stats.rv_discrete)):
-        raise _error(
+        raise Error(
             f"[vary] {name}: distribution = {_shown(kind)}: must be the name of one of scipy.stats, as \"norm\" or \"uniform\""
         )
     arguments = {key: value for key, value in given.items() if key != "distribution"}
@@ -120,10 +121,10 @@ def _distribution(name: str, given: dict[str, Any]) -> Any:
     known = [*(family.shapes.split(", ") if family.shapes else []), "loc", "scale"]
     for key in arguments:
         if key not in known:
-            raise _error(f"[vary] {name}: {key}: no such key; {instead(key, ['distribution', *known])}")
+            raise Error(f"[vary] {name}: {key}: no such key; {instead(key, ['distribution', *known])}")
     for key in known[:-2]:
         if key not in arguments:
-            raise _error(f"[vary] {name}: {key}: must be set for distribution = {_shown(kind)}")
+            raise Error(f"[vary] {name}: {key}: must be set for distribution = {_shown(kind)}")
     return family(**{key: float(value) for key, value in arguments.items()})
 
 
@@ -132,19 +133,19 @@ def _loads(table: dict[str, Any]) -> npt.NDArray[np.float64]:
     _known("loads", table, _LOADS)
     if "values" in table:
         if len(table) > 1:
-            raise _error(f"[loads] values: excludes {next(name for name in table if name != 'values')}, leave one out")
+            raise Error(f"[loads] values: excludes {next(name for name in table if name != 'values')}, leave one out")
         values = table["values"]
         if not isinstance(values, list) or not values:
-            raise _error(f"[loads] values = {_shown(values)}: must be a list of one or more numbers")
+            raise Error(f"[loads] values = {_shown(values)}: must be a list of one or more numbers")
         for value in values:
             _number("[loads] values", value, values)
         return np.array([float(value) for value in values])
     for name in ("lowest", "highest"):
         if name not in table:
-            raise _error(f"[loads] {name}: must be set, or values")
+            raise Error(f"[loads] {name}: must be set, or values")
     lowest, highest = (_number(f"[loads] {name}", table[name], table[name]) for name in ("lowest", "highest"))
     if not 0 < lowest < highest < math.inf:
-        raise _error(f"[loads] lowest = {lowest:g} and highest = {highest:g}: must be > 0, finite, and ascend")
+        raise Error(f"[loads] lowest = {lowest:g} and highest = {highest:g}: must be > 0, finite, and ascend")
     count = _whole("[loads] count", table.get("count", 33), 2, _MOST_LOADS)
     return np.geomspace(lowest, highest, count)
 
@@ -155,38 +156,34 @@ def _options(table: dict[str, Any]) -> dict[str, Any]:
         if name in table:
             _whole(f"[study] {name}", table[name], 0 if name == "seed" else 1, 2**63 - 1)
     if not isinstance(table.get("warnings", True), bool):
-        raise _error(f"[study] warnings = {_shown(table['warnings'])}: must be true or false")
+        raise Error(f"[study] warnings = {_shown(table['warnings'])}: must be true or false")
     if table.get("sampling", "sobol") not in SAMPLINGS:
-        raise _error(f"[study] sampling = {_shown(table['sampling'])}: must be one of {', '.join(map(repr, SAMPLINGS))}")
+        raise Error(f"[study] sampling = {_shown(table['sampling'])}: must be one of {', '.join(map(repr, SAMPLINGS))}")
     return dict(table)
 
 
 def _known(name: str, table: dict[str, Any], known: tuple[str, ...]) -> None:
     for key in table:
         if key not in known:
-            raise _error(f"[{name}] {key}: no such key; {instead(key, known)}")
+            raise Error(f"[{name}] {key}: no such key; {instead(key, known)}")
 
 
 def _number(name: str, value: Any, shown: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise _error(f"{name} = {_shown(shown)}: must be a number, or a list of them where one is allowed")
+        raise Error(f"{name} = {_shown(shown)}: must be a number, or a list of them where one is allowed")
     if isinstance(value, int) and abs(value) > 1e300:
-        raise _error(f"{name} = {short(value)}: must be finite")
+        raise Error(f"{name} = {short(value)}: must be finite")
     return float(value)
 
 
 def _whole(name: str, value: Any, least: int, most: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int):
-        raise _error(f"{name} = {_shown(value)}: must be a whole number")
+        raise Error(f"{name} = {_shown(value)}: must be a whole number")
     if not least <= value <= most:
-        raise _error(f"{name} = {short(value)}: must be from {least} to {most}")
+        raise Error(f"{name} = {short(value)}: must be from {least} to {most}")
     return value
 
 
 def _shown(value: Any) -> str:
     text = repr(value)
     return text if len(text) <= 80 else f"{text[:77]}..."
-
-
-def _error(message: str) -> Error:
-    return Error(message, Status.INVALID_PARAMETER)

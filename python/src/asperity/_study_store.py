@@ -24,7 +24,7 @@ from ._many_surfaces import Answers
 from ._study_draws import digest
 from ._study_lock import locked
 from ._units import SI
-from .errors import Status
+from .errors import Error, Status
 from .results import Warnings
 
 Array = npt.NDArray[np.float64]
@@ -148,7 +148,7 @@ class Checkpoint:
     """A study in a file, and in blocks beside it until all are done. The file may have fewer samples until then.
 
     Raises:
-        ValueError: the file or the blocks are of another study, or no study.
+        Error: the file or the blocks are of another study, or no study.
     """
 
     def __init__(self, file: Path, layout: Layout) -> None:
@@ -249,7 +249,7 @@ class Checkpoint:
         surfaces = len(_read(self._file, ["status"])["status"])
         drawn = np.column_stack([values[:surfaces] for values, _ in self._layout.parameters.values()])
         if other[_DRAWN] != digest(drawn):
-            raise ValueError(
+            raise Error(
                 f"checkpoint = {str(self._file)!r}: has {other['samples']} samples, which are not the first of "
                 f"{self._layout.identity['samples']}; a Latin hypercube, Sobol' indices and a grid cannot be enlarged: "
                 "give another name, or remove it"
@@ -262,10 +262,10 @@ class Checkpoint:
         except json.JSONDecodeError:
             other = None
         if not isinstance(other, dict):
-            raise ValueError(f"checkpoint = {str(self._file)!r}: {where} is no study; give another name, or remove it")
+            raise Error(f"checkpoint = {str(self._file)!r}: {where} is no study; give another name, or remove it")
         for name, value in self._layout.identity.items():
             if name not in but and other.get(name) != value:
-                raise ValueError(
+                raise Error(
                     f"checkpoint = {str(self._file)!r}: {where} is of another study, with {name} = {_shown(other.get(name))} "
                     f"where this one has {_shown(value)}; give another name, or remove it"
                 )

@@ -17,6 +17,7 @@ from ._radius_trend import fit
 from ._summit_search import Found, find, without_polynomial
 from ._summits import Iso25178, SpectralMoments, Summits
 from ._tile_errors import estimates, height_and_slope, tiles, with_waves
+from .errors import Error
 
 Array = npt.NDArray[np.float64]
 
@@ -48,7 +49,7 @@ def summits(
             what is being done; by default it is told for maps of more than 2 million points.
 
     Raises:
-        ValueError: what the map, its distances or the degree may not be; fewer than 10 summits.
+        Error: what the map, its distances or the degree may not be; fewer than 10 summits.
         TypeError: no real numbers; distances missing, or given twice.
         ImportError: SciPy is not installed.
 
@@ -65,12 +66,12 @@ def summits(
         tell(0.0, f"levelling {raw.shape[0]} x {raw.shape[1]} points")
         level = without_polynomial(raw, degree(detrend, raw.shape))
         if np.ptp(level) <= 1e4 * np.finfo(float).eps * max(abs(raw.min()), abs(raw.max())):
-            raise ValueError("height_map: flat but for rounding: must be rough, beyond what detrend takes away")
+            raise Error("height_map: flat but for rounding: must be rough, beyond what detrend takes away")
         tell(0.2, "looking for summits")
         recorded = raw if recorded is None else recorded
         found = find(recorded, level, dx, dy)
         if found.height.size < MIN_SUMMITS:
-            raise ValueError(
+            raise Error(
                 f"height_map: has {found.height.size} summits on {raw.shape[0]} x {raw.shape[1]} points: "
                 f"must have at least {MIN_SUMMITS}, and some hundred for good numbers; map a larger area, or with finer steps"
             )
@@ -91,12 +92,12 @@ def _statistics(
     area = nx * dx * ny * dy
     for number in (area, moments.m0, moments.m2, moments.m4, curvature.min(), curvature.max()):
         if not 1e-300 < number < 1e300:
-            raise ValueError(f"height_map, dx = {dx}, dy = {dy}: curvatures are out of the range of floating point")
+            raise Error(f"height_map, dx = {dx}, dy = {dy}: curvatures are out of the range of floating point")
     lesser, greater = np.linalg.eigvalsh(gradient_moments / moments.m2)
     tile, areas = tiles(found.row, found.column, level.shape)
     mean, std = float(found.height.mean()), float(found.height.std())
     if not std > 1e-10 * float(np.ptp(level)):
-        raise ValueError("height_map: all summits have one height: heights must vary")
+        raise Error("height_map: all summits have one height: heights must vary")
     scaled = (found.height - mean) / std
     unit = float(curvature.mean())
     density, height_mean, height_std, skew, kurtosis, radius = estimates(scaled, curvature / unit, tile, areas)

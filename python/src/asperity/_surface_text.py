@@ -91,7 +91,8 @@ def literal(name: str, value: Any) -> str:
     try:
         return repr(float(value))
     except (TypeError, ValueError):
-        raise TypeError(f"{name} = {value!r}: must be a number, a word or a list of numbers") from None
+        what = "(load, coefficient), (load, coefficient, error) or a list of these" if name == "measured" else "a number, a word or a list of numbers"
+        raise TypeError(f"{name} = {value!r}: must be {what}") from None
 
 
 def quoted(word: str) -> str:
@@ -100,6 +101,8 @@ def quoted(word: str) -> str:
     return '"' + re.sub(r"[\x00-\x1f\x7f]", lambda found: f"\\u{ord(found[0]):04x}", escaped) + '"'
 
 
-def without_line(error: Error) -> Error:
-    """The same of a text that the caller did not write."""
-    return Error(re.sub(r"^line \d+: ", "", str(error)), error.status)
+def without_line(error: Error, keywords: Iterable[str] = ()) -> Error | TypeError:
+    """The same of a text that the caller did not write, or `TypeError` if one of the keywords that made it is no key."""
+    says = re.sub(r"^line \d+: ", "", str(error))
+    known = {"nominal_area", "coverage", *Surface.__annotations__}
+    return Error(says, error.status) if known.issuperset(keywords) else TypeError(says)

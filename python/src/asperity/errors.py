@@ -47,7 +47,9 @@ class Status(IntEnum):
 
 
 class Error(ValueError):
-    """A value that the library refuses. The message names the quantity, its value and what is allowed.
+    """A value, word, name or combination that is refused. The message names the quantity, its value and what is allowed.
+
+    A wrong type is a `TypeError`, as is a keyword that a function does not have; a file that cannot be opened is an `OSError`.
 
     Attributes:
         status: why, as a `Status`.
@@ -55,12 +57,18 @@ class Error(ValueError):
 
     status: Status
 
-    def __init__(self, message: str, status: Status) -> None:
+    def __init__(self, message: str, status: Status = Status.INVALID_PARAMETER) -> None:
         super().__init__(message)
         self.status = status
 
     def __reduce__(self) -> tuple[type[Error], tuple[str, Status]]:
         return type(self), (str(self), self.status)
+
+
+class UnknownKey(Error, KeyError):
+    """A name that a mapping does not have."""
+
+    __str__ = Exception.__str__  # a `KeyError` shows what it would look up
 
 
 def check(status: int) -> None:

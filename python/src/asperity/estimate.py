@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _header
+from . import _checks, _header
 from ._band_figure import drawn
-from ._friction_law import as_array
 from ._labelled import like
 from ._library import LIBRARY, text_of
 from .errors import Error, Status, check
@@ -142,7 +141,7 @@ class Estimate:
 
 def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
     """What the library estimates of the text of a surface, at one load or many."""
-    loads = as_array("load", load)
+    loads = _checks.array("load", load)
     text, flat = surface.encode(), np.ravel(loads)
     found = (_header.asperity_estimate * max(flat.size, 1))()
     found[0].struct_size = ctypes.sizeof(_header.asperity_estimate)

@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import math
-import operator
 from dataclasses import replace
 from itertools import combinations
 from typing import Any, Mapping, Sequence
@@ -15,8 +14,9 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import fit_robust
+from . import _checks, fit_robust
 from ._friction_law import FrictionLaw
+from .errors import Error
 from .fit_names import PRESSURE, free_names
 from .fit_result import End, Estimate, Fit
 from .fit_search import STEP, Data, Search
@@ -97,7 +97,7 @@ def fit(
         The fit. Read its `message`, or print it: it says what the data do not determine.
 
     Raises:
-        ValueError: data, names or bounds that cannot be used, or a start that the library refuses (`Error`); the
+        Error: data, names or bounds that cannot be used, or a start that the library refuses (`Error`); the
             message says what is allowed.
         ImportError: SciPy is missing.
     """
@@ -106,19 +106,17 @@ def fit(
     except ImportError as error:
         raise ImportError(f"fit needs SciPy ({error}): pip install scipy") from None
 
-    if not isinstance(params, Params):
-        raise TypeError(f"params = {params!r}: must be a Params")
+    _checks.instance("params", params, Params)
+    starts, seed = _checks.whole("starts", starts, 1), _checks.whole("seed", seed, 0)
     names = free_names(free, params)
     data = Data.of(load, mu, force, sigma)
     if data.load.size <= len(names):
-        raise ValueError(
+        raise Error(
             f"{data.load.size} points for {len(names)} free names: there must be more points than free names"
         )
-    search = Search.of(names, params, data, bounds or {})
+    search = Search.of(names, params, data, _checks.instance("bounds", {} if bounds is None else bounds, Mapping))
     search.friction(search.start)  # the library's own message if it refuses the start
-    fit_robust.checked(loss)
-    if operator.index(starts) < 1:
-        raise ValueError(f"starts = {starts}: must be 1 or more")
+    _checks.word("loss", loss, fit_robust.LOSSES)
 
     def minimum(start: Array, loss: str, unit: float) -> Any:
         ends = (search.low, search.high)

@@ -35,7 +35,9 @@ import math
 from dataclasses import dataclass
 from typing import Any, Callable, Sequence
 
+from . import _checks
 from ._friction_law import FrictionLaw
+from .errors import Error
 from .params import Params
 
 _FACTOR = 1000.0  # between the start of a positive name and its bounds, by default
@@ -78,11 +80,11 @@ class FreeName:
         return self.field in _GROUPS
 
     def start(self, params: Params) -> float:
-        """Where the search begins; `ValueError` if it cannot begin there."""
+        """Where the search begins; `Error` if it cannot begin there."""
         value = self.get(params)
         low, high = self.domain
         if not (math.isfinite(value) and (value > 0 if self.positive else low <= value <= high)):
-            raise ValueError(f"{self.given} = {value:g} in params: to be free it must start {self._allowed()}")
+            raise Error(f"{self.given} = {value:g} in params: to be free it must start {self._allowed()}")
         return value
 
     def limits(self, start: float, bounds: Any) -> tuple[float, float]:
@@ -92,12 +94,12 @@ class FreeName:
         try:
             low, high = (float(bound) for bound in bounds)
         except (TypeError, ValueError):
-            raise ValueError(f"bounds of {self.given} = {bounds!r}: must be two numbers") from None
+            raise TypeError(f"bounds of {self.given} = {bounds!r}: must be two numbers") from None
         inside = low > 0 and math.isfinite(high) if self.positive else self.domain[0] <= low and high <= self.domain[1]
         if not (inside and low < high):
-            raise ValueError(f"bounds of {self.given} = ({low:g}, {high:g}): must ascend and be {self._allowed()}")
+            raise Error(f"bounds of {self.given} = ({low:g}, {high:g}): must ascend and be {self._allowed()}")
         if not low <= start <= high:
-            raise ValueError(f"{self.given} = {start:g} in params: must start between its bounds, {low:g} and {high:g}")
+            raise Error(f"{self.given} = {start:g} in params: must start between its bounds, {low:g} and {high:g}")
         return low, high
 
     def coordinate(self, value: float, start: float) -> float:
@@ -117,16 +119,14 @@ class FreeName:
 
 
 def free_names(given: Sequence[str], params: Params) -> tuple[FreeName, ...]:
-    """Looks names up for a start; `ValueError` for none, an unknown one, or two that vary the same field."""
-    if isinstance(given, str) or not given:
-        raise ValueError(f"free = {given!r}: must be a sequence of one or more names")
-    names = tuple(_look_up(name, params) for name in given)
+    """Looks names up for a start; `Error` for none, an unknown one, or two that vary the same field."""
+    names = tuple(_look_up(name, params) for name in _checks.words("free", given))
     for i, one in enumerate(names):
         for other in names[:i]:
             both = set(one.varies) & set(other.varies)
             if both and {one.field, other.field} not in ({"alpha", "beta"}, {"Sq", "Sdq"}):
                 listed = " and ".join(sorted(both))
-                raise ValueError(f"free names {other.given} and {one.given} both vary {listed}: choose one of them")
+                raise Error(f"free names {other.given} and {one.given} both vary {listed}: choose one of them")
     return names
 
 
@@ -142,13 +142,13 @@ def _look_up(name: Any, params: Params) -> FreeName:
     if field not in _KINDS:
         symbols = {field: f"{field} or {symbol}" for symbol, field in _SYMBOLS.items()}
         allowed = ", ".join(symbols.get(field, field) for field in _KINDS)
-        raise ValueError(f"name {name!r}: must be one of {allowed}")
+        raise Error(f"name {name!r}: must be one of {allowed}")
     if params.height_distribution == "johnson" and field == "skew":
         return FreeName(name, field, (field,), _get_field(field), _put_field(field), (-3.0, 3.0))
     if field in ("Sq", "Sdq") and not (params.rms_slope > 0 and params.summit_mean_height > 0 and params.bandwidth == 0):
-        raise ValueError(f"name {name!r}: is of parameters made from m0 and m2, as by Params.from_spectral_moments")
+        raise Error(f"name {name!r}: is of parameters made from m0 and m2, as by Params.from_spectral_moments")
     if params.height_distribution != "johnson" and field == "kurtosis":
-        raise ValueError("name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
+        raise Error("name 'kurtosis': is of Johnson's heights; give params a kurtosis to start from")
     return FreeName(name, field, *_KINDS[field])
 
 

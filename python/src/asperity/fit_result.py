@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Iterable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _units
+from . import _checks, _units
 from ._friction_law import FrictionLaw
 from ._style import saved, style
+from .errors import Error
 from .fit_names import STRENGTHS
 from .fit_search import Data, Search
 from .params import Params
@@ -154,9 +155,7 @@ class Fit:
         """
         from scipy.stats import norm, t
 
-        if not 0 < coverage < 1:
-            raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
-        part = 0.5 + 0.5 * coverage
+        part = 0.5 + 0.5 * _checks.share("coverage", coverage)
         return float(norm.ppf(part) if self.student is None else t.ppf(part, self.student))
 
     @property
@@ -181,7 +180,7 @@ class Fit:
             load: normal loads [force], one-dimensional; > 0 for friction coefficients.
 
         Raises:
-            ValueError: loads that cannot be used.
+            Error: loads that cannot be used.
         """
         some = np.ones(np.shape(load))
         data = Data.of(load, some, None, None) if self.quantity == "mu" else Data.of(load, None, some, None)

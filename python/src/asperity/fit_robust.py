@@ -10,7 +10,7 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 # Name: psi(r), half the slope of the loss in r^2 by r, and its derivative. The names are those of SciPy's least_squares.
-_LOSSES: dict[str, tuple[Callable[[Array], Array], Callable[[Array], Array]]] = {
+LOSSES: dict[str, tuple[Callable[[Array], Array], Callable[[Array], Array]]] = {
     "linear": (lambda r: r, np.ones_like),
     "huber": (lambda r: np.clip(r, -1, 1), lambda r: (np.abs(r) <= 1).astype(np.float64)),
     "soft_l1": (lambda r: r / np.sqrt(1 + r**2), lambda r: (1 + r**2) ** -1.5),
@@ -22,13 +22,6 @@ _NORMAL = 1.4826
 FAR = 4.0
 
 
-def checked(loss: str) -> str:
-    """The name of a loss; `ValueError` for another."""
-    if loss not in _LOSSES:
-        raise ValueError(f"loss = {loss!r}: must be one of {', '.join(map(repr, _LOSSES))}")
-    return loss
-
-
 def scale(residuals: Array) -> float:
     """The standard deviation of residuals, of which some may be far off."""
     return _NORMAL * float(np.median(np.abs(residuals)))
@@ -36,12 +29,12 @@ def scale(residuals: Array) -> float:
 
 def freedom(loss: str, residuals: Array, unit: float, free: int) -> float:
     """Degrees of freedom of the scatter: points that count little are no whole points."""
-    return max(float(_LOSSES[loss][1](residuals / unit).sum()) - free, 1.0)
+    return max(float(LOSSES[loss][1](residuals / unit).sum()) - free, 1.0)
 
 
 def variance(loss: str, residuals: Array, unit: float, free: int) -> float:
     """What the inverse of J^T J is multiplied by to get the covariance of `free` parameters (Huber, Robust Statistics, 1981,
     eq (6.6)): sum psi^2/(n - free) over the square of the mean of psi', in units of `unit`^2."""
-    psi, slope = (one(residuals / unit) for one in _LOSSES[loss])
+    psi, slope = (one(residuals / unit) for one in LOSSES[loss])
     mean = max(float(slope.mean()), 1e-6)
     return unit**2 * float(psi @ psi) / (residuals.size - free) / mean**2

@@ -10,6 +10,7 @@ from typing import Any, Callable, Mapping
 import numpy as np
 import numpy.typing as npt
 
+from . import _checks
 from ._friction_law import FrictionLaw
 from .errors import Error, Status
 from .fit_names import PRESSURE, FreeName, put_all
@@ -45,9 +46,9 @@ class Data:
         cls, load: npt.ArrayLike, mu: npt.ArrayLike | None, force: npt.ArrayLike | None, sigma: npt.ArrayLike | None
     ) -> Data:
         if (mu is None) == (force is None):
-            raise ValueError("give either mu or force")
+            raise Error("give either mu or force")
         quantity = "mu" if force is None else "force"
-        loads, measured = _column("load", load), _column(quantity, force if mu is None else mu)
+        loads, measured = _checks.column("load", load), _checks.column(quantity, force if mu is None else mu)
         _same_length(quantity, measured, loads)
         if quantity == "mu":
             _each("load", loads, loads > 0, "must be > 0, for F/P has no finite value there; fit the force instead")
@@ -61,20 +62,10 @@ class Data:
         return 1.0 if self.sigma is None else 1 / self.sigma
 
 
-def _column(name: str, values: Any) -> Array:
-    array = np.asarray(values)
-    if array.ndim != 1 or array.dtype.kind not in "iuf":
-        found = f"{array.ndim}-dimensional of {array.dtype}"
-        raise ValueError(f"{name}: must be a one-dimensional array of real numbers, not {found}")
-    column = np.array(array, dtype=np.float64)
-    _each(name, column, np.isfinite(column), "must be finite")
-    return column
-
-
 def _errors(sigma: npt.ArrayLike | None, load: Array) -> Array | None:
     if sigma is None:
         return None
-    errors = _column("sigma", np.full(load.shape, sigma) if isinstance(sigma, numbers.Real) else sigma)
+    errors = _checks.column("sigma", np.full(load.shape, sigma) if isinstance(sigma, numbers.Real) else sigma)
     _same_length("sigma", errors, load)
     _each("sigma", errors, errors > 0, "must be > 0")
     return errors
@@ -82,13 +73,13 @@ def _errors(sigma: npt.ArrayLike | None, load: Array) -> Array | None:
 
 def _same_length(name: str, values: Array, load: Array) -> None:
     if values.size != load.size:
-        raise ValueError(f"{name} has {values.size} values, load {load.size}: must be as many")
+        raise Error(f"{name} has {values.size} values, load {load.size}: must be as many")
 
 
 def _each(name: str, values: Array, good: Mask, allowed: str) -> None:
     if not good.all():
         index = int(np.argmin(good))
-        raise ValueError(f"{name}[{index}] = {values[index]:g}: {allowed}")
+        raise Error(f"{name}[{index}] = {values[index]:g}: {allowed}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,9 +99,9 @@ class Search:
         cls, names: tuple[FreeName, ...], params: Params, data: Data, bounds: Mapping[str, tuple[float, float]]
     ) -> Search:
         origin = np.array([name.start(params) for name in names])
-        unknown = sorted(set(bounds) - {name.given for name in names})
+        unknown = sorted(set(map(str, bounds)) - {name.given for name in names})
         if unknown:
-            raise ValueError(f"bounds of {', '.join(unknown)}: must be of free names")
+            raise Error(f"bounds of {', '.join(unknown)}: must be of free names")
         limits = [name.limits(value, bounds.get(name.given)) for name, value in zip(names, origin)]
         ends = [
             [name.coordinate(end, value) for name, end, value in zip(names, side, origin)] for side in zip(*limits)

@@ -21,6 +21,7 @@ from typing import Any, Callable
 import numpy as np
 import numpy.typing as npt
 
+from .errors import Error
 from .model import Model
 from .table import Table
 
@@ -44,7 +45,7 @@ def friction_force(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
         dtype: float64, which needs `jax_enable_x64`, or float32; loads are converted to it.
 
     Raises:
-        ValueError: another type; float64 without `jax_enable_x64`.
+        Error: another type; float64 without `jax_enable_x64`.
     """
     return _Law(_table(model, dtype)).derivative(0)
 
@@ -55,7 +56,7 @@ def load_at_gap(model: Model) -> Law:
     In float64, with the derivatives of the table: minus the first one is the normal stiffness.
 
     Raises:
-        ValueError: without `jax_enable_x64`.
+        Error: without `jax_enable_x64`.
     """
     _check_doubles()
     law = _Law(model.load_table()).derivative(0)
@@ -102,7 +103,7 @@ def _table(model: Model, dtype: npt.DTypeLike) -> Table:
 def _check_doubles() -> None:
     if not jax.config.read("jax_enable_x64"):
         how = 'jax.config.update("jax_enable_x64", True) at the start of the program'
-        raise ValueError(f'float64 needs {how}; or take dtype="float32"')
+        raise Error(f'float64 needs {how}; or take dtype="float32"')
 
 
 class _Law:

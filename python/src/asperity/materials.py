@@ -18,14 +18,14 @@ from __future__ import annotations
 
 import ctypes
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import count, takewhile
 from types import MappingProxyType
 from typing import Any, Callable, Dict, Mapping, Tuple, TypeVar
 
-from . import _header
+from . import _checks, _header
 from ._library import LIBRARY
-from .errors import Error, Status, check
+from .errors import Error, UnknownKey, check
 
 Range = Tuple[float, float]
 
@@ -34,7 +34,7 @@ _Entry = TypeVar("_Entry")
 
 
 class _Named(Dict[str, _Entry]):
-    """The entries of a kind by their names, which finds a pair in either order; its `KeyError` says what the library does."""
+    """The entries of a kind by their names, which finds a pair in either order; of an unknown one it says what the library does."""
 
     def __init__(self, kind: str, read: Callable[[str], _Entry]) -> None:
         call = getattr(LIBRARY, f"asperity_{kind}_name")
@@ -46,7 +46,7 @@ class _Named(Dict[str, _Entry]):
         try:
             return self[_data(self._kind, str(name)).name.decode()]
         except Error as error:
-            raise KeyError(f"{error}; all: {', '.join(self)}") from None
+            raise UnknownKey(f"{error}; all: {', '.join(self)}") from None
 
 
 class _Sourced:
@@ -60,10 +60,11 @@ class _Sourced:
         Raises:
             Error: no source is known for it here.
         """
+        _checks.word("name", name, [field.name for field in fields(self)])  # type: ignore[arg-type]
         value = getattr(self, name)
         if value is None:
             says = "no source is known here for it; give a number of your own"
-            raise Error(f"{name} of {self.name}: {says}", Status.INVALID_PARAMETER)
+            raise Error(f"{name} of {self.name}: {says}")
         return value
 
 
@@ -143,7 +144,7 @@ class Pair(_Sourced):
         for body in (self.first, self.second):
             if MATERIALS.get(body.name) != body:
                 says = "is none of asperity.materials.MATERIALS: give E1, nu1, E2, nu2 and the rest by themselves"
-                raise Error(f"{body.name}: {says}", Status.INVALID_PARAMETER)
+                raise Error(f"{body.name}: {says}")
         own = {} if self.slip_stress_1 is None else {"slip_stress_1": self.slip_stress_1}
         own["work_of_adhesion"] = self.work_of_adhesion
         return contact(self.first.name, self.second.name, **(own | given))
@@ -183,8 +184,7 @@ def contact(first: str, second: str, **given: float) -> dict[str, Any]:
     adhesion that is not known is taken equal to such a Burgers vector.
 
     Raises:
-        KeyError: a material that is not known; the message has the nearest.
-        Error: what is not known here and is not given.
+        Error: a material that is not known, with the nearest (a `KeyError` too); or what is not known here and is not given.
     """
     struct: Any = _header.asperity_params()
     check(LIBRARY.asperity_params_init(ctypes.byref(struct), ctypes.sizeof(struct)))
@@ -200,7 +200,7 @@ def contact(first: str, second: str, **given: float) -> dict[str, Any]:
         _data("pair", f"{first}/{second}")  # which the library refuses
     if "burgers_vector" not in found | given:
         says = f"burgers_vector: none is known of a body of {first}/{second}: give one"
-        raise Error(says, Status.INVALID_PARAMETER)
+        raise Error(says)
     if "adhesion_range" not in found:
         found["adhesion_range"] = given["burgers_vector"]
     return bodies | found | given

@@ -8,9 +8,10 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from . import _units
-from ._friction_law import FrictionLaw, as_array
+from . import _checks, _units
+from ._friction_law import FrictionLaw
 from .curve import Curve
+from .errors import Error
 from .results import ValidityWarning
 from .uncertainty import AS_GIVEN, strength_of, uncertainty
 
@@ -66,7 +67,7 @@ class Model(FrictionLaw):
             executor: where the samples of the band are evaluated, by default here; see `asperity.uncertainty`.
 
         Raises:
-            ValueError: loads or a spread that cannot be used.
+            Error: loads or a spread that cannot be used.
             Error: what the library refuses.
 
         Warns:
@@ -74,9 +75,9 @@ class Model(FrictionLaw):
         """
         params = self.params
         unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
-        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(as_array("loads", loads))
-        if load.ndim != 1 or load.size == 0 or not load[0] > 0:
-            raise ValueError("loads: must be one-dimensional, not empty and > 0, since their axis is logarithmic")
+        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(_checks.one_or_more("loads", loads))
+        if not load[0] > 0:
+            raise Error("loads: must be > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)
         band = None
         if spread is not None or strength_of(self).deviation > 0:

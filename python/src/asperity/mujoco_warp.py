@@ -21,6 +21,7 @@ from typing import Any, Union
 
 import numpy as np
 
+from .errors import Error
 from .model import Model
 from .warp import Law32, friction, law
 
@@ -102,7 +103,7 @@ def _laws_by_pair(model: mujoco.MjModel, laws: Mapping[_Geoms, Model]) -> dict[t
             if found.setdefault(pair, of_one) is not of_one:
                 names = tuple(model.geom(geom).name for geom in pair)
                 if names not in laws and names[::-1] not in laws:
-                    raise ValueError(f"geoms {names[0]!r} and {names[1]!r} have different surfaces: name the pair too")
+                    raise Error(f"geoms {names[0]!r} and {names[1]!r} have different surfaces: name the pair too")
     for geoms, of_pair in laws.items():
         if not isinstance(geoms, str):
             a, b = map(number, geoms)
@@ -115,9 +116,9 @@ class Friction:
 
     def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[_Geoms, Model], time_constant: float | None, passes: int) -> None:
         if time_constant is not None and not 0 < time_constant < np.inf:
-            raise ValueError(f"time_constant = {time_constant!r}: must be positive and finite")
+            raise Error(f"time_constant = {time_constant!r}: must be positive and finite")
         if passes < 1:
-            raise ValueError(f"passes = {passes!r}: must be at least 1")
+            raise Error(f"passes = {passes!r}: must be at least 1")
         self.passes = passes
         self.time_constant = -1.0 if time_constant is None else time_constant
         by_pair = _laws_by_pair(model, laws)
@@ -176,15 +177,15 @@ def attach(
         passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
 
     Raises:
-        ValueError: pyramidal cones, RK4, actuation disabled, geoms with two surfaces, a time constant or passes that are none.
+        Error: pyramidal cones, RK4, actuation disabled, geoms with two surfaces, a time constant or passes that are none.
         KeyError: there is no such geom.
     """
     if int(m.opt.cone) != int(mujoco.mjtCone.mjCONE_ELLIPTIC):
-        raise ValueError('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
+        raise Error('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
     if int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_RK4):
-        raise ValueError("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
+        raise Error("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
     if int(m.opt.disableflags) & int(mujoco.mjtDisableBit.mjDSBL_ACTUATION):
-        raise ValueError('needs <flag actuation="enable"/>: MuJoCo Warp calls no control callback without it')
+        raise Error('needs <flag actuation="enable"/>: MuJoCo Warp calls no control callback without it')
     made = Friction(model, d, laws, time_constant, passes)
     own = m.callback.control
     if isinstance(own, _Chain):  # attached before

@@ -69,20 +69,16 @@ def friction(
 
     Raises:
         Error: names and values that the library refuses; the message has what is allowed, or the nearest name.
-        TypeError: a value that is neither a number nor a word.
+        TypeError: a keyword that surface files do not have; a value that is neither a number nor a word.
 
     Warns:
         ValidityWarning: an assumption of the model that fails at one of the loads > 0.
     """
-    if not isinstance(pair, (Pair, str)):
-        raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
-    if not 0 < coverage < 1:
-        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
     given = dict(of_pair(pair)) | {"nominal_area": nominal_area, "coverage": coverage} | dict(surface)
     try:
         found = estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
     except Error as error:
-        raise without_line(error) from None
+        raise without_line(error, surface) from None
     for kind in found.warnings.kinds:
         pressing = np.ravel(np.asarray(load, dtype=np.float64))
         pressing = pressing[pressing > 0]
@@ -95,6 +91,8 @@ def of_pair(pair: str | Pair) -> Iterator[tuple[str, Any]]:
     if isinstance(pair, str):
         yield "pair", pair
         return
+    if not isinstance(pair, Pair):
+        raise TypeError(f"pair = {pair!r}: must be a name, as 'steel/steel', or one of asperity.materials.PAIRS")
     yield "pair", pair.name
     known = PAIRS.get(pair.name)
     for name in ("work_of_adhesion", "slip_stress_1"):

@@ -26,6 +26,7 @@ from ._pad_equilibrium import Counts, Mask, OneSummitLaw, descend
 from ._pad_heights import TailHeights, counted_from_summits
 from ._pad_results import Pads
 from ._progress import Progress, teller
+from .errors import Error
 from .model import Model
 from .params import Params
 
@@ -80,15 +81,14 @@ def pads(
             `concurrent.futures.Executor`, with the same result (docs/studies.md).
 
     Raises:
-        ValueError: what loads, count, seed or the number of summits may not be; `Error` for what the library refuses.
+        Error: what loads, count, seed or the number of summits may not be, or what the library refuses.
         TypeError: no `Params`, or no whole numbers.
     """
-    if not isinstance(params, Params):
-        raise TypeError(f"params = {params!r}: must be a Params")
-    load = _checks.one_or_more_loads(loads, "a real number or a one-dimensional array of one or more")
-    count, seed = _at_least("count", count, 2), _at_least("seed", seed, 0)
+    _checks.instance("params", params, Params)
+    load = _checks.one_or_more("loads", loads)
+    count, seed = _checks.whole("count", count, 2), _checks.whole("seed", seed, 0)
     if params.asperity_count < 2:
-        raise ValueError(
+        raise Error(
             f"asperity_count = {params.asperity_count:g}: pads need the true number of summits, 2 or more: "
             "params.replace(asperity_count=...)"
         )
@@ -156,10 +156,3 @@ def _start_of(law: OneSummitLaw, heights: Array, heaviest: float, step: float) -
     while law.least_nearer(heights, separation) <= heaviest:
         separation, step = separation - step, 2 * step
     return separation
-
-
-def _at_least(name: str, value: Any, least: int) -> int:
-    whole = _checks.whole(name, value)
-    if whole < least:
-        raise ValueError(f"{name} = {value}: must be {least} or more")
-    return whole

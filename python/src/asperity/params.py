@@ -7,12 +7,14 @@ import math
 import numbers
 import os
 import re
+import stat
 from dataclasses import MISSING, dataclass, fields
-from typing import TYPE_CHECKING, Any, Literal, Sequence, TypedDict, Union
+from functools import partial
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Sequence, TypedDict, Union
 
-from . import _header, _output, _units
+from . import _checks, _header, _output, _units
 from ._library import LIBRARY, last_error, text_of
-from .errors import Error, Status, check, instead
+from .errors import Error, check
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -78,9 +80,13 @@ Numbers = Union[float, Sequence[float]]
 _CHOOSES = {"weibull_shape": "weibull", "kurtosis": "johnson", "table_height": "tabulated", "table_density": "tabulated"}
 
 # What the ways to make parameters take beside fields.
-_NOT_FIELDS = ("E1", "nu1", "E2", "nu2", "summit_density", "m0", "m2", "m4", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Ra", "Rq", "RSm", "Rdq")
-# Heights from a peak to a valley.
-_PEAKS = ("Rz", "Rt", "Rmax", "Sz")
+_ARGUMENTS = {
+    "Params.si": ("E1", "nu1", "E2", "nu2", "summit_density"),
+    "Params.from_spectral_moments": ("m0", "m2", "m4", "summits"),
+    "Params.from_profile": ("Ra", "Rq", "RSm", "Rdq"),
+    "Params.from_iso25178": ("Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku"),
+    "asperity.friction": ("pair", "first", "second", "interface", "process", "measured", "coverage"),
+}
 # One measured point: the load, and either of the others.
 CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibration_friction_force")
 # What an interface by its name sets, and a measured point with it.
@@ -222,10 +228,10 @@ class Params:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            object.__setattr__(self, field.name, _CHECKS.get(field.name, _real)(field.name, value))
+            object.__setattr__(self, field.name, _CHECKS.get(field.name, _checks.real)(field.name, value))
         heights, densities = len(self.table_height), len(self.table_density)
         if heights != densities:
-            raise Error(f"table_density: {densities} numbers for {heights} heights", Status.INVALID_PARAMETER)
+            raise Error(f"table_density: {densities} numbers for {heights} heights")
 
     @classmethod
     def paper(cls) -> Params:
@@ -256,11 +262,11 @@ class Params:
 
         Raises:
             Error: a value that the library refuses.
-            TypeError: an unknown name, or names that exclude each other.
+            TypeError: an unknown name.
         """
         struct = _initialised()
         groups = {"alpha": alpha, "beta": beta, "gamma": gamma, "b_over_h": b_over_h, "poisson": poisson}
-        values = [_real(name, value) for name, value in groups.items()]
+        values = [_checks.real(name, value) for name, value in groups.items()]
         check(LIBRARY.asperity_params_set_dimensionless(ctypes.byref(struct), *values))
         return cls._made(_physical(struct), options)
 
@@ -309,8 +315,8 @@ class Params:
                 this skew, -1.11 to 2; `weibull_shape` and a table mean their heights too.
 
         Raises:
-            Error: a value that the library refuses.
-            TypeError: an unknown name, one missing, or names that exclude each other.
+            Error: a value that the library refuses, or names that exclude each other.
+            TypeError: an unknown name, or one missing.
         """
         moduli = {"composite_modulus": composite_modulus, "effective_shear_modulus": effective_shear_modulus}
         bodies = {"E1": E1, "nu1": nu1, "E2": E2, "nu2": nu2}
@@ -321,7 +327,7 @@ class Params:
         else:
             surface = {"summit_density": summit_density, "nominal_area": nominal_area}
             _one_of({"asperity_count": asperity_count}, surface)
-            density, area = (_positive(name, value) for name, value in surface.items())
+            density, area = (_checks.positive(name, value) for name, value in surface.items())
             summits = {"asperity_count": density * area, "nominal_area": area}
         named: dict[str, Any] = {
             "work_of_adhesion": work_of_adhesion,
@@ -346,7 +352,7 @@ class Params:
         load, coefficient, force = (point.get(name) for name in CALIBRATION)
         if load is None or (coefficient is None) == (force is None):
             says = f"{CALIBRATION[0]} goes with one of {CALIBRATION[1]} and {CALIBRATION[2]}"
-            raise TypeError(f"{next(iter(point))}: {says}")
+            raise Error(f"{next(iter(point))}: {says}")
         if coefficient is not None:
             return self.calibrated(load, coefficient, error=self.calibration_error)
         return self.calibrated_force(load, point[CALIBRATION[2]], error=self.calibration_error)
@@ -383,8 +389,8 @@ class Params:
             **contact: materials, adhesion and options, as `si` takes them. Of these `bandwidth` may replace m4.
 
         Raises:
-            Error: a value that the library refuses.
-            TypeError: an unknown name, one missing, or names that exclude each other.
+            Error: a value that the library refuses, or names that exclude each other.
+            TypeError: an unknown name, or one missing.
         """
         return cls._of_roughness({"m0": m0, "Ra": Ra, "m2": m2, "m4": m4}, nominal_area, summits, contact)
 
@@ -393,13 +399,14 @@ class Params:
         cls, given: dict[str, Any], nominal_area: float, summits: Literal["moments", "mccool"], contact: Any
     ) -> Params:
         """Of what [roughness] of a surface file has."""
-        refuse_peaks(contact)
+        _refuse_unknown(contact, Bodies.__annotations__)
         top = {"nominal_area": nominal_area}
         roughness = {name: value for name, value in given.items() if value is not None}
         if "bandwidth" in contact and not roughness.keys() & set(_CURVATURES):
             top["bandwidth"] = contact.pop("bandwidth")
         if "burgers_vector" in contact:
             top["burgers_vector"] = contact["burgers_vector"]  # a crystal's tells that lengths are in m
+        _checks.word("summits", summits, ("moments", "mccool"))
         struct: Any = _initialised()
         try:
             _set_text(struct, f'{_lines(top)}[roughness]\nsummits = "{summits}"\n{_lines(roughness)}')
@@ -438,8 +445,8 @@ class Params:
             **contact: as for `from_spectral_moments`.
 
         Raises:
-            Error: a value that the library refuses.
-            TypeError: an unknown name, one missing, or names that exclude each other.
+            Error: a value that the library refuses, or names that exclude each other.
+            TypeError: an unknown name, or one missing.
         """
         return cls._of_roughness({"Rq": Rq, "Ra": Ra, "RSm": RSm, "Rdq": Rdq}, nominal_area, summits, contact)
 
@@ -482,8 +489,8 @@ class Params:
             **contact: as for `from_spectral_moments`.
 
         Raises:
-            Error: a value that the library refuses.
-            TypeError: an unknown name, one missing, or names that exclude each other.
+            Error: a value that the library refuses, or names that exclude each other.
+            TypeError: an unknown name, or one missing.
         """
         given = {"Sq": Sq, "Ra": Ra, "Sdq": Sdq, "Ssc": Ssc, "Sds": Sds, "Ssk": Ssk, "Sku": Sku}
         return cls._of_roughness(given, nominal_area, summits, contact)
@@ -521,10 +528,11 @@ class Params:
         """
         if not hasattr(summits, "radius_trend"):
             raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
+        _checks.word("heights", heights, _header.WORDS["height_distribution"])
         area = summits.nominal_area if nominal_area is None else nominal_area
         if not counted:
             if heights != "gaussian":
-                raise TypeError(f"heights = {heights!r}: is for the summits of a map: give counted=True")
+                raise Error(f"heights = {heights!r}: is for the summits of a map: give counted=True")
             return cls._of_roughness(moments_of(summits), area, "moments", contact)
         return cls.si(**counted_of(summits, heights, trend), nominal_area=area, **contact)
 
@@ -533,9 +541,11 @@ class Params:
         """The parameters that a TOML file describes, in SI units: docs/solvers.md lists its keys.
 
         Raises:
-            Error: a file that cannot be read, a key or a value that is not allowed, or one that is missing; the message names the
-                file, the line and the key.
+            OSError: there is no such file, or it cannot be opened.
+            Error: a key or a value that is not allowed, or one that is missing; the message names the file, the line and the key.
         """
+        if not stat.S_ISFIFO(os.stat(path).st_mode):  # which would wait for who writes
+            open(path, "rb").close()  # an OSError says what is wrong with the path, in the system's words
         struct = _initialised()
         check(LIBRARY.asperity_params_read(ctypes.byref(struct), os.fsencode(path)))
         try:
@@ -554,8 +564,8 @@ class Params:
         Raises:
             Error: as `from_toml`; the message names the line and the key.
         """
-        struct = _initialised() if start is None else start._as_struct()
-        _set_text(struct, text)
+        struct = _initialised() if start is None else _checks.instance("start", start, Params)._as_struct()
+        _set_text(struct, _checks.instance("text", text, str))
         return cls._of_struct(struct, start is None or start.in_si)
 
     def to_toml(self, path: str | os.PathLike[str]) -> None:
@@ -572,10 +582,10 @@ class Params:
         """The text that `to_toml` writes; it raises the same."""
         if not self.in_si:
             says = "in_si = False: must be True, as a surface file is in SI units: convert by in_units, then replace(in_si=True)"
-            raise Error(says, Status.INVALID_PARAMETER)
+            raise Error(says)
         found = text_of(LIBRARY.asperity_params_text, ctypes.byref(self._as_struct()))
         if not found:
-            raise Error(last_error(), Status.INVALID_PARAMETER)
+            raise Error(last_error())
         return found
 
     @classmethod
@@ -588,7 +598,8 @@ class Params:
             elif name in ("table_height", "table_density"):
                 value = value[: struct.table_length]
             elif math.isnan(value):
-                raise Error(f"{name}: must be set", Status.INVALID_PARAMETER)
+                model = ctypes.POINTER(_header.asperity_model)()
+                check(LIBRARY.asperity_create(ctypes.byref(struct), ctypes.byref(model)))  # says what sets it
             values[name] = value
         return cls(**values)
 
@@ -649,8 +660,8 @@ class Params:
 
     def _calibrated(self, call: Any, load: float, name: str, value: float, error: float) -> Params:
         struct: Any = self._as_struct()
-        struct.calibration_error = _real("error", error)
-        check(call(ctypes.byref(struct), _real("load", load), _real(name, value)))
+        struct.calibration_error = _checks.real("error", error)
+        check(call(ctypes.byref(struct), _checks.real("load", load), _checks.real(name, value)))
         return self._of_struct(struct, self.in_si)
 
     def in_units(self, *, length: float, force: float) -> Params:
@@ -664,7 +675,7 @@ class Params:
             Error: a unit that is not finite and > 0.
         """
         struct: Any = self._as_struct()
-        units = _real("length", length), _real("force", force)
+        units = _checks.real("length", length), _checks.real("force", force)
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
         return self._of_struct(struct, self.in_si and units == (1.0, 1.0))
 
@@ -675,7 +686,7 @@ class Params:
             Error: a hardness that is not finite and > 0.
         """
         struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), _real("hardness", hardness)))
+        check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), _checks.real("hardness", hardness)))
         return self._of_struct(struct, self.in_si)
 
     def with_interface(self, name: str) -> Params:
@@ -692,7 +703,7 @@ class Params:
                 nearest name, or what to give to `calibrated`.
         """
         struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), name.encode()))
+        check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), _checks.instance("name", name, str).encode()))
         return self._of_struct(struct, self.in_si)
 
     def __repr__(self) -> str:
@@ -780,20 +791,16 @@ def _heights_of(summits: Summits, family: str) -> dict[str, Any]:
 def _options(given: Any) -> dict[str, Any]:
     """Fields to set, with the height distribution that they mean."""
     changes = dict(given)
-    refuse_peaks(changes)
-    known = [field.name for field in fields(Params)]
-    for name in changes:
-        if name not in known:
-            raise TypeError(f"{name}: no parameter has this name; {instead(name, [*known, *_NOT_FIELDS])}")
+    _refuse_unknown(changes)
     meant = {_CHOOSES[name]: name for name in _CHOOSES if name in changes}
     if len(meant) > 1:
-        raise TypeError(f"{' and '.join(meant.values())} mean different height distributions: give one of them")
+        raise Error(f"{' and '.join(meant.values())} mean different height distributions: give one of them")
     if "skew" in changes and "johnson" not in (changes.get("height_distribution"), *meant):
         excluded = {"weibull_shape", "height_distribution", "table_height", "table_density"} & changes.keys()
         if excluded:
-            raise TypeError(f"skew chooses the height distribution: do not give {' or '.join(sorted(excluded))} too")
+            raise Error(f"skew chooses the height distribution: do not give {' or '.join(sorted(excluded))} too")
         struct = _initialised()
-        check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), _real("skew", changes.pop("skew"))))
+        check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), _checks.real("skew", changes.pop("skew"))))
         return changes | {"height_distribution": "weibull", "weibull_shape": getattr(struct, "weibull_shape")}
     for distribution in meant:
         changes.setdefault("height_distribution", distribution)
@@ -802,7 +809,7 @@ def _options(given: Any) -> dict[str, Any]:
 
 def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:
     struct: Any = _initialised()
-    values = [_real(name, value) for name, value in bodies.items()]
+    values = [_checks.real(name, value) for name, value in bodies.items()]
     check(LIBRARY.asperity_params_set_materials(ctypes.byref(struct), *values))
     return {
         "composite_modulus": struct.composite_modulus,
@@ -815,7 +822,7 @@ def _one_of(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
     """The one of two groups of arguments that is given: all of it, and nothing of the other."""
     given = [group for group in (first, second) if any(value is not None for value in group.values())]
     if len(given) != 1 or any(value is None for value in given[0].values()):
-        raise TypeError(f"give either {_listed(first)}, or {_listed(second)}")
+        raise Error(f"give either {_listed(first)}, or {_listed(second)}")
     return given[0]
 
 
@@ -824,35 +831,16 @@ def _listed(names: Any) -> str:
     return f"{', '.join(most)} and {last}" if most else str(last)
 
 
-def _real(name: str, value: Any) -> float:
-    if not isinstance(value, numbers.Real):
-        raise TypeError(f"{name} = {value!r}: must be a real number")
-    try:
-        return float(value)
-    except OverflowError:
-        raise Error(f"{name}: a whole number of more than 308 digits; must be finite", Status.INVALID_PARAMETER) from None
-
-
-def _positive(name: str, value: Any) -> float:
-    number = _real(name, value)
-    if not (math.isfinite(number) and number > 0):
-        raise Error(f"{name} = {number}: must be finite and > 0", Status.INVALID_PARAMETER)
-    return number
-
-
-def both_of(name: str, value: Any) -> list[float]:
-    """The number of one rough surface, or those of two."""
-    both = [value] if isinstance(value, numbers.Real) or not hasattr(value, "__iter__") else list(value)
-    if not 1 <= len(both) <= 2:
-        raise TypeError(f"{name} = {value!r}: must be one number, or a list of two if both surfaces are rough")
-    return [_positive(name, one) for one in both]
-
-
-def refuse_peaks(given: Any) -> None:
-    """`TypeError` for a height from a peak to a valley, which says too little of a roughness."""
-    for name in _PEAKS:
-        if name in given:
-            raise TypeError(f"{name}: is a peak-to-valley height, which does not determine friction: give Ra or Rq (Sq)")
+def _refuse_unknown(given: Iterable[str], also: Iterable[str] = ()) -> None:
+    """`TypeError` for a keyword that no parameter has: of which call it is, or what the library says of it."""
+    known = {*Options.__annotations__, *(field.name for field in fields(Params)), *also}
+    for name in given:
+        if name in known:
+            continue
+        if call := next((call for call, names in _ARGUMENTS.items() if name in names), None):
+            raise TypeError(f"{name}: is an argument of {call}")
+        LIBRARY.asperity_params_set_value(ctypes.byref(_initialised()), name.encode(errors="replace"), 1.0)
+        raise TypeError(last_error())
 
 
 def _set_text(struct: _header.asperity_params, text: str) -> None:
@@ -867,33 +855,22 @@ def _lines(given: dict[str, Any]) -> str:
 
 def _toml(name: str, value: Any) -> str:
     if isinstance(value, numbers.Real) or not hasattr(value, "__iter__"):
-        return repr(_real(name, value))
-    return f"[{', '.join(repr(_real(name, one)) for one in value)}]"
-
-
-def _word(name: str, value: Any) -> str:
-    words = _header.WORDS[name]
-    if value not in words:
-        raise Error(f"{name} = {value!r}: must be one of {', '.join(map(repr, words))}", Status.INVALID_PARAMETER)
-    return str(value)
-
-
-def _flag(name: str, value: Any) -> bool:
-    if value not in (False, True):
-        raise Error(f"{name} = {value!r}: must be True or False", Status.INVALID_PARAMETER)
-    return bool(value)
+        return repr(_checks.real(name, value))
+    return f"[{', '.join(repr(_checks.real(name, one)) for one in value)}]"
 
 
 def _column(name: str, value: Any) -> tuple[float, ...]:
-    return tuple(_real(f"{name}[{i}]", number) for i, number in enumerate(value))
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
+        raise TypeError(f"{name} = {value!r}: must be a sequence of numbers")
+    return tuple(_checks.real(f"{name}[{i}]", number) for i, number in enumerate(value))
 
 
 _CHECKS: dict[str, Any] = {
-    "attraction": _flag,
-    "in_si": _flag,
+    "attraction": _checks.flag,
+    "in_si": _checks.flag,
     "table_height": _column,
     "table_density": _column,
-    **dict.fromkeys(_header.WORDS, _word),
+    **{name: partial(_checks.word, words=words) for name, words in _header.WORDS.items()},
 }
 
 

@@ -28,6 +28,7 @@ from ._many_surfaces import Block, evaluate, names_of
 from ._progress import Progress, teller
 from ._sobol import plot_sobol_indices, sobol_indices
 from ._study_store import Layout, Memory
+from .errors import Error
 from .params import Params
 
 if TYPE_CHECKING:
@@ -102,24 +103,23 @@ def study(
         there alone.
 
     Raises:
-        ValueError: what an argument may not be, or a checkpoint of another study.
+        Error: what an argument may not be, or a checkpoint of another study.
         TypeError: no parameters, or no numbers.
         ImportError: a missing package; the message says what to install.
         BlockingIOError: another process is at work on the same checkpoint.
         ChildProcessError: an executor that is broken, or workers that die again and again.
     """
     _require()
-    if not isinstance(params, Params):
-        raise TypeError(f"params = {params!r}: must be a Params")
+    _checks.instance("params", params, Params)
     _blocks.checked_workers(workers)
-    load = _checks.one_or_more_loads(loads, "one-dimensional, one or more real numbers")
-    seed = _whole("seed", seed, 0, 2**63 - 1)
+    load = _checks.one_or_more("loads", loads)
+    seed = _checks.whole("seed", seed, 0, 2**63 - 1)
     draws = _study_draws.drawn(params, vary, samples, seed, sampling)
     surfaces = len(draws.values)
     if surfaces * load.size > _MOST_STATES:
-        raise ValueError(f"loads: {load.size} of them for {surfaces} surfaces; must be at most {_MOST_STATES:g} states together")
+        raise Error(f"loads: {load.size} of them for {surfaces} surfaces; must be at most {_MOST_STATES:g} states together")
     usual = max(1, min(_BLOCK, surfaces // _BLOCKS, _NUMBERS // load.size))
-    size = usual if block is None else _whole("block", block, 1, surfaces)
+    size = usual if block is None else _checks.whole("block", block, 1, surfaces)
     layout = _layout(params, draws, load, seed, sampling, size, bool(warnings))
     with nullcontext(Memory(layout)) if checkpoint is None else _study_store.checkpoint(checkpoint, layout) as store:
         missing = store.missing()
@@ -185,13 +185,6 @@ def _layout(
         "bits of the parameters drawn": _study_draws.digest(draws.values),
     }
     return Layout(parameters, load, attributes, identity, block, warnings, params.in_si)
-
-
-def _whole(name: str, value: Any, least: int, most: int) -> int:
-    whole = _checks.whole(name, value)
-    if not least <= whole <= most:
-        raise ValueError(f"{name} = {_study_draws.short(whole)}: must be from {least} to {most}")
-    return whole
 
 
 def _require() -> None:

@@ -19,12 +19,13 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _blocks, _header
+from . import _blocks, _checks, _header
 from ._friction_law import FrictionLaw
 from ._many_surfaces import Block, Drawn, forces
 from ._progress import Progress, teller
 from ._sparkline import is_wide
 from ._style import BLACK, saved, style
+from .errors import Error
 from .fit_names import STRENGTHS, FreeName, free_names, put_all
 from .fit_result import Fit
 from .fit_search import log_slopes
@@ -177,14 +178,15 @@ def uncertainty(
             `concurrent.futures.Executor`, with the same result (docs/studies.md).
 
     Raises:
-        ValueError: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
+        Error: names, numbers or loads that cannot be used, or a surface that the library refuses (`Error`).
         TypeError: params is neither.
     """
     names, params, covariance, fit, measured, rests_on = _distribution(params, spread)
     loads = fit.load if fit is not None and loads is None else loads
     if loads is None:
-        raise ValueError("loads: must be given")
-    load = np.atleast_1d(np.asarray(loads, dtype=np.float64))
+        raise Error("loads: must be given")
+    load = _checks.one_or_more("loads", loads)
+    samples, seed = _checks.whole("samples", samples, 0), _checks.whole("seed", seed, 0)
     _check(load, quantity, samples, coverage)
 
     values = np.array([name.start(params) for name in names])
@@ -267,13 +269,13 @@ def _distribution(
     measurement on these surfaces; in words."""
     if isinstance(params, Fit):
         if spread is not None:
-            raise ValueError("spread: a fit brings its own; give fit.params for another")
+            raise Error("spread: a fit brings its own; give fit.params for another")
         names = free_names(params.free, params.params)
         unit = np.array([name.per_coordinate(params.values[name.given]) for name in names])
         covariance = params.covariance / np.outer(unit, unit)
         if not np.isfinite(covariance).all():
             lost = ", ".join(name for name in params.free if math.isinf(params.errors[name]))
-            raise ValueError(f"the fit does not determine {lost}: friction has no band; fit it without")
+            raise Error(f"the fit does not determine {lost}: friction has no band; fit it without")
         fitted = f"a fit of {', '.join(params.free)} to {params.load.size} points"
         return names, params.params, covariance, params, False, (fitted,)
     if not isinstance(params, Params):
@@ -285,12 +287,12 @@ def _distribution(
         if not isinstance(deviation, numbers.Real):
             raise TypeError(f"spread of {name} = {deviation!r}: must be a real number; 10 % are 0.1")
         if not (math.isfinite(deviation) and float(deviation) >= 0):
-            raise ValueError(f"spread of {name} = {deviation!r}: must be finite and >= 0")
+            raise Error(f"spread of {name} = {deviation!r}: must be finite and >= 0")
     with FrictionLaw(params) as law:
         strength = strength_of(law)
     by_default = {} if given.keys() & set(STRENGTHS) or strength.deviation == 0 else {"slip_stress": strength.deviation}
     if not given and not by_default:
-        raise ValueError(
+        raise Error(
             "spread: must name at least one parameter, {name: standard deviation}, since the strength of this interface is "
             "given; if it was measured, calibrate with the measurement: params.calibrated(load, friction_coefficient)"
         )
@@ -300,7 +302,7 @@ def _distribution(
         deviation = given.get(one.given, 0)
         if one.positive and deviation != 0 and not _NARROWEST <= deviation <= _WIDEST:
             meant = f"{deviation:g} % are {deviation / 100:g}" if 1 < deviation <= 100 else "divide an error in units by the value"
-            raise ValueError(
+            raise Error(
                 f"spread of {one.given} = {deviation!r}: is relative to the value and must be at most {_WIDEST:g}, and 0 or at "
                 f"least {_NARROWEST:g}; {meant}"
             )
@@ -348,16 +350,11 @@ def _narrowed(covariance: Array, slopes: Array, error: float) -> Array:
 
 
 def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:
-    if load.ndim != 1 or load.size == 0:
-        raise ValueError(f"loads: must be one-dimensional and not empty, not of shape {load.shape}")
-    if quantity not in _LABELS:
-        raise ValueError(f"quantity = {quantity!r}: must be 'mu' or 'force'")
-    if quantity == "mu" and not (load > 0).all():
-        raise ValueError('loads: must be > 0 for coefficients, since F/P has no finite value there; quantity="force" has')
-    if samples != int(samples) or samples < 0 or samples == 1:
-        raise ValueError(f"samples = {samples!r}: must be 0, for the linear band, or a whole number from 2 on")
-    if not 0 < coverage < 1:
-        raise ValueError(f"coverage = {coverage!r}: must be between 0 and 1")
+    if _checks.word("quantity", quantity, _LABELS) == "mu" and not (load > 0).all():
+        raise Error('loads: must be > 0 for coefficients, since F/P has no finite value there; quantity="force" has')
+    if samples == 1:
+        raise Error(f"samples = {samples!r}: must be 0, for the linear band, or a whole number from 2 on")
+    _checks.share("coverage", coverage)
 
 
 def _draw(
@@ -381,9 +378,9 @@ def _draw(
         tried += wanted
         refused += wanted - len(rows) + not_evaluated
         if refused > _REFUSED * samples:
-            raise ValueError(f"spread: {refused} of {tried} surfaces drawn are refused; make it smaller")
+            raise Error(f"spread: {refused} of {tried} surfaces drawn are refused; make it smaller")
         if tried > _UNLIKELY * samples:
-            raise ValueError(
+            raise Error(
                 f"spread: of {tried} surfaces drawn {len(found)} have the friction that was measured; make it smaller, or leave the "
                 "strength of the interface free"
             )

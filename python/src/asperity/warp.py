@@ -81,7 +81,7 @@ def law(model: Model, dtype: npt.DTypeLike = np.float64, device: Any = None) -> 
         device: of the kernels, as Warp names it; Warp's default without.
 
     Raises:
-        ValueError: another type.
+        Error: another type.
     """
     return _made(model.table(dtype), device)
 
