@@ -18,7 +18,8 @@ use crate::numerics::quadrature::{self, POINTS};
 const LARGEST_OVERLAP: f64 = 31.0;
 /// A tabulated panel takes 1 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 36;
-/// So near to break-away, in sigma or, where it is farther, parts of its overlap, panels are laid in the parameter of the law, and walked where the density is not smooth.
+/// So near to break-away, in sigma or, where it is farther, parts of its overlap, panels are laid in the parameter of the law, and
+/// walked where the density is not smooth.
 const NEAR: f64 = 0.002;
 /// Farther away they are laid in the square root of the height above break-away, from 0 of which the law of contact is smooth.
 /// It grows by no more than this factor: a polynomial through the nodes then follows slopes to 1e-11 of surfaces from weak adhesion to
