@@ -57,7 +57,7 @@ impl<const N: usize> Visitor for Lost<N> {
         let (strength, radius) = (fraction * summit.friction, fraction * summit.radius);
         self.strength += strength;
         self.all += radius;
-        if strength.abs() < NEGLIGIBLE * self.strength && radius.abs() < NEGLIGIBLE * self.all {
+        if strength < NEGLIGIBLE * self.strength && radius < NEGLIGIBLE * self.all {
             return;
         }
         let reach = self.onset.reach() * strength;
@@ -68,8 +68,7 @@ impl<const N: usize> Visitor for Lost<N> {
             SlipOnset::Partial => {
                 for i in 0..N {
                     let stuck = self.force_over_radius[i] * radius;
-                    let (y, slipping) =
-                        if stuck.abs() < reach.abs() { (stuck * per_reach, 0.0) } else { (1.0, stuck - reach) };
+                    let (y, slipping) = if stuck < reach { (stuck * per_reach, 0.0) } else { (1.0, stuck - reach) };
                     let root = (1.0 - y).sqrt();
                     let gone = y / (1.0 + root);
                     self.force[i] += strength * (gone * gone * (0.5 + root)) + slipping;
@@ -79,7 +78,7 @@ impl<const N: usize> Visitor for Lost<N> {
             SlipOnset::Whole => {
                 for i in 0..N {
                     let stuck = self.force_over_radius[i] * radius;
-                    let (force, gone) = if stuck.abs() < reach.abs() { (0.0, 0.0) } else { (stuck - reach, radius) };
+                    let (force, gone) = if stuck < reach { (0.0, 0.0) } else { (stuck - reach, radius) };
                     self.force[i] += force;
                     self.radius[i] += gone;
                 }

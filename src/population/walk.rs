@@ -22,7 +22,9 @@ const STEEPEST: f64 = 1e9;
 
 /// What the summits in contact are handed to.
 pub trait Visitor {
-    /// So many summits at a height, as a fraction of all. Some fractions of a panel may be negative, not their sum.
+    /// Whether what it makes of a summit is as smooth as the law of contact: then some fractions may be negative, not their sum.
+    const IS_SMOOTH: bool = false;
+    /// So many summits at a height, as a fraction of all.
     fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
     /// The last summit of a panel.
     fn end_of_panel(&mut self, _end: &Point) {}
