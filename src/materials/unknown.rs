@@ -121,6 +121,7 @@ mod tests {
             ),
             ("steel/rubber", "steel/rubber: no pair has this name; rubber: no material has this name; rubber is visco"),
             ("rubber", "rubber: no pair has this name; rubber is viscoelastic"),
+            ("", "\"\": no pair has this name; docs/materials.md lists them"),
             ("stel/stel", "stel/stel: no pair has this name; the nearest is steel/steel; no material is called stel"),
             (
                 "mild steel/SIC",
