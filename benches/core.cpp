@@ -1,7 +1,11 @@
-// What the numerical core costs: makes a model, or evaluates exact states, so many times, to count instructions; prints the memory of models.
+// What the numerical core costs: makes a model, or evaluates exact states, so many times, to count instructions; prints the memory of
+// models; makes calls at loads of every kind, with a dump of callgrind after each kind.
 //
-// usage: core make|state SURFACE TIMES, core memory
+// usage: core make|state SURFACE TIMES, core memory, core calls
+#include "kinds_of_load.hpp"
 #include "surfaces.hpp"
+
+#include <valgrind/callgrind.h>
 
 #include <string>
 
@@ -39,8 +43,19 @@ int main(int count, char **arguments) {
         }
         return 0;
     }
+    if (what == "calls") {
+        KindsOfLoad::each([](const std::string &surface, const std::string &kind, const std::string &call, const auto &pass) {
+            pass();  // what a first call finds out is no part of it
+            CALLGRIND_ZERO_STATS;
+            pass();
+            const std::string name = surface + "|" + kind + "|" + call;
+            asm volatile("" : : "r"(name.c_str()) : "memory");  // the request reads it
+            CALLGRIND_DUMP_STATS_AT(name.c_str());
+        });
+        return 0;
+    }
     if (count != 4 || (what != "make" && what != "state")) {
-        std::fprintf(stderr, "usage: core make|state SURFACE TIMES, core memory\n");
+        std::fprintf(stderr, "usage: core make|state SURFACE TIMES, core memory, core calls\n");
         return 2;
     }
     const int times = std::atoi(arguments[3]);

@@ -44,6 +44,22 @@ done
 for surface in "default" "epsilon .5"; do
     echo "| million instructions of an exact state at a load: $surface | $(millions state "$surface" 10) |"
 done
+dumps=$(mktemp -d)
+trap 'rm -rf "$dumps"' EXIT
+valgrind --tool=callgrind --callgrind-out-file="$dumps/calls" "$program" calls 2>/dev/null
+# Each dump but the last names its surface, kind of load and call; ordinary loads come first.
+cat "$dumps"/calls.* | awk -F ': |[|]' '
+    /^desc: Trigger: Client Request/ { surface = $4; kind = $5; call = $6 }
+    /^(summary|totals)/ && kind != "" {
+        if (kind == "ordinary") ordinary[surface call] = $2
+        count[surface "," kind "," call] = $2; key[surface "," kind "," call] = surface call; kind = "" }
+    END {
+        for (name in count) {
+            ratio = count[name] / ordinary[key[name]]
+            if (ratio > most) { most = ratio; dearest = name }
+        }
+        printf "| instructions of the dearest load of a solver, in ordinary ones (at most 3): %s | %.2f%s |\n", dearest, most,
+            most > 3 ? " **MISSED**" : "" }'
 "$program" memory | while IFS=$'\t' read -r surface size; do
     echo "| KiB of a model: $surface | $size |"
 done

@@ -38,6 +38,19 @@ public:
         }
     }
 
+    // Calls visit(surface, kind, call, function) for each of them, where the function makes kCount calls; ordinary loads come first.
+    template <class Visit>
+    static void each(const Visit &visit) {
+        for (const Surface &surface : kinds_of_surface()) {
+            const KindsOfLoad kinds_of(surface);
+            for (const auto &[kind, loads] : kinds_of.kinds()) {
+                std::vector<Contestant> calls;
+                if (!loads.empty()) kinds_of.add_calls(calls, "", loads);
+                for (const Contestant &call : calls) visit(surface.name, kind, call.name, call.pass);
+            }
+        }
+    }
+
 private:
     static constexpr size_t kCount = 256;
     // A load of any kind may cost so many ordinary ones.
@@ -59,9 +72,11 @@ private:
         johnson.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
         johnson.skew = 0.5;
         johnson.kurtosis = 4.0;
+        asperity_params hardly = default_surface();  // a pull-off load of -3e-138
+        require(asperity_params_set_skew(&hardly, 1.0));
         return {{"default", default_surface()}, {"Si/SiO2, sigma 20 nm", silicon},
                 {"Hertz", surface_of(0.01, 1000.0, 0.0)}, {"Weibull, skew .8", skewed},
-                {"epsilon -.5", steep}, {"Johnson", johnson}};
+                {"epsilon -.5", steep}, {"Johnson", johnson}, {"hardly adheres", hardly}};
     }
 
     explicit KindsOfLoad(const Surface &surface) : params_(surface.params), model_(make_model(surface.params)) {}
@@ -100,20 +115,26 @@ private:
         return loads;
     }
 
-    std::vector<std::pair<std::string, std::string>> column() const {
+    std::vector<std::pair<std::string, std::vector<double>>> kinds() const {
         const asperity_summary summary = summary_of(model_);
         const double half = std::fabs(load_at(0.0)), former = load_at(kFormerEnd), pull_off = summary.pull_off_load;
-        const std::vector<std::pair<std::string, std::vector<double>>> kinds = {
+        return {
             {"ordinary", spread(0.1 * half, 10.0 * half)},
             {"zero", std::vector<double>(kCount, 0.0)},
             {"negative zero", std::vector<double>(kCount, -0.0)},
             {"pulling", pull_off < 0.0 ? spread(0.9 * pull_off, 0.1 * pull_off) : std::vector<double>()},
+            {"at pull-off", std::vector<double>(kCount, pull_off)},
             {"separated", std::vector<double>(kCount, 2.0 * pull_off - half)},
             {"light", spread(1e-21 * half, 1e-20 * half)},
             {"10 x the former end", spread(5.0 * former, 15.0 * former)},
             {"far beyond", spread(0.5e6 * former, 1.5e6 * former)},
+            {"too heavy", std::vector<double>(kCount, 1e300)},
             {"kink", in_a_row_with_parts()},
         };
+    }
+
+    std::vector<std::pair<std::string, std::string>> column() const {
+        const auto kinds = this->kinds();
         std::vector<Contestant> calls;
         for (const auto &[kind, loads] : kinds)
             if (!loads.empty()) add_calls(calls, kind, loads);

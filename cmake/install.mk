@@ -49,10 +49,10 @@ $(asperity_static): Cargo.toml Cargo.lock cmake/own_symbols.sh $(shell find src 
 	@cmake/check_rust.sh "$(CARGO)" "$(RUSTC)"
 	$(CARGO) rustc --release --locked --lib --crate-type cdylib,staticlib \
 	    --target $(asperity_triple) --target-dir $(asperity_target_dir) \
-	    -- --print=native-static-libs=$(asperity_target_dir)/native-static-libs -C link-arg=$(asperity_soname_flag)
+	    -- --print=native-static-libs=$(asperity_target_dir)/$(asperity_triple)/native-static-libs -C link-arg=$(asperity_soname_flag)
 	mkdir -p $(asperity_package)
 	$(RUSTC) --target $(asperity_triple) --print cfg > $(asperity_package)/cfg
-	cp $(asperity_target_dir)/native-static-libs $(asperity_package)
+	cp $(asperity_target_dir)/$(asperity_triple)/native-static-libs $(asperity_package)
 	cp $(asperity_target_dir)/$(asperity_triple)/release/$(lastword $(asperity_links)) \
 	    $(asperity_package)/$(asperity_shared)
 	cmake/own_symbols.sh "$(RUSTC)" $(asperity_target_dir)/$(asperity_triple)/release/libasperity.a $@

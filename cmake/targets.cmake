@@ -2,7 +2,7 @@
 # is out of date. Its libraries are copied to where the name in the soname stands beside the shared one.
 set(ASPERITY_STAGE "${CMAKE_CURRENT_BINARY_DIR}/lib")
 
-set(asperity_rustc_args "--print=native-static-libs=${asperity_target_dir}/native-static-libs")
+set(asperity_rustc_args "--print=native-static-libs=${asperity_target_dir}/${ASPERITY_RUST_TARGET}/native-static-libs")
 if(ASPERITY_SONAME_FLAG)
   list(APPEND asperity_rustc_args -C "link-arg=${ASPERITY_SONAME_FLAG}")
 endif()

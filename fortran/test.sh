@@ -92,19 +92,23 @@ compile fortran/examples/minimal.f90 "$build/asperity.o" "$target/release/libasp
 echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print what it says"
 
 # The starting points: one program, which prints for each surface file of the page what stands below it.
-awk -v out="$build/start" '
+awk -v out="$build/start" -v build="$build" '
     /^```/ { kind = kind == "" ? substr($0, 4) : ""
              if (kind == "toml") file = out "-" ++n ".toml"
              if (kind == "text") file = out "-" n ".txt"
              if (kind == "fortran") file = out ".f90"
+             if (split(kind, word, " ") == 2) { file = build "/" word[2]; n = "grain" }
              next }
-    kind ~ /^(toml|text|fortran)$/ { print >file }' docs/start.md
+    kind ~ /^(toml|text|fortran)( |$)/ { print >file }' docs/start.md
 # shellcheck disable=SC2086
 compile "$build/start.f90" "$build/asperity.o" $link -o "$build/start"
 for surface in "$build"/start-[1-4].toml; do
     answer=${surface%toml}txt
     "$build/start" "$surface" "$(sed -n 's/^mu(\([^ ]*\) N).*/\1/p' "$answer")" | diff "$answer" -
 done
-echo "docs/start.md: the program in Fortran prints what stands below each surface"
+# shellcheck disable=SC2086
+compile "$build/grain.f90" "$build/asperity.o" $link -o "$build/grain"
+(cd "$build" && ./grain | diff start-grain.txt -)
+echo "docs/start.md: the programs in Fortran print what stands below each surface"
 
 echo "fortran  PASS  $((SECONDS - started)) s"

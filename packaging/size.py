@@ -16,10 +16,12 @@ from pathlib import Path
 
 from targets import ROOT, Refusal, demand_size, run
 
-# A released shared library, stripped. Who adds a part that is worth its bytes raises it.
-LIBRARY_LIMIT = 1_055_000
-# What gives the functions in the trace of a panic their names: only `make dist` builds Rust's standard library without it.
-NAMES_OF_TRACES = 270_000
+# A released shared library, stripped: that of Windows has 30 kB more than that of Linux. Who adds a part that is worth its bytes
+# raises it.
+LIBRARY_LIMIT = 1_110_000
+# What gives the functions in the trace of a panic their names: only `make dist` builds Rust's standard library without it. So much
+# more than the library for Windows has that of `cargo build` with them.
+NAMES_OF_TRACES = 230_000
 
 
 def main():

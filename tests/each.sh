@@ -9,7 +9,12 @@ while read -r command; do
     echo "== $command"
     start=$SECONDS
     # shellcheck disable=SC2086
-    $command </dev/null || { echo "== failed: $command" >&2; exit 1; }
+    $command </dev/null || {
+        echo "== failed: $command" >&2
+        full=$(df -Ph . /tmp | awk 'NR > 1 && $4 ~ /^[0-9.]+[KM]?$/ {print $6 " has " $4 "B left"}' | sort -u)
+        [ -z "$full" ] || echo "   the disk is full, or nearly so: $full; make test-all takes 8 GB" >&2
+        exit 1
+    }
     times+=$(printf '%6d s  %s' "$((SECONDS - start))" "$command")$'\n'
 done <<<"$2"
 printf '== %s passed in %d s\n%s' "$name" "$((SECONDS - begin))" "$times"

@@ -16,7 +16,8 @@ fi
 cargo build --release --locked --quiet
 js/build.sh
 "$venv/bin/python" docs/site/build.py target/site/pages
-NO_MKDOCS_2_WARNING=1 "$venv/bin/mkdocs" build --quiet --strict --config-file docs/site/mkdocs.yml
+# Not --quiet, which hides warnings from --strict.
+NO_MKDOCS_2_WARNING=1 "$venv/bin/mkdocs" build --strict --config-file docs/site/mkdocs.yml 2>&1 | sed '/^INFO /d' >&2
 RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --quiet --no-deps --lib
 cp -r "${CARGO_TARGET_DIR:-target}/doc" target/site/html/rust
 "$venv/bin/python" docs/site/check_links.py target/site/html

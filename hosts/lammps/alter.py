@@ -2,7 +2,6 @@
 process gives, to the last digit, and what is wrong must be refused and forgotten. usage: alter.py PLUGIN FOLDER
 """
 
-import math
 import multiprocessing
 import os
 import sys
@@ -229,7 +228,7 @@ def limit_error(rows, file):
     Path("exact.toml").write_text(file + FILM)
     model = asperity.Model(asperity.Params.from_toml("exact.toml"))
     load, limit, nominal = rows[-1][4], rows[-1][6], model.params.nominal_area
-    area = math.pi * (0.75 * load * 0.005 * 0.003 / 0.008 / check.REAL_MODULUS) ** (2 / 3)
+    area = check.area_of(model, load, 0.005 * 0.003 / 0.008)
     return abs(limit / (area / nominal * model.state_at_load(load / area * nominal).friction_force) - 1)
 
 

@@ -43,6 +43,11 @@ def column(rows, name):
     return np.array([float(row[name]) for row in rows])
 
 
+def area_of(model, load, radius):
+    """Nominal area of a contact of two rough grains (docs/start.md)."""
+    return math.pi * ((0.75 * load * radius / REAL_MODULUS) ** (2 / 3) + 1.5 * model.params.height_std / 0.92 * radius)
+
+
 class RealContact:
     """Limit and stick stiffness of a contact of softened grains, by the equations of hosts/lammps/README.md and exact states."""
 
@@ -50,7 +55,7 @@ class RealContact:
         self.model, self.modulus, self.radius = model, modulus, radius
 
     def at(self, load, overlap):
-        area = math.pi * (0.75 * load * self.radius / REAL_MODULUS) ** (2 / 3)
+        area = area_of(self.model, load, self.radius)
         state = self.model.state_at_load(load / area)
         bulk = self.grains(overlap)
         summits = (self.modulus / REAL_MODULUS) ** (2 / 3) * area * state.tangential_stiffness
@@ -96,7 +101,7 @@ class Cycle:
     def __init__(self, model, modulus, radius, there, back, again, turned):
         rows = np.array([[float(word) for word in row.values()] for row in there + back[1:] + again[1:]])
         place, force, load = rows[:, 1], rows[:, 2], rows[0, 6]
-        area = math.pi * (0.75 * load * radius / REAL_MODULUS) ** (2 / 3)
+        area = area_of(model, load, radius)
         overlap = (0.75 * load / (modulus * math.sqrt(radius))) ** (2 / 3)
         grain = RealContact(model, modulus, radius).grains(overlap)
         softened = (modulus / REAL_MODULUS) ** (2 / 3)
@@ -121,7 +126,7 @@ class Cycle:
         worst = force = had = 0.0
         for before, row in zip(rows, rows[1:]):
             load = row[6]
-            area = math.pi * (0.75 * load * radius / REAL_MODULUS) ** (2 / 3)
+            area = area_of(model, load, radius)
             grain = RealContact(model, modulus, radius).grains((0.75 * load / (modulus * math.sqrt(radius))) ** (2 / 3))
             now = 1 / (1 / grain + 1 / (softened * area * model.tangential_stiffness_at_load(load / area)))
             kept = min(1.0, now / had) if had else 1.0
@@ -172,7 +177,7 @@ def units_error(folder):
         (*_, row), = tables(log)
         friction, load, limit = (float(row[f"v_{name}"]) for name in ("friction", "load", "limit"))
         radius = 0.005 * 0.003 / 0.008
-        area = math.pi * (0.75 * load * radius / REAL_MODULUS) ** (2 / 3)
+        area = area_of(model, load, radius)
         nominal = model.params.nominal_area
         exact = area / nominal * model.state_at_load(load / area * nominal).friction_force
         loads.append(load)
@@ -232,7 +237,7 @@ def law_error(model, rows):
     sizes = 0.005 * (1 + 0.08 * np.sin(0.7 * rows[:, :2] ** 2))
     radius = sizes[:, 0] * sizes[:, 1] / sizes.sum(axis=1)
     friction, load, limit = rows[:, 2], rows[:, 3], rows[:, 5]
-    area = math.pi * (0.75 * load * radius / REAL_MODULUS) ** (2 / 3)
+    area = area_of(model, load, radius)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", asperity.ValidityWarning)
         exact = area * np.array([model.state_at_load(p).friction_force for p in load / area])

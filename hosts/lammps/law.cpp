@@ -212,6 +212,7 @@ void Law::make_model() {
     demand(asperity_create(&params_, &model));
     model_.reset(model, asperity_free);
     find_where_it_holds(params_.composite_modulus);
+    rough_area_ = 1.5 * pi * params_.height_std / 0.92;    // docs/start.md; summits vary by 0.92 of the surface's heights
     if (params_.rms_slope > 0) {
         const double side = fewest_waves * 2 * pi * params_.height_std / params_.rms_slope;
         least_area_ = side * side;
@@ -244,17 +245,12 @@ void Law::find_where_it_holds(double composite_modulus) {
 }
 
 void Law::forces(int count, const Contact *contact, double dt, Forces *result) const {
-    double load[BATCH] = {}, moment[BATCH] = {};
-    for (int k = 0; k < count; k++) {
-        normal(contact[k], result[k]);
-        load[k] = result[k].load;
-        moment[k] = load[k] * contact[k].radius;
-    }
+    for (int k = 0; k < count; k++) normal(contact[k], result[k]);
     Bodies bodies;
     if (model_) {
-        limits(count, load, moment, bodies, result);
+        limits(count, contact, bodies, result);
     } else {
-        for (int k = 0; k < count; k++) result[k].limit = mu_ * load[k], result[k].pressure = 0;
+        for (int k = 0; k < count; k++) result[k].limit = mu_ * result[k].load, result[k].pressure = 0;
     }
     if (microslip_) microslip(count, contact, dt, bodies, result);
     for (int k = 0; k < count; k++) {
@@ -273,13 +269,14 @@ void Law::normal(const Contact &c, Forces &r) const {
     r.stiffness = tangential_ratio_ * stiffness;
 }
 
-// The greatest friction, and the stick stiffness of summits and grains one behind the other. moment: load times radius.
-void Law::limits(int count, const double *load, const double *moment, Bodies &bodies, Forces *r) const {
+// The greatest friction, and the stick stiffness of summits and grains one behind the other.
+void Law::limits(int count, const Contact *contact, Bodies &bodies, Forces *r) const {
     double pressure[BATCH] = {}, limit[BATCH], summits[BATCH], *area = bodies.area;
     for (int k = 0; k < count; k++) {
-        const double root = cube_root(moment[k] > 1e-200 ? moment[k] : 1e-200);    // without load there is no area, nearly
-        area[k] = area_ * root * root;
-        pressure[k] = load[k] / area[k];
+        const double radius = contact[k].radius, moment = r[k].load * radius;
+        const double root = cube_root(moment > 1e-200 ? moment : 1e-200);
+        area[k] = area_ * root * root + rough_area_ * radius;
+        pressure[k] = r[k].load / area[k];
     }
     // They fail for a load that is not finite only, and then give NaN, as the positions of the grains are.
     asperity_friction_force_at_loads(model_.get(), count, pressure, limit, nullptr);

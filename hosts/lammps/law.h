@@ -143,7 +143,7 @@ private:
         double grain[BATCH] = {};      // stick stiffness of the grains alone
         double summits[BATCH] = {};    // and of the summits
     };
-    void limits(int count, const double *load, const double *moment, Bodies &bodies, Forces *result) const;
+    void limits(int count, const Contact *contact, Bodies &bodies, Forces *result) const;
     void spring(const Contact &contact, double dt, Forces &result) const;
     void microslip(int count, const Contact *contact, double dt, const Bodies &bodies, Forces *result) const;
     void damp(const Contact &contact, double dt, Forces &result) const;
@@ -155,7 +155,8 @@ private:
     double modulus_ = -1;                      // E* that the grains are computed with
     double tangential_ratio_ = 0;              // Mindlin's stiffness over the normal one
     double damping_ = 0;
-    double area_ = 0;                          // area over (load radius)^(2/3)
+    double area_ = 0;                          // area of smooth grains over (load radius)^(2/3)
+    double rough_area_ = 0;                    // what roughness adds to it, over the radius
     double softening_ = 1;                     // (modulus/real_modulus)^(2/3)
     double least_area_ = 0;                    // of a contact as wide as the fewest waves
     bool microslip_ = false;                   // summits slip one after the other, not all at once

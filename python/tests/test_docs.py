@@ -69,7 +69,8 @@ def shows(page: Path, before: int, shown: str, printed: str) -> None:
 def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
     found = blocks(page)
     assert {kind for kind, _ in found if " " not in kind} <= {"sh", "python", "text", "toml", "c", "fortran"}  # the last two: readme.rs, fortran/test.sh
-    for name, text in ((re.match(r"# (\S+\.toml):", text), text) for kind, text in found if kind == "toml"):
+    # Named in the block's first line, or in that of the file.
+    for name, text in ((re.match(r"toml (?:# )?(\S+\.toml)\b", f"{kind} {text}"), text) for kind, text in found):
         if name:
             (checkout / name[1]).write_text(text, encoding="utf-8")
     for kind, command, echo in (("sh", ["bash", "-eu"], "echo '{}'\n"), ("python", ["python", "-"], "print('{}')\n")):

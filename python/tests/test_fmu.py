@@ -430,6 +430,10 @@ def test_damaged_bytes_of_a_saved_unit_are_refused(tmp_path: Path, kind: type[An
         with pytest.raises(Exception, match="status 3"):
             instance.deSerializeFMUstate(bytes(changed))
         assert "damaged" in instance.log[-1]
+    for other in (bytes([data[0] ^ 1]) + data[1:], data[:-1], data + b"0", b""):
+        with pytest.raises(Exception, match="status 3"):
+            instance.deSerializeFMUstate(other)
+        assert "not those of a saved unit of this kind" in instance.log[-1]
     # Where a table lay in another process means nothing in this one.
     moved = bytearray(data)
     struct.pack_into("<QQ", moved, start + _header.asperity_params.table_height.offset, 8, 8)

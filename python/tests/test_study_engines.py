@@ -111,8 +111,15 @@ def test_a_block_that_fails_is_sent_again_three_times_at_most(tmp_path: Path) ->
     with ThreadPoolExecutor(2) as executor:
         found = dict(_blocks.completed(study_workers.twice_at_the_third_time, tasks, executor))
         assert found == {i: 2 * i for i in range(6)}
+        sent: list[int] = []
+
+        def fail(task: int) -> None:
+            sent.append(task)
+            study_workers.fail(task)
+
         with pytest.raises(OSError, match="never"):
-            list(_blocks.completed(study_workers.fail, [(0, None)], executor))
+            list(_blocks.completed(fail, [(0, 5)], executor))
+        assert sent == [5, 5, 5]
 
 
 def test_tasks_are_taken_as_workers_become_free() -> None:

@@ -83,6 +83,10 @@ def test_missing_points_are_filled_like_a_membrane_and_make_no_summits(plain: Ar
     inner = height[101:109, 51:89]
     around = (height[100:108, 51:89] + height[102:110, 51:89] + height[101:109, 50:88] + height[101:109, 52:90]) / 4
     np.testing.assert_allclose(inner, around, atol=1e-6 * SIGMA)
+    # Points of an edge have three neighbours, that of a corner two.
+    edge, around = height[0, 1:20], (height[0, :19] + height[0, 2:21] + height[1, 1:20]) / 3
+    np.testing.assert_allclose(edge, around, atol=1e-6 * SIGMA)
+    assert height[0, 0] == pytest.approx((height[0, 1] + height[1, 0]) / 2, abs=1e-6 * SIGMA)
     # The plane is that of the known points.
     known = ~cleaned.filled
     planes = np.stack([np.ones(known.sum()), x[known], y[known]])

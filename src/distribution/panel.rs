@@ -29,7 +29,7 @@ const TAIL: f64 = 20.0;
 const TAIL_BEGINS: f64 = 0.5;
 /// The first panel above a lower end where the density is a power, in sigma: a density that is not a power alone is a power
 /// series in the height above the end over so small a part of the distribution.
-const LOWER_END: f64 = 0.02;
+const LOWER_END: f64 = 0.1;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 pub const MOST_PANELS: usize = 6000;
 

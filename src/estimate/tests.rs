@@ -361,3 +361,18 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         assert!(found.at_load(load).is_err(), "{load}");
     }
 }
+
+/// Points that lie on one curve leave the error of their mean; points that disagree leave their scatter, and never more than 1.
+#[test]
+fn the_error_of_several_points_is_that_of_the_curve() {
+    let error = |points: &str| {
+        let text = format!("{STEEL}contact_law = \"elastic-plastic\"\nmeasured = {points}\n{ROUGH}");
+        Params::from_toml(&text).expect("a surface").calibration_error
+    };
+    assert_eq!(error("[[1000, 0.16, 0.03]]"), 0.03);
+    assert_near(error("[[1000, 0.16, 0.03], [1000, 0.16, 0.04]]"), 0.024, 1e-12);
+    // ln 2 apart: each is off by half of that, and one is left of the two.
+    let scatter = 0.5 * 2_f64.ln() / 0.03 * 2_f64.sqrt();
+    assert_near(error("[[1000, 0.16, 0.03], [1000, 0.32, 0.03]]"), scatter * 0.03 / 2_f64.sqrt(), 1e-9);
+    assert_eq!(error("[[1000, 0.16, 0.9], [1000, 0.05, 0.9], [1000, 0.00002, 0.5]]"), 1.0);
+}

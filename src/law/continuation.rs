@@ -1,7 +1,8 @@
-//! The law beyond its table: a power of x = load - pull-off that meets the outermost row with value and slope.
+//! The law beyond its table: a power of x, the distance from an origin, that meets the outermost row with value and slope.
 //!
-//! Light: F = F_0 + G x^p, with F_0 the value at pull-off, next to which p is 1/2. Heavy: F = G x^p. A power is the same in every
-//! binade but for a factor, so rows for one binade and powers of that factor answer for all, without exp or log.
+//! Light: F = F_0 + G x^p, with x = load - pull-off and F_0 the value at pull-off, next to which p is 1/2. Heavy: F = G x^p. A
+//! power is the same in every binade but for a factor, so rows for one binade and powers of that factor answer for all, without
+//! exp or log.
 
 use super::row::{polynomial, Row, RowBasis, INTERIOR};
 use super::table::{Table, MANTISSA_BITS};
@@ -9,7 +10,7 @@ use super::FRACTION;
 use crate::elementary::{exp, log, log1p};
 use crate::float_bits::{moderate, MODERATE};
 use crate::neighbours::Neighbours;
-use std::f64::consts::LN_2;
+use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::RangeInclusive;
 
 /// Rows per binade.
@@ -28,61 +29,83 @@ const NONE: RangeInclusive<u64> = 1 << 12..=1 << 12;
 pub struct Beyond {
     /// At its light end, and at its heavy one.
     pub ends: [Continuation; 2],
+    /// Where the table begins, from the first origin.
+    pub begin: f64,
 }
 
 impl Beyond {
-    /// Of a table of a quantity that has this value at pull-off.
-    pub fn new(table: &Table, at_pull_off: f64) -> Self {
+    /// Of a table of a quantity that has this value at pull-off, or none of which lighter loads ask; heavier ones count from an origin.
+    pub fn new(table: &Table, at_pull_off: Option<f64>, heavy_origin: f64) -> Self {
         // The next number below: the end is not of the last row.
         let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
         let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
-        let light = Continuation::new(first, at(first), at_pull_off, false);
-        Self { ends: [light, Continuation::new(last, at(last), 0.0, true)] }
+        let light = match at_pull_off {
+            Some(base) => Continuation::new(table.pull_off, first, at(first), base, false),
+            None => Continuation::new(table.pull_off, first, (0.0, 0.0), 0.0, false),
+        };
+        let heavy = Continuation::new(heavy_origin, last + (table.pull_off - heavy_origin), at(last), 0.0, true);
+        Self { ends: [light, heavy], begin: first }
     }
 
-    /// The value and its slope at x > 0 that the table does not hold.
-    #[inline]
-    pub fn at(&self, table: &Table, x: f64) -> (f64, f64) {
-        self.end(table, x).at(x)
+    /// The value and its slope at an argument that the table does not hold.
+    pub fn at(&self, argument: f64) -> (f64, f64) {
+        self.end(argument).at(argument)
+    }
+
+    /// The same where that is moderate.
+    #[inline(always)]
+    pub fn at_moderate(&self, argument: f64) -> (f64, f64) {
+        let end = self.end(argument);
+        end.at_normal(argument - end.origin, 0)
     }
 
     /// Whether finding them there can raise no floating-point exception but "inexact".
-    #[inline]
-    pub fn is_moderate(&self, table: &Table, x: f64) -> bool {
-        self.end(table, x).is_moderate(x)
+    #[inline(always)]
+    pub fn is_moderate(&self, argument: f64) -> bool {
+        let end = self.end(argument);
+        end.moderate.contains(&((argument - end.origin).to_bits() >> MANTISSA_BITS))
     }
 
-    #[inline]
-    fn end(&self, table: &Table, x: f64) -> &Continuation {
-        &self.ends[usize::from(x >= table.begin_of(0))]
+    #[inline(always)]
+    fn end(&self, argument: f64) -> &Continuation {
+        &self.ends[usize::from(argument - self.ends[0].origin >= self.begin)]
     }
 }
 
 /// Value and slope of a quantity beyond one end of its table.
 #[derive(Debug, Clone)]
 pub struct Continuation {
+    /// The argument at which x is 0.
+    pub origin: f64,
     pub base: f64,
-    /// G x^p over the first binade beyond, as in a table.
+    /// x^p over the first binade beyond, as in a table, over its value at the end of the table.
     pub rows: [Row; ROWS],
     /// The exponent bits of that binade.
     pub binade: u64,
-    /// What G x^p changes by over 1, 2, ... binades, over DIGIT, 2 DIGIT, ... and so on.
+    /// G x^p at the end of the table, times what it changes by over 1, 2, ... binades; what it changes by over DIGIT, 2 DIGIT, ... and
+    /// so on.
     pub factors: [[f64; DIGIT]; DIGITS],
     /// The exponent bits of x of which value and slope are moderate.
     pub moderate: RangeInclusive<u64>,
 }
 
 impl Continuation {
-    /// From the end of a table at `x`, where the quantity has this value and slope, to lighter or to heavier loads; `base` is
-    /// the value at x = 0 of lighter ones, 0 of heavier ones.
-    pub fn new(x: f64, (value, slope): (f64, f64), base: f64, is_heavy: bool) -> Self {
+    /// How far bits of x are shifted for its rows, as in a table.
+    #[inline]
+    pub const fn shift() -> u32 {
+        Table::shift_of(FRACTION)
+    }
+
+    /// From the end of a table at `x` beyond an origin, where the quantity has this value and slope, to lighter or to heavier loads;
+    /// `base` is the value at x = 0 of lighter ones, 0 of heavier ones.
+    pub fn new(origin: f64, x: f64, (value, slope): (f64, f64), base: f64, is_heavy: bool) -> Self {
         let gain = value - base;
         let power = if gain > 0.0 { slope * x / gain } else { 0.0 };
         let binade = x.to_bits() >> MANTISSA_BITS;
         let log_mantissa = log(Self::mantissa(x));
-        // G x^p and its slope by the mantissa.
+        // (x/end)^p and its slope by the mantissa.
         let at = |mantissa: f64| {
-            let value = gain * exp(power * (log1p(mantissa - 1.0) - log_mantissa));
+            let value = exp(power * (log1p(mantissa - 1.0) - log_mantissa));
             (value, power * value / mantissa)
         };
         let width = 1.0 / ROWS as f64;
@@ -99,18 +122,16 @@ impl Continuation {
         let sign = if is_heavy { 1.0 } else { -1.0 };
         // What no load asks for overflows.
         let factor = |binades: usize| exp((sign * power * binades as f64 * LN_2).clamp(-740.0, 700.0));
-        let factors = std::array::from_fn(|digit| std::array::from_fn(|i| factor(i << (DIGIT_BITS as usize * digit))));
-        Self { base, rows, binade, factors, moderate: moderate_binades(binade, gain, base, power) }
+        let mut factors =
+            std::array::from_fn(|digit| std::array::from_fn(|i| factor(i << (DIGIT_BITS as usize * digit))));
+        factors[0] = factors[0].map(|factor| gain * factor);
+        let moderate = moderate_binades(binade, gain, power, is_heavy);
+        Self { origin, base, rows, binade, factors, moderate }
     }
 
-    /// Whether finding the value and slope at x > 0 can raise no floating-point exception but "inexact".
-    #[inline]
-    pub fn is_moderate(&self, x: f64) -> bool {
-        self.moderate.contains(&(x.to_bits() >> MANTISSA_BITS))
-    }
-
-    /// The value and its slope by x > 0.
-    pub fn at(&self, x: f64) -> (f64, f64) {
+    /// The value and its slope at an argument beyond the origin.
+    pub fn at(&self, argument: f64) -> (f64, f64) {
+        let x = argument - self.origin;
         if x >= f64::MIN_POSITIVE {
             return self.at_normal(x, 0);
         }
@@ -120,20 +141,22 @@ impl Continuation {
     }
 
     /// The value and its slope by a normal number, which is 2^`shift` times what is meant.
-    #[inline]
+    #[inline(always)]
     fn at_normal(&self, x: f64, shift: u64) -> (f64, f64) {
-        let binades = (self.binade + shift).abs_diff(x.to_bits() >> MANTISSA_BITS) as usize;
-        let factor = (0..DIGITS).fold(1.0, |factor, digit| {
-            factor * self.factors[digit][binades >> (DIGIT_BITS as usize * digit) & (DIGIT - 1)]
-        });
-        // As in a table of so many rows per binade.
+        let mut binades = (self.binade + shift).abs_diff(x.to_bits() >> MANTISSA_BITS) as usize;
+        let mut factor = 1.0;
+        for factors in &self.factors {
+            factor *= factors[binades & (DIGIT - 1)];
+            binades >>= DIGIT_BITS;
+            if binades == 0 {
+                break;
+            }
+        }
         let of_mantissa = x.to_bits() & Table::MANTISSA;
-        let row_shift = Table::shift_of(FRACTION);
-        let within_row = of_mantissa & !(u64::MAX << row_shift);
-        let t = f64::from_bits(within_row | Table::ONE) - 1.0;
-        let (value, rate) = polynomial(&self.rows[(of_mantissa >> row_shift) as usize].0, t);
-        let begin_of_binade = f64::from_bits(x.to_bits() - of_mantissa);
-        (self.base + factor * value, factor * rate / begin_of_binade)
+        let t = f64::from_bits(of_mantissa & Table::within_row(Self::shift()) | Table::ONE) - 1.0;
+        let (value, rate) = polynomial(&self.rows[(of_mantissa >> Self::shift()) as usize].0, t);
+        let per_mantissa = f64::from_bits(Table::TWICE_BIAS - (x.to_bits() - of_mantissa));
+        (self.base + factor * value, factor * rate * per_mantissa)
     }
 
     fn mantissa(x: f64) -> f64 {
@@ -141,22 +164,25 @@ impl Continuation {
     }
 }
 
-/// The exponent bits of x of which base + G x^p and its slope are moderate, from the binade in which G x^p is `gain`; none if the
-/// gain, the base or the power is not moderate.
-fn moderate_binades(binade: u64, gain: f64, base: f64, power: f64) -> RangeInclusive<u64> {
-    let is_zero_or_moderate = |number: f64| number == 0.0 || moderate(number);
-    if !moderate(gain) || !is_zero_or_moderate(base) || !is_zero_or_moderate(power) {
-        return NONE;
-    }
+/// The exponent bits of x of which G x^p and its slope are moderate, or 0: from the binade in which G x^p is `gain`, as far as the power
+/// leads to. None if they are not there.
+fn moderate_binades(binade: u64, gain: f64, power: f64, is_heavy: bool) -> RangeInclusive<u64> {
     let [least, most] = MODERATE.map(|end| end.to_bits() >> MANTISSA_BITS);
-    let left = log(MODERATE[1]) - log(gain).abs();
-    let binades = (left / (power.max(1.0) * LN_2)) as u64;
-    let (first, last) = (binade.saturating_sub(binades).max(least), (binade + binades).min(most));
-    if first <= last {
-        first..=last
+    let log2 = |x: f64| if x > 0.0 { LOG2_E * log(x) } else { 0.0 };
+    let (log_gain, log_power, most_log) = (log2(gain), log2(power), log2(MODERATE[1]));
+    let is_moderate = |exponent: &u64| {
+        let binades = *exponent as f64 - binade as f64;
+        let (rise, x) = (log_gain + power * binades, *exponent as f64 - f64::from(f64::MAX_EXP - 1));
+        gain == 0.0 || (rise.abs() <= most_log && (rise + log_power - x).abs() <= most_log)
+    };
+    let last = if power != 0.0 && !moderate(power) {
+        None
+    } else if is_heavy {
+        (binade.max(least)..=most).take_while(is_moderate).last()
     } else {
-        NONE
-    }
+        (least..=binade.min(most)).rev().take_while(is_moderate).last()
+    };
+    last.map_or(NONE, |last| binade.min(last)..=binade.max(last))
 }
 
 #[cfg(test)]
@@ -178,7 +204,7 @@ mod tests {
             let gain = 3.0;
             let end = (base + gain, power * gain / x);
             for is_heavy in [false, true] {
-                let beyond = Continuation::new(x, end, base, is_heavy);
+                let beyond = Continuation::new(0.0, x, end, base, is_heavy);
                 let (value, slope) = beyond.at(x);
                 assert!((value / end.0 - 1.0).abs() < 1e-14, "{x:e}: {value}");
                 assert!((slope - end.1).abs() <= 1e-12 * end.1, "{x:e}: {slope:e}, not {:e}", end.1);
@@ -205,7 +231,7 @@ mod tests {
 
     #[test]
     fn the_smallest_numbers_are_told_apart() {
-        let beyond = Continuation::new(1e-300, (1e-300, 0.9), 0.0, false);
+        let beyond = Continuation::new(0.0, 1e-300, (1e-300, 0.9), 0.0, false);
         let mut last = 0.0;
         for x in [5e-324, 1e-323, 1e-320, f64::MIN_POSITIVE.below(), f64::MIN_POSITIVE, 1e-301] {
             let (value, slope) = beyond.at(x);
@@ -214,26 +240,34 @@ mod tests {
         }
     }
 
-    /// As far as the numbers on the way to a value lie between 2^-300 and 2^300.
+    /// As far as value, slope and x lie between 2^-500 and 2^500, on the side of the end where they are asked for.
     #[test]
     fn values_are_moderate_as_far_as_their_power_leads_and_no_further() {
-        let binades_of = |end: f64, gain: f64, power: f64, base: f64| {
-            let beyond = Continuation::new(end, (base + gain, power * gain / end), base, true);
-            let is_moderate = |binade: &i32| beyond.is_moderate(1.5 * f64::powi(2.0, *binade));
+        let binades_of = |end: f64, gain: f64, power: f64, base: f64, is_heavy: bool| {
+            let beyond = Continuation::new(0.0, end, (base + gain, power * gain / end), base, is_heavy);
+            let is_moderate = |binade: &i32| beyond.moderate.contains(&((1023 + binade) as u64));
             let moderate: Vec<i32> = (-1000..1000).filter(is_moderate).collect();
             assert!(moderate.windows(2).all(|pair| pair[1] == pair[0] + 1), "{moderate:?}");
             moderate.first().copied().zip(moderate.last().copied())
         };
-        assert_eq!(binades_of(1.0, 1.0, 0.5, 0.0), Some((-300, 300)));
-        assert_eq!(binades_of(1.0, 1.0, 0.0, 1.0), Some((-300, 300)));
-        assert_eq!(binades_of(1024.0, 1.0, 0.5, 2.0), Some((-290, 300)));
-        assert_eq!(binades_of(1.0, 1025.0, 0.9, 0.0), Some((-289, 289)));
-        assert_eq!(binades_of(1.0, 1.0 / 1025.0, 0.9, 0.0), Some((-289, 289)));
-        assert_eq!(binades_of(1.0, 1.0, 2.0, 0.0), Some((-150, 150)));
-        for (end, gain, power, base) in
-            [(1.0, 1e-100, 0.5, 0.0), (1.0, 1.0, 1e-100, 0.0), (1.0, 1.0, 0.5, 1e-100), (1e200, 1.0, 1.0, 0.0)]
-        {
-            assert_eq!(binades_of(end, gain, power, base), None, "{gain:e} at {end:e}");
+        for (end, gain, power, heavy, light) in [
+            (1.0, 1.0, 0.5, Some((0, 500)), Some((-500, 0))),
+            (1.0, 1.0, 0.0, Some((0, 500)), Some((-500, 0))),
+            (1024.0, 1.0, 0.5, Some((10, 500)), Some((-500, 10))),
+            (1.0, 1.0, 2.0, Some((0, 250)), Some((-250, 0))),
+            (1.0, 1.0, 4.0, Some((0, 125)), Some((-125, 0))),
+            (1.0, 1e-160, 0.5, None, None),
+            (1.0, 1.0, 1e-160, None, None),
+            (1e200, 1.0, 1.0, None, None),
+        ] {
+            for (is_heavy, expected) in [(true, heavy), (false, light)] {
+                // A base is no part of the numbers on the way.
+                for base in [0.0, 1e-200] {
+                    assert_eq!(binades_of(end, gain, power, base, is_heavy), expected, "{gain:e} at {end:e}");
+                }
+            }
         }
+        let none = Continuation::new(-3.0, 1.0, (0.0, 0.0), 0.0, false);
+        assert_eq!((none.at(-2.5), none.at(-3.0 + 1e-9)), ((0.0, 0.0), (0.0, 0.0)));
     }
 }

@@ -5,7 +5,7 @@
 //! The anchor is then the highest summit; where that is far or the load decays without end, it is nearer, by a whole binade again.
 //! Farther in compression than the curve the load is a power of the depth below the mean height; where it begins lies within the last row.
 
-use super::continuation::Continuation;
+use super::continuation::{Beyond, Continuation};
 use super::curve::Curve;
 use super::fill::{Filling, Source};
 use super::table::Table;
@@ -30,12 +30,11 @@ const TAIL_POWER: f64 = 7.0;
 pub struct Gap {
     /// Rows of x; its "pull-off load" is minus the anchor.
     table: Table,
-    /// Lighter than the table, of x; none where there is a pull-off load.
-    light: Option<Box<Continuation>>,
-    /// In heavier compression than the table's, of the depth.
-    heavy: Box<Continuation>,
-    /// The gap from which depths count, of the mean of the heights if separations went on to it at the rate of the heaviest load.
-    middle: f64,
+    /// Lighter than the table, of x, where there is no pull-off load; in heavier compression, of the depth, which counts from the gap of the
+    /// mean of the heights if separations went on to it at the rate of the heaviest load.
+    beyond: Box<Beyond>,
+    /// The surfaces are apart at a smaller x.
+    least: f64,
     lengths: Lengths,
 }
 
@@ -97,8 +96,8 @@ impl Gap {
         let heaviest = curve.load_at_gaps([begin])[0];
         // As where separations go on with gaps at this rate.
         let middle = begin + depth * rise / heaviest.1;
-        let deep = Deep { begin, middle, heaviest };
-        let source = Distances { curve, unit_load, anchor: dimensionless, end: first, least, deep };
+        let deep = Continuation::new(-middle, middle - begin, (heaviest.0, -heaviest.1), 0.0, true);
+        let source = Distances { curve, unit_load, anchor: dimensionless, end: first, least, begin, deep };
         let shift = Table::shift_of(FRACTION);
         // The first row that the curve has whole.
         let base = (margin.below().to_bits() >> shift) + 1;
@@ -106,12 +105,9 @@ impl Gap {
         let end = ((margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift) + 1;
         let mut table = Table::new(FRACTION, base, -anchor);
         Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
-        let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
-        let (begin, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
-        let light = pull_off.is_none().then(|| Box::new(Continuation::new(begin, at(begin), 0.0, false)));
-        let middle = lengths.callers(middle);
-        let heavy = Box::new(Continuation::new(middle + (last + table.pull_off), at(last), 0.0, true));
-        Self { table, light, heavy, middle, lengths }
+        let (at_anchor, least) = if pull_off.is_none() { (Some(0.0), 0.0) } else { (None, table.begin_of(0)) };
+        let beyond = Box::new(Beyond::new(&table, at_anchor, -lengths.callers(middle)));
+        Self { table, beyond, least: least.max(0.0.above()), lengths }
     }
 
     /// The table: its argument is minus the gap, its slope by that.
@@ -122,38 +118,25 @@ impl Gap {
 
     /// The gap from which on the load is 0.
     pub fn end(&self) -> f64 {
-        let anchor = -self.table.pull_off;
-        anchor - if self.light.is_some() { 0.0 } else { self.table.begin_of(0) }
+        -self.table.pull_off - self.least
     }
 
     /// Whether the surfaces are apart at a gap.
     #[inline]
     pub fn is_open(&self, gap: f64) -> bool {
-        let x = -self.table.pull_off - gap;
-        x <= 0.0 || self.light.is_none() && x < self.table.begin_of(0)
+        -self.table.pull_off - gap < self.least
     }
 
-    /// The load and its slope by minus the gap, where the surfaces are not apart and the table does not answer.
-    pub fn beyond(&self, gap: f64) -> (f64, f64) {
-        let x = -self.table.pull_off - gap;
-        match self.lighter(x) {
-            Some(light) => light.at(x),
-            None => self.heavy.at(self.middle - gap),
-        }
+    /// The least x of a gap at which the surfaces are not apart.
+    #[inline]
+    pub fn least(&self) -> f64 {
+        self.least
     }
 
-    /// Whether finding them raises no floating-point exception but "inexact".
-    pub fn is_moderate_beyond(&self, gap: f64) -> bool {
-        let x = -self.table.pull_off - gap;
-        match self.lighter(x) {
-            Some(light) => light.is_moderate(x),
-            None => self.heavy.is_moderate(self.middle - gap),
-        }
-    }
-
-    /// What answers nearer to the anchor than the rows.
-    fn lighter(&self, x: f64) -> Option<&Continuation> {
-        self.light.as_deref().filter(|_| x < self.table.begin_of(0))
+    /// What answers where the table does not, of minus the gap; nothing where the surfaces are apart.
+    #[inline]
+    pub fn beyond(&self) -> &Beyond {
+        &self.beyond
     }
 
     /// The caller's units of length.
@@ -195,25 +178,6 @@ fn binade_below(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & !Table::MANTISSA)
 }
 
-/// Deeper than the curve: a power of the depth that meets its value and slope.
-struct Deep {
-    /// The gap where the curve begins, and that from which depths count.
-    begin: f64,
-    middle: f64,
-    /// The load at `begin` and its slope by the gap.
-    heaviest: (f64, f64),
-}
-
-impl Deep {
-    fn at(&self, gap: f64) -> (f64, f64) {
-        let (load, slope) = self.heaviest;
-        let (deepest, depth) = (self.middle - self.begin, self.middle - gap);
-        let power = if load > 0.0 { -slope * deepest / load } else { 0.0 };
-        let load = load * exp(power * log(depth / deepest));
-        (load, -power * load / depth)
-    }
-}
-
 /// The load against ln x, in the caller's units of load; x is in sigma.
 struct Distances<'a> {
     curve: &'a Curve,
@@ -222,24 +186,27 @@ struct Distances<'a> {
     /// The gap at the end of the curve.
     end: f64,
     least: f64,
-    deep: Deep,
+    /// The gap where the curve begins, and what goes on from there, of minus the gap.
+    begin: f64,
+    deep: Continuation,
 }
 
 impl Source for Distances<'_> {
     fn at<const N: usize>(&self, log_x: [f64; N]) -> [(f64, f64); N] {
         let x = log_x.map(exp);
         let gaps = x.map(|x| (self.anchor - x).min(self.end));
-        let loads = self.curve.load_at_gaps(gaps.map(|gap| gap.max(self.deep.begin)));
+        let loads = self.curve.load_at_gaps(gaps.map(|gap| gap.max(self.begin)));
         std::array::from_fn(|i| {
-            let (load, slope) = if gaps[i] < self.deep.begin { self.deep.at(gaps[i]) } else { loads[i] };
-            (load * self.unit_load, -slope * self.unit_load * x[i])
+            let (load, slope) = loads[i];
+            let (load, slope) = if gaps[i] < self.begin { self.deep.at(-gaps[i]) } else { (load, -slope) };
+            (load * self.unit_load, slope * self.unit_load * x[i])
         })
     }
 
     fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
         let log_x = |gap: f64| log(self.anchor - gap);
         let joints = self.curve.joints().rev().map(|joint| self.curve.gap(joint));
-        let joints = joints.filter(|&joint| joint < self.end).chain([self.deep.begin]).map(log_x);
+        let joints = joints.filter(|&joint| joint < self.end).chain([self.begin]).map(log_x);
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }
 
@@ -285,29 +252,27 @@ mod tests {
             assert!(gap.is_open(end + step) && !gap.is_open(end - step), "{gamma}: {end:e}");
             // Far in compression, where the table ends.
             let last = -(gap.table().begin_of(gap.table().row_count).below() + gap.table().pull_off);
-            let (load, slope) = gap.beyond(last);
+            let (load, slope) = gap.beyond().at(-last);
             let known = gap.table().at_load(-last).expect("the table answers");
             assert!(
                 (load / known.0 - 1.0).abs() < 1e-10 && (slope / known.1 - 1.0).abs() < 1e-7,
                 "{load:e}, {known:?}"
             );
-            assert!(!gap.is_open(last) && gap.is_moderate_beyond(2.0 * last));
-            let (farther, _) = gap.beyond(2.0 * last);
+            assert!(!gap.is_open(last) && gap.beyond().is_moderate(-2.0 * last));
+            let (farther, _) = gap.beyond().at(-2.0 * last);
             assert!(farther > 1.5 * load && farther < 6.0 * load, "{farther:e} from {load:e}");
-            match &gap.light {
-                Some(light) => {
-                    let begin = gap.table().begin_of(0);
-                    let (load, slope) = gap.table().at_excess(begin).expect("the table answers");
-                    let (joint, within) = (light.at(begin.below()), end - 0.5 * begin);
-                    assert!((joint.0 / load - 1.0).abs() < 1e-9 && (joint.1 / slope - 1.0).abs() < 1e-7, "{joint:?}");
-                    // Between the fourth power and the seventh.
-                    let part = gap.beyond(within).0 / load;
-                    assert!(part > 0.5_f64.powi(7) && part < 0.5_f64.powi(3) && !gap.is_open(within), "{part}");
-                }
-                None => {
-                    let (load, _) = gap.table().at_load(-(end - step)).expect("the table answers");
-                    assert!((load / (3.0 * branch(gamma).pull_off_load()) - 1.0).abs() < 1e-3, "{load:e}");
-                }
+            if gamma == 0.0 {
+                let begin = gap.table().begin_of(0);
+                let (load, slope) = gap.table().at_excess(begin).expect("the table answers");
+                let next = gap.table().pull_off + begin * (1.0 - 1e-11);
+                let (joint, within) = (gap.beyond().at(next), end - 0.5 * begin);
+                assert!((joint.0 / load - 1.0).abs() < 1e-9 && (joint.1 / slope - 1.0).abs() < 1e-7, "{joint:?}");
+                // Between the fourth power and the seventh.
+                let part = gap.beyond().at(-within).0 / load;
+                assert!(part > 0.5_f64.powi(7) && part < 0.5_f64.powi(3) && !gap.is_open(within), "{part}");
+            } else {
+                let (load, _) = gap.table().at_load(-(end - step)).expect("the table answers");
+                assert!((load / (3.0 * branch(gamma).pull_off_load()) - 1.0).abs() < 1e-3, "{load:e}");
             }
         }
     }

@@ -23,7 +23,7 @@ pub mod tolerance;
 use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
 use crate::population::Sums;
-use continuation::Beyond;
+pub use continuation::Beyond;
 #[cfg(target_arch = "x86_64")]
 pub use continuation::{Continuation, DIGIT, DIGIT_BITS};
 use curve::Curve;
@@ -205,24 +205,10 @@ impl Law {
         &self.compiled[quantity as usize].table
     }
 
-    /// A quantity and its slope at a load above pull-off that its table does not hold.
+    /// What answers above pull-off where the table does not.
     #[inline]
-    pub fn beyond(&self, quantity: Quantity, load: f64) -> (f64, f64) {
-        let Compiled { table, beyond, .. } = &self.compiled[quantity as usize];
-        beyond.at(table, load - table.pull_off)
-    }
-
-    /// Its continuations beyond the light and the heavy end of the table.
-    #[cfg(target_arch = "x86_64")]
-    pub fn continuations(&self, quantity: Quantity) -> &[Continuation; 2] {
-        &self.compiled[quantity as usize].beyond.ends
-    }
-
-    /// Whether finding them raises no floating-point exception but "inexact".
-    #[inline]
-    pub fn is_moderate_beyond(&self, quantity: Quantity, load: f64) -> bool {
-        let Compiled { table, beyond, .. } = &self.compiled[quantity as usize];
-        beyond.is_moderate(table, load - table.pull_off)
+    pub fn beyond(&self, quantity: Quantity) -> &Beyond {
+        &self.compiled[quantity as usize].beyond
     }
 
     /// The limits of the levels of stiffness.
@@ -295,7 +281,7 @@ impl Compiled {
         let error =
             Filling::new(&source, scale.load, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * scale.value);
-        let beyond = Box::new(Beyond::new(&table, at_pull_off));
+        let beyond = Box::new(Beyond::new(&table, Some(at_pull_off), table.pull_off));
         Self { table, beyond, error }
     }
 
@@ -495,7 +481,7 @@ mod tests {
         });
         assert_work(
             &panels.each_ref().map(|panels| &panels[..]),
-            &[&[11394], &[11719], &[4444], &[3896], &[4080], &[2578]],
+            &[&[10934], &[10194], &[4408], &[3885], &[3974], &[2533]],
             "panels",
         );
     }

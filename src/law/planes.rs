@@ -7,24 +7,21 @@
 
 use super::panel::{chebyshev, Hermite, Length, Sample, BETWEEN, NODES};
 use super::position::Positions;
+use super::steps::MOST_OF_THE_REST;
 use super::tolerance::{self, larger};
 use crate::equilibrium::Branch;
 use crate::numerics::quadrature::integrate_short;
 use crate::numerics::root;
 
-/// Beyond the branch panels end where 1 - psi is less than this.
-const NEGLIGIBLE: f64 = 1e-9;
-/// A panel there reaches as far as the real area falls by this factor, as a power of e, or over this part of what is left to the
+/// A panel beyond the branch reaches as far as the real area falls by this factor, as a power of e, or over a part of what is left to the
 /// separation from which on nothing touches. There are no more than so many.
 const FALL_OF_AREA: f64 = 8.0;
-const MOST_OF_THE_REST: f64 = 0.7;
 const MOST_PANELS: usize = 64;
 /// One that misses psi between its nodes is halved, to this part at the least.
 const LEAST_PART: f64 = 1.0 / 64.0;
 /// None is shorter, relative to 1 or to the separation: its nodes would have no digits.
 const SHORTEST: f64 = 1e-9;
-/// A step of Newton's method, over the length of the panel, after which the next would be rounding; it takes some four steps.
-const LAST_STEP: f64 = 1e-9;
+/// Steps of Newton's method; some four are enough.
 const MOST_STEPS: u32 = 12;
 
 /// A separation with 1 - psi, and the slope of that.
@@ -124,7 +121,8 @@ impl Panel {
             for (place, step) in place.iter_mut().zip(steps) {
                 *place = (*place + step).clamp(0.0, self.whole);
             }
-            if steps.iter().all(|step| step.abs() <= LAST_STEP * self.whole) {
+            // After such a step the next would be rounding.
+            if steps.iter().all(|step| step.abs() <= tolerance::VALUE * self.whole) {
                 return std::array::from_fn(|i| (place[i], 1.0 / found[i].1));
             }
         }
@@ -191,7 +189,7 @@ fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
     let end = population.farthest();
     let mut part = 1.0;
     for _ in 0..MOST_PANELS {
-        if from.crowding.0 < NEGLIGIBLE {
+        if from.crowding.0 < tolerance::VALUE {
             return;
         }
         let least = SHORTEST * (1.0 + from.separation.abs());

@@ -7,8 +7,9 @@ use crate::equilibrium::Branch;
 
 /// Without adhesion, how near to the highest summit the branch is followed: loads there are no numbers.
 const LEAST_OVERLAP: f64 = 1e-100;
-/// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes.
-const MOST_OF_THE_REST: f64 = 0.7;
+/// Without a pull-off load no panel covers more than this part of what is left of the branch, at whose end load vanishes; nor, beyond a
+/// branch, of what is left of 1 - psi.
+pub const MOST_OF_THE_REST: f64 = 0.7;
 /// A panel that takes more than this part of what is left takes all.
 const WHOLE: f64 = 0.99;
 /// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.

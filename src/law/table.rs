@@ -37,14 +37,14 @@ impl Table {
     }
 
     /// How far bits are shifted for such rows.
-    pub fn shift_of(fraction: u32) -> u32 {
+    pub const fn shift_of(fraction: u32) -> u32 {
         MANTISSA_BITS - fraction
     }
 
     /// The bits of the mantissa that say where within its row x lies.
     #[inline]
-    pub fn within_row(&self) -> u64 {
-        !(u64::MAX << self.shift)
+    pub const fn within_row(shift: u32) -> u64 {
+        !(u64::MAX << shift)
     }
 
     #[inline]
@@ -62,7 +62,7 @@ impl Table {
     /// Where in its row x lies.
     #[inline]
     pub fn within(&self, x: f64) -> f64 {
-        f64::from_bits(x.to_bits() & self.within_row() | Self::ONE) - 1.0
+        f64::from_bits(x.to_bits() & Self::within_row(self.shift) | Self::ONE) - 1.0
     }
 
     /// Friction force and dF/d(load) at a finite load; `None` where the table does not answer.

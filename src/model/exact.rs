@@ -286,7 +286,7 @@ impl Model {
     }
 
     /// Minus gaps beyond this are out of range.
-    pub(super) fn deepest_compression(&self) -> f64 {
+    pub(crate) fn deepest_compression(&self) -> f64 {
         (FARTHEST_SEPARATION * self.units.length).min(f64::MAX)
     }
 

@@ -5,7 +5,7 @@
 use super::Model;
 use crate::error::Error;
 use crate::float_bits::{finite, nan};
-use crate::law::Table;
+use crate::law::{Beyond, Table};
 
 impl Model {
     /// The load at a gap on the branch of load control; 0 where the surfaces are apart: from pull-off's gap on, or
@@ -17,7 +17,7 @@ impl Model {
     /// That load, and its slope by gap, <= 0.
     pub fn load_and_slope_at_gap(&self, gap: f64) -> (f64, f64) {
         let answer = self.tabulated_load(-gap).or_else(|| self.known_load(-gap));
-        let (load, slope) = answer.unwrap_or_else(|| self.continued_load(-gap));
+        let (load, slope) = answer.unwrap_or_else(|| self.load_beyond().at(-gap));
         (load, by_gap(slope))
     }
 
@@ -32,7 +32,7 @@ impl Model {
     }
 
     /// The same where they are known without a computation.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn known_load(&self, approach: f64) -> Option<(f64, f64)> {
         if !finite(approach) || approach > self.deepest_compression() {
             return Some((f64::NAN, f64::NAN));
@@ -40,14 +40,16 @@ impl Model {
         self.law.gap().is_open(-approach).then_some((0.0, 0.0))
     }
 
-    /// The same where the surfaces are not apart and the table does not answer.
-    pub(crate) fn continued_load(&self, approach: f64) -> (f64, f64) {
-        self.law.gap().beyond(-approach)
+    /// What answers where the surfaces are not apart and the table does not.
+    #[inline]
+    pub(crate) fn load_beyond(&self) -> &Beyond {
+        self.law.gap().beyond()
     }
 
-    /// Whether finding that raises no floating-point exception but "inexact".
-    pub(crate) fn load_continues_moderately(&self, approach: f64) -> bool {
-        self.law.gap().is_moderate_beyond(-approach)
+    /// The least of minus the gap less the table's origin at which the surfaces are not apart.
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) fn least_approach(&self) -> f64 {
+        self.law.gap().least()
     }
 
     /// The table of loads by minus the gap.

@@ -15,9 +15,7 @@ use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::groups::Groups;
 use crate::law::tolerance::{self, larger};
-#[cfg(target_arch = "x86_64")]
-use crate::law::Continuation;
-use crate::law::{Law, Lengths, Quantity, Table, Unfollowed};
+use crate::law::{Beyond, Law, Lengths, Quantity, Table, Unfollowed};
 use crate::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
@@ -210,7 +208,10 @@ impl Model {
     /// Friction coefficient, as [`Model::friction_at_load`], and its slope, 0 where it is capped.
     pub fn friction_and_slope(&self, load: f64) -> (f64, f64) {
         let answer = self.tabulated_coefficient(load).or_else(|| self.known_coefficient(load));
-        answer.unwrap_or_else(|| self.continued_coefficient(load))
+        answer.unwrap_or_else(|| {
+            let (force, slope) = self.continued(Quantity::Friction, load);
+            self.coefficient_and_slope(load, force, slope)
+        })
     }
 
     /// Friction force and its slope dF/dP, which is infinite at the pull-off load itself and 0 below it. Without
@@ -267,7 +268,7 @@ impl Model {
     }
 
     /// Friction force or stiffness and slope where they are known without a computation.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn known_value(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
         if !finite(load) || load > self.heaviest {
             return Some((f64::NAN, f64::NAN));
@@ -282,7 +283,7 @@ impl Model {
     }
 
     /// Friction coefficient and slope where they are known without a computation.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn known_coefficient(&self, load: f64) -> Option<(f64, f64)> {
         if !finite(load) || load > self.heaviest {
             return Some((f64::NAN, f64::NAN));
@@ -295,22 +296,14 @@ impl Model {
     }
 
     /// Friction force or stiffness and slope at a finite load above pull-off that the table does not hold.
-    #[inline]
-    pub(crate) fn continued(&self, quantity: Quantity, load: f64) -> (f64, f64) {
-        self.law.beyond(quantity, load)
+    fn continued(&self, quantity: Quantity, load: f64) -> (f64, f64) {
+        self.law.beyond(quantity).at(load)
     }
 
-    /// Friction coefficient and slope at such a load.
+    /// What answers there.
     #[inline]
-    pub(crate) fn continued_coefficient(&self, load: f64) -> (f64, f64) {
-        let (force, slope) = self.continued(Quantity::Friction, load);
-        self.coefficient_and_slope(load, force, slope)
-    }
-
-    /// Whether finding [`Model::continued`] raises no floating-point exception but "inexact".
-    #[inline]
-    pub(crate) fn continues_moderately(&self, quantity: Quantity, load: f64) -> bool {
-        self.law.is_moderate_beyond(quantity, load)
+    pub(crate) fn beyond(&self, quantity: Quantity) -> &Beyond {
+        self.law.beyond(quantity)
     }
 
     /// Whether the surfaces can carry a load.
@@ -372,10 +365,10 @@ impl Model {
         self.inverse_cap
     }
 
-    /// Beyond the light and the heavy end of its table, and the heaviest load that is allowed.
+    /// The heaviest load that is allowed.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn continuations(&self, quantity: Quantity) -> (&[Continuation; 2], f64) {
-        (self.law.continuations(quantity), self.heaviest)
+    pub(crate) fn heaviest_load(&self) -> f64 {
+        self.heaviest
     }
 
     /// The compiled law of a quantity.
@@ -396,7 +389,7 @@ impl Model {
 
     /// F/P and its slope from the force and its slope at a load not below pull-off.
     #[inline]
-    fn coefficient_and_slope(&self, load: f64, force: f64, slope: f64) -> (f64, f64) {
+    pub(crate) fn coefficient_and_slope(&self, load: f64, force: f64, slope: f64) -> (f64, f64) {
         let mu = self.coefficient(load, force);
         (mu, if load <= force * self.inverse_cap { 0.0 } else { ratio(slope - mu, load) })
     }

@@ -171,3 +171,33 @@ pub fn misfit(seen: &[Seen], log_c: f64, kappa: f64, told_pressure: bool) -> f64
     let off = |one: &Seen| (model(one, log_c, kappa).0 - one.measured) / one.error;
     (seen.iter().map(|one| off(one) * off(one)).sum::<f64>() / left as f64).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(force: f64, pressed: f64, measured: f64, error: f64) -> Seen {
+        Seen { force, pressed, measured: log(measured), error }
+    }
+
+    /// Two points with F = 2 F0, whose H / F are 1/4 and 1/2, weights 100 and 400: the weighted mean is 0.45, and the sum of squares
+    /// of what is off it, 100 (0.2)^2 + 400 (0.05)^2 = 5, tells the coefficient better than its deviation of 0.1 does if it exceeds
+    /// 100; with errors a fifth as large it is 125.
+    #[test]
+    fn points_tell_the_pressure_where_they_reach_over_loads() {
+        let points = |part: f64| [seen(1.0, 0.5, 2.0, 0.1 * part), seen(3.0, 3.0, 6.0, 0.05 * part)];
+        for (part, told) in [(1.0, false), (0.23, false), (0.22, true), (0.2, true)] {
+            assert_eq!(tell_pressure(&points(part)), told, "{part}");
+        }
+    }
+
+    /// Off by one and by two errors: over one point that is left sqrt(5), over none nothing.
+    #[test]
+    fn a_misfit_is_over_the_points_that_are_left() {
+        let points = [seen(1.0, 0.0, exp(0.1), 0.1), seen(2.0, 0.0, 2.0 * exp(-0.4), 0.2)];
+        assert!((misfit(&points, 0.0, 0.0, true) - 5_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(misfit(&points, 0.0, 0.1, true), 0.0);
+        assert!((misfit(&points, 0.0, 0.1, false) - 5_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(misfit(&points[..1], 0.0, 0.0, false), 0.0);
+    }
+}

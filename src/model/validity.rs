@@ -129,6 +129,8 @@ const NEXT_TO_END: f64 = 0.01;
 /// A golden section takes this part of the interval off, and after so many of them 1e-7 of it is left.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const SECTIONS: u32 = 34;
+/// A peak with straight sides rises above the second of three even states by four times what their parabola does.
+const RISE: f64 = 4.0;
 /// The load at which a warning begins or ends is found to 1e-9 of a step of the separation.
 const EDGE_HALVINGS: u32 = 30;
 
@@ -145,9 +147,7 @@ pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures
     let states = states?;
     let mut warnings = states.iter().fold(0, |bits, (_, measures)| bits | measures.warnings());
     for around in states.windows(3) {
-        let [before, here, after] = [0, 1, 2].map(|i| around[i].1 .0);
-        // Where a measure is constant there is nothing to refine.
-        for bit in (0..here.len()).filter(|&bit| here[bit] > before[bit] && here[bit] >= after[bit]) {
+        for bit in (0..WARNINGS).filter(|&bit| may_exceed(around, bit)) {
             if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))?.is_some() {
                 warnings |= 1 << bit;
             }
@@ -172,11 +172,8 @@ pub fn extent_of(
     if !states.iter().any(|(_, measures)| measures.has(warning)) {
         // It may hold between two states alone.
         let bit = warning.trailing_zeros() as usize;
-        let is_peak = |around: &&[(f64, Measures)]| {
-            let [before, here, after] = [0, 1, 2].map(|i| around[i].1 .0[bit]);
-            here > before && here >= after
-        };
-        let peaks: Vec<_> = states.windows(3).filter(is_peak).map(|around| (around[0].0, around[2].0)).collect();
+        let may_exceed = |around: &&[(f64, Measures)]| may_exceed(around, bit);
+        let peaks: Vec<_> = states.windows(3).filter(may_exceed).map(|around| (around[0].0, around[2].0)).collect();
         for (from, to) in peaks {
             if let Some(peak) = exceeds(from, to, |d| Ok(at(d)?.0[bit]))? {
                 states.insert(states.partition_point(|(separation, _)| *separation <= peak), (peak, at(peak)?));
@@ -218,6 +215,21 @@ fn separations(near: f64, far: f64) -> Vec<f64> {
     all.extend([far - beside, far]);
     all.dedup();
     all
+}
+
+/// Whether a measure is largest at the second of three states and may exceed 1 between the others: if the largest value were above that by
+/// [`RISE`] times what a parabola through the three has, or by what the second is above the lower of its neighbours.
+fn may_exceed(around: &[(f64, Measures)], bit: usize) -> bool {
+    let [(from, before), (at, here), (to, after)] = [0, 1, 2].map(|i| (around[i].0, around[i].1 .0[bit]));
+    let (rise, fall) = (here - before, here - after);
+    if !(rise > 0.0 && fall >= 0.0) {
+        // Where a measure is constant there is nothing to refine.
+        return false;
+    }
+    let (rising, falling) = (rise / (at - from), fall / (to - at));
+    let slope = (rising * (to - at) - falling * (at - from)) / (to - from);
+    let above = slope * slope / (4.0 * (rising + falling) / (to - from));
+    here + (RISE * above).max(rise.max(fall)) > 1.0
 }
 
 /// Where a measure with one maximum between two separations exceeds 1, if it does.
@@ -314,6 +326,19 @@ mod tests {
                 assert!((near - peak).abs().max((far - peak).abs()) < 1e-3 * scale, "{near} to {far}, not {peak}");
             }
         }
+    }
+
+    /// Rounding makes peaks of a constant, each of which would cost dozens of states.
+    #[test]
+    fn what_is_far_below_its_bound_is_not_searched() {
+        let states = std::cell::Cell::new(0);
+        let at = |d: f64| {
+            states.set(states.get() + 1);
+            let noise = f64::EPSILON * f64::from((d.to_bits() ^ d.to_bits() >> 20) as u8);
+            Ok(Measures([0.9 + noise; WARNINGS]))
+        };
+        assert_eq!(warnings_between(-3.0, 5.0, at), Ok(0));
+        assert_eq!(states.get(), separations(-3.0, 5.0).len());
     }
 
     #[test]

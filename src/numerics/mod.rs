@@ -1,6 +1,7 @@
 //! Numerical methods that know nothing of contacts: quadrature, interpolation and roots.
 
 pub mod hermite;
+pub mod legendre;
 pub mod quadrature;
 pub mod root;
 

@@ -5,7 +5,7 @@ pub const POINTS: usize = 16;
 
 /// The positive abscissae on [-1, 1] with their weights: roots of the Legendre polynomial P_16.
 #[allow(clippy::excessive_precision)]
-const HALF: [(f64, f64); POINTS / 2] = [
+pub(super) const HALF: [(f64, f64); POINTS / 2] = [
     (0.095012509837637440185, 0.18945061045506849629),
     (0.28160355077925891323, 0.18260341504492358887),
     (0.45801677765722738634, 0.16915651939500253819),

@@ -136,6 +136,8 @@ impl Point {
 
 /// Adds up what summits contribute.
 impl Visitor for Sums {
+    const IS_SMOOTH: bool = true;
+
     #[inline]
     fn summits(&mut self, _z: f64, fraction: f64, summit: &Summit) {
         self.add_contact(fraction, summit);

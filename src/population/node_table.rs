@@ -1,17 +1,33 @@
-//! Quadrature nodes that serve every separation: with equal radii the contacts depend on overlap alone.
+//! Contacts that serve every separation: with equal radii they depend on overlap alone.
+//!
+//! Panels from break-away upwards keep the contacts at their nodes. Where the density of heights is smooth over a whole panel, it is
+//! taken there. Where heights begin, end or are not smooth within it, what contacts contribute is the polynomial through the nodes:
+//! the integrals of the density times Legendre polynomials say what each node weighs, and no contact is solved.
 
-use super::sums::Summit;
-use super::walk::{Progress, Visitor, Walk};
+use super::panels::{Axis, Panel};
+use super::sums::{out_of_panels, Summit};
+use super::walk::{Progress, Visitor, Walk, PART_AT_LOWER_END};
 use super::{Point, Population};
-use crate::distribution::panel;
+use crate::distribution::panel::{self, LowerEndPanel, SHORTEST};
 use crate::error::Error;
-use crate::numerics::quadrature::POINTS;
+use crate::numerics::legendre::Moments;
+use crate::numerics::quadrature::{self, POINTS};
 
 /// Panels are tabulated up to this overlap, in sigma: as far as the rule for separations far below the heights
 /// does not serve Gaussian heights.
 const LARGEST_OVERLAP: f64 = 31.0;
 /// A tabulated panel takes 1 kB; deeper ones are walked when needed.
 const MOST_PANELS: usize = 36;
+/// So near to break-away, in sigma or, where it is farther, parts of its overlap, panels are laid in the parameter of the law, and
+/// walked where the density is not smooth.
+const NEAR: f64 = 0.002;
+/// Farther away they are laid in the square root of the height above break-away, from 0 of which the law of contact is smooth.
+/// It grows by no more than this factor: a polynomial through the nodes then follows slopes to 1e-11 of surfaces from weak adhesion to
+/// JKR's, and values to 1e-13.
+const MOST_GROWTH: f64 = 2.0;
+/// A piece of a polynomial density that is less than this part of a panel needs few nodes.
+const SHORT: f64 = 0.3;
+const FEW: usize = 6;
 
 /// Panels from break-away upwards, at separation 0.
 #[derive(Debug, Clone)]
@@ -24,27 +40,51 @@ pub struct NodeTable {
 
 #[derive(Debug, Clone)]
 struct TablePanel {
-    from: Point,
     to: Point,
+    /// The roots of the heights above break-away at both ends, where it is laid in them.
+    roots: Option<(f64, f64)>,
     /// The weights without the density of heights.
     weights: [f64; POINTS],
     summits: [Summit; POINTS],
+}
+
+impl TablePanel {
+    /// What part of a panel in height one in roots may be: towards its end the height changes faster.
+    fn part(&self) -> f64 {
+        self.roots.map_or(1.0, |(from, to)| 0.5 * (1.0 + from / to))
+    }
 }
 
 impl NodeTable {
     /// Tabulates the panels of a population of equal radii.
     pub fn new(population: &Population, edge: Point) -> Self {
         let reach = panel::tail_panel_length(&*population.heights);
+        let near = if population.heights.support().0.is_finite() {
+            edge.z + NEAR * (1.0 + edge.z.abs())
+        } else {
+            f64::INFINITY
+        };
         let mut table = NodeTable { edge, panels: Vec::new(), end: edge };
         let mut kink = None;
         while table.end.z < LARGEST_OVERLAP && table.panels.len() < MOST_PANELS {
             let clearance = table.end.z - edge.z;
-            let panel = population.panel(0.0, table.end, kink, clearance, reach, f64::INFINITY);
-            let nodes = population.nodes(0.0, &panel);
+            let is_near = table.end.z < near;
+            let panel = match is_near {
+                true => population.panel(0.0, table.end, kink, clearance, reach, near),
+                false => population.panel_in_roots(table.end, kink, clearance, reach),
+            };
+            let root = |end: Point| (end.z - edge.z).sqrt();
+            let roots = (!is_near).then(|| (root(panel.from), root(panel.to)));
+            let nodes = match roots {
+                None => population.nodes(0.0, &panel),
+                Some((from, to)) => quadrature::panel(from, to).map(|(root, weight)| {
+                    (2.0 * root * weight, population.on_panel(0.0, &panel, edge.z + root * root))
+                }),
+            };
             let summit = |point: Point| Summit::new(&point.contact, population.slip.friction(&point.contact));
             table.panels.push(TablePanel {
-                from: panel.from,
                 to: panel.to,
+                roots,
                 weights: nodes.map(|(weight, _)| weight),
                 summits: nodes.map(|(_, point)| summit(point)),
             });
@@ -56,27 +96,39 @@ impl NodeTable {
 }
 
 impl Population {
-    /// Hands summits in contact to a visitor from the table; panels across which the density is not smooth are walked anew.
-    pub(super) fn walk_table(&self, table: &NodeTable, walk: &Walk, visitor: &mut impl Visitor) -> Result<(), Error> {
+    /// The panel from a summit far enough from break-away, at separation 0.
+    fn panel_in_roots(&self, here: Point, kink: Option<usize>, clearance: f64, reach: f64) -> Panel {
+        let longest = (MOST_GROWTH * MOST_GROWTH - 1.0) * clearance;
+        let rise = longest.min(reach);
+        let part = 0.5 * (1.0 + (clearance / (clearance + rise)).sqrt());
+        let rise = longest.min(part * reach).max(SHORTEST);
+        let to = self.at_height(0.0, here.z + rise, here.contact.parameter);
+        let panel = Panel { axis: Axis::Height, from: here, to, kink: None, part: 1.0, is_eased: false };
+        self.cut_at_kink(0.0, panel, kink)
+    }
+
+    /// Hands summits in contact to a visitor from the table.
+    pub(super) fn walk_table<V: Visitor>(&self, table: &NodeTable, walk: &Walk, visitor: &mut V) -> Result<(), Error> {
         let separation = walk.separation;
         let mut progress = Progress::default();
         let largest = self.heights.log_density(walk.start.z.max(self.heights.last_mode()));
         let (_, highest) = self.heights.support();
         let mut start = Some(walk.start);
+        let mut from = table.edge.raised(separation);
         for panel in &table.panels {
-            let (from, to) = (separation + panel.from.z, separation + panel.to.z);
+            let to = separation + panel.to.z;
+            let begin = std::mem::replace(&mut from, panel.to.raised(separation));
             if start.is_some_and(|start| start.z >= to) {
                 continue;
             }
-            let from_start = start.take().unwrap_or_else(|| panel.from.raised(separation));
-            let log_density = self.heights.log_density(from_start.z);
-            if self.is_rest_negligible(&progress, &from_start, log_density) {
+            let from_start = start.take().unwrap_or(begin);
+            let (z, overlap) = (from_start.z, from_start.contact.overlap);
+            let log_density = self.heights.log_density(z);
+            if self.is_rest_negligible(&progress, z, overlap, log_density) {
                 return Ok(());
             }
-            let longer = self.panel_factor(largest, from, log_density);
-            if from_start.z > from || to > highest || !panel::is_one_panel(&*self.heights, from, to, longer) {
-                self.walk(&Walk { start: from_start, end: to, ..*walk }, &mut progress, visitor)?;
-            } else {
+            let longer = self.panel_factor(largest, z, log_density) * panel.part();
+            if z <= begin.z && to <= highest && panel::is_one_panel(&*self.heights, z, to, longer) {
                 let overlaps = panel.summits.map(|summit| summit.overlap);
                 let heights = overlaps.map(|overlap| separation + overlap);
                 let densities = self.densities(separation, heights, overlaps);
@@ -85,7 +137,16 @@ impl Population {
                     progress.add(fraction, overlaps[i]);
                     visitor.summits(heights[i], fraction, &panel.summits[i]);
                 }
-                visitor.end_of_panel(&panel.to.raised(separation));
+                visitor.end_of_panel(&from);
+            } else if let Some(roots) = panel.roots.filter(|_| V::IS_SMOOTH) {
+                let part = Part { separation, break_away: table.edge.z, roots, from: z, to: to.min(highest), longer };
+                let weights = self.weights_of(&part, &mut progress)?;
+                for (weight, summit) in weights.iter().zip(&panel.summits) {
+                    visitor.summits(separation + summit.overlap, *weight, summit);
+                }
+                visitor.end_of_panel(&from);
+            } else {
+                self.walk(&Walk { start: from_start, end: to, ..*walk }, &mut progress, visitor)?;
             }
             if to >= highest {
                 return Ok(());
@@ -93,5 +154,188 @@ impl Population {
         }
         let rest = start.unwrap_or(table.end.raised(separation));
         self.walk(&Walk { start: rest, ..*walk }, &mut progress, visitor)
+    }
+
+    /// What the nodes of a panel weigh of which a part holds heights, or over which the density is not smooth.
+    fn weights_of(&self, part: &Part, progress: &mut Progress) -> Result<[f64; POINTS], Error> {
+        let (heights, mut z) = (&*self.heights, part.from);
+        let (clearance, (from, to)) = (z - part.edge(), part.roots);
+        let mut moments = Moments::default();
+        if let Some(panel) = LowerEndPanel::new(heights, z, (PART_AT_LOWER_END * clearance).min(part.to - z)) {
+            let nodes = panel.nodes(heights);
+            nodes.iter().for_each(|(rise, fraction)| progress.add(*fraction, z + rise - part.separation));
+            moments.add(&nodes.map(|(rise, _)| part.place(part.root(z + rise))), &nodes.map(|(_, fraction)| fraction));
+            z += panel.length;
+        }
+        for _ in 0..panel::MOST_PANELS {
+            let is_polynomial = heights.is_piecewise_polynomial();
+            let is_rest = |z| self.is_rest_negligible(progress, z, z - part.separation, heights.log_density(z));
+            if z >= part.to || !is_polynomial && is_rest(z) {
+                return Ok(moments.weights());
+            }
+            let end = z + panel::panel_length(heights, z) * if is_polynomial { 1.0 } else { part.longer };
+            // What little would be left is part of this one.
+            let end = if part.to - end <= panel::slack(end) { part.to } else { end };
+            let roots = (part.root(z), part.root(end));
+            match is_polynomial && roots.1 - roots.0 < SHORT * (to - from) {
+                true => self.add_heights::<FEW>(part, roots, 0.0, &mut moments, progress),
+                false => self.add_heights::<POINTS>(part, roots, 1.0, &mut moments, progress),
+            }
+            z = end;
+        }
+        Err(out_of_panels(part.separation))
+    }
+
+    /// Adds what heights between two roots contribute to moments, by the rule for this part of a long panel.
+    #[inline]
+    fn add_heights<const N: usize>(
+        &self,
+        part: &Part,
+        (from, to): (f64, f64),
+        of_long: f64,
+        moments: &mut Moments,
+        progress: &mut Progress,
+    ) {
+        let mut nodes = quadrature::nodes_of_part(of_long, from, to);
+        let nodes: [(f64, f64); N] = std::array::from_fn(|_| nodes.next().unwrap_or_default());
+        let overlaps: [f64; POINTS] = std::array::from_fn(|i| {
+            let (root, _) = nodes[i.min(N - 1)];
+            part.break_away + root * root
+        });
+        let densities = self.densities(part.separation, overlaps.map(|overlap| part.separation + overlap), overlaps);
+        let fractions: [f64; N] = std::array::from_fn(|i| {
+            let (root, weight) = nodes[i];
+            let fraction = 2.0 * root * weight * densities[i];
+            progress.add(fraction, overlaps[i]);
+            fraction
+        });
+        moments.add(&nodes.map(|(root, _)| part.place(root)), &fractions);
+    }
+}
+
+/// A part of a panel that holds heights, at a separation.
+struct Part {
+    separation: f64,
+    /// The overlap at which contact breaks.
+    break_away: f64,
+    /// The roots at both ends of the panel.
+    roots: (f64, f64),
+    from: f64,
+    to: f64,
+    /// By how much panels of the density may be longer.
+    longer: f64,
+}
+
+impl Part {
+    fn edge(&self) -> f64 {
+        self.separation + self.break_away
+    }
+
+    fn root(&self, z: f64) -> f64 {
+        (z - self.edge()).max(0.0).sqrt()
+    }
+
+    /// Where on the panel a root is, from -1 to 1.
+    fn place(&self, root: f64) -> f64 {
+        let (from, to) = self.roots;
+        (2.0 * root - (from + to)) / (to - from)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ, WEAK};
+    use super::*;
+    use crate::params::HeightFamily;
+
+    /// What is made of a contact, but for the overlap.
+    fn parts(summit: &Summit) -> [f64; 7] {
+        [
+            summit.radius,
+            summit.load,
+            summit.friction,
+            summit.hertz_load,
+            summit.load_by_overlap,
+            summit.friction_by_overlap,
+            summit.radius_by_overlap,
+        ]
+    }
+
+    #[test]
+    fn polynomials_through_the_nodes_of_a_panel_in_roots_follow_the_contacts() {
+        let heights = HeightFamily::Weibull { shape: 1.5 };
+        let mut surfaces = vec![yielding([0.05, 100.0, 0.0, 1.0], heights.clone(), [0.0, 1.0])];
+        let near_jkr = [0.006, 5e4, 0.01, 1.0];
+        let groups = [WEAK, FOLD, HERTZ, near_jkr, [0.15, 79.0, 1.2e-6, 0.66], [3.6e-3, 3.95e6, 0.71, 0.29]];
+        surfaces.extend(groups.map(|groups| surface(groups, heights.clone(), [0.0, 1.0])));
+        for params in &surfaces {
+            let population = of(params);
+            let table = population.nodes.as_ref().expect("radii are equal");
+            let mut here = table.edge;
+            for panel in &table.panels {
+                let before = std::mem::replace(&mut here, panel.to);
+                let Some((from, to)) = panel.roots else { continue };
+                for place in [-0.98, -0.7, 0.05, 0.55, 0.97] {
+                    let root = from + 0.5 * (to - from) * (place + 1.0);
+                    let point = population.at_height(0.0, table.edge.z + root * root, before.contact.parameter);
+                    let exact = parts(&Summit::new(&point.contact, population.slip.friction(&point.contact)));
+                    let mut moments = Moments::default();
+                    moments.add(&[place], &[1.0]);
+                    let (mut found, mut scale) = ([0.0; 7], [0.0; 7]);
+                    for (weight, summit) in moments.weights().iter().zip(&panel.summits) {
+                        for (i, part) in parts(summit).into_iter().enumerate() {
+                            found[i] += weight * part;
+                            scale[i] += part.abs() / POINTS as f64;
+                        }
+                    }
+                    for i in 0..7 {
+                        let error = (found[i] - exact[i]).abs() / scale[i];
+                        assert!(error < 2e-11, "{i} of {params:?} between {from} and {to}: {error:e}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Where the lower end and breakpoints lie within panels, from the last contacts to far below.
+    #[test]
+    fn the_table_gives_the_sums_of_a_walk() {
+        let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
+        let weibull = |shape| HeightFamily::Weibull { shape };
+        let families = [
+            HeightFamily::Gaussian,
+            weibull(1.0),
+            weibull(1.1),
+            weibull(1.5),
+            weibull(3.6),
+            weibull(20.0),
+            johnson(1.0, 5.0),
+            johnson(-1.0, 3.6),
+            johnson(0.0, 9.0),
+            table(),
+        ];
+        for heights in &families {
+            let mut surfaces = vec![yielding([0.05, 100.0, 0.0, 1.0], heights.clone(), [0.0, 1.0])];
+            surfaces.extend([WEAK, FOLD, HERTZ].map(|groups| surface(groups, heights.clone(), [0.0, 1.0])));
+            for params in surfaces {
+                let population = of(&params);
+                let walked = population.without_tables();
+                for above_mean in [-10.0, -3.0, -1.4, -0.2, 0.6, 1.3, 2.0, 3.0, 5.0] {
+                    let separation = above_mean - population.heights.origin();
+                    let (a, b) = (population.at_separation(separation), walked.at_separation(separation));
+                    for (name, a, b, tolerance) in [
+                        ("load", a.load_contacting, b.load_contacting, 3e-13),
+                        ("friction", a.friction, b.friction, 3e-13),
+                        ("area", a.area, b.area, 3e-13),
+                        ("contacting", a.contacting, b.contacting, 3e-13),
+                        ("dP/dd", a.load_slope, b.load_slope, 5e-12),
+                        ("dF/dd", a.friction_slope, b.friction_slope, 5e-12),
+                    ] {
+                        let error = (a / b - 1.0).abs();
+                        assert!(error < tolerance, "{name} of {params:?} at {above_mean}: {error:e} of {b:e}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -97,11 +97,11 @@ impl Sums {
         self.friction += weight * summit.friction;
         self.hertz_load += weight * summit.hertz_load;
         self.radius += weight * summit.radius;
-        self.area += weight * summit.area;
+        self.area += weight * (PI * summit.radius * summit.radius);
         self.load_slope -= weight * summit.load_by_overlap;
         self.friction_slope -= weight * summit.friction_by_overlap;
         self.radius_slope -= weight * summit.radius_by_overlap;
-        self.area_slope -= weight * summit.area_by_overlap;
+        self.area_slope -= weight * (2.0 * PI * summit.radius * summit.radius_by_overlap);
     }
 
     /// Adds one attracted summit, `weight` times.
@@ -126,11 +126,9 @@ pub struct Summit {
     pub load: f64,
     pub friction: f64,
     pub hertz_load: f64,
-    pub area: f64,
     pub load_by_overlap: f64,
     pub friction_by_overlap: f64,
     pub radius_by_overlap: f64,
-    pub area_by_overlap: f64,
 }
 
 impl Summit {
@@ -138,18 +136,15 @@ impl Summit {
     #[inline]
     pub fn new(contact: &Contact, friction: Friction) -> Self {
         let by_overlap = contact.s_by_overlap();
-        let radius_by_overlap = contact.by_s.radius * by_overlap;
         Self {
             overlap: contact.overlap,
             radius: contact.radius,
             load: contact.load,
             friction: friction.force,
             hertz_load: contact.hertz_load,
-            area: PI * contact.radius * contact.radius,
             load_by_overlap: contact.by_s.load * by_overlap,
             friction_by_overlap: friction.rate(&contact.by_s) * by_overlap,
-            radius_by_overlap,
-            area_by_overlap: 2.0 * PI * contact.radius * radius_by_overlap,
+            radius_by_overlap: contact.by_s.radius * by_overlap,
         }
     }
 }

@@ -9,6 +9,9 @@ use super::Population;
 use crate::asperity::slip::{SlipOnset, Tangential};
 use crate::error::Error;
 
+/// Less than this part of all contacts is none, where four digits are wanted.
+const NEGLIGIBLE: f64 = 1e-8;
+
 /// The tangential force of the contacts, and what it is made of, per summit of the surface.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Microslip {
@@ -54,6 +57,9 @@ impl<const N: usize> Visitor for Lost<N> {
         let (strength, radius) = (fraction * summit.friction, fraction * summit.radius);
         self.strength += strength;
         self.all += radius;
+        if strength < NEGLIGIBLE * self.strength && radius < NEGLIGIBLE * self.all {
+            return;
+        }
         let reach = self.onset.reach() * strength;
         let per_reach = 1.0 / reach;
         // Without calls and branches, so that several are worked out side by side.

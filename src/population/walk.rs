@@ -14,14 +14,16 @@ use crate::numerics::quadrature::POINTS;
 const LONGER_PER_FOLD: f64 = 0.02;
 /// The panel at a lower end of the heights takes this part of where the law of contact is smooth: there a power of its variable
 /// is the height.
-pub(super) const PART_AT_LOWER_END: f64 = 0.02;
+pub(super) const PART_AT_LOWER_END: f64 = 0.1;
 /// What is less than this part of all above the last mode of the heights ends the sum.
-const NEGLIGIBLE: f64 = 1e-18;
+const NEGLIGIBLE: f64 = 1e-16;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
 const STEEPEST: f64 = 1e9;
 
 /// What the summits in contact are handed to.
 pub trait Visitor {
+    /// Whether what it makes of a summit is as smooth as the law of contact: then some fractions may be negative, not their sum.
+    const IS_SMOOTH: bool = false;
     /// So many summits at a height, as a fraction of all.
     fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
     /// The last summit of a panel.
@@ -111,7 +113,7 @@ impl Population {
                 continue;
             }
             let log_density = self.heights.log_density(here.z);
-            if self.is_rest_negligible(progress, &here, log_density) {
+            if self.is_rest_negligible(progress, here.z, here.contact.overlap, log_density) {
                 return Ok(());
             }
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
@@ -154,18 +156,18 @@ impl Population {
 
     /// Whether the summits above one add nothing to what has been summed: above the last mode, where the density falls on. Of a table
     /// that may be as slowly as can be, elsewhere its logarithm falls about as fast as there.
-    pub(super) fn is_rest_negligible(&self, progress: &Progress, from: &Point, log_density: f64) -> bool {
-        if from.z < self.heights.last_mode() {
+    pub(super) fn is_rest_negligible(&self, progress: &Progress, z: f64, overlap: f64, log_density: f64) -> bool {
+        if z < self.heights.last_mode() {
             return false;
         }
         let density = exp(log_density);
         // Where the density is 0 it has no rate.
         density == 0.0 || {
             let (rate, rise) = match self.heights.is_piecewise_polynomial() {
-                true => (1.0 / (self.highest - from.z), self.highest - from.z),
-                false => (-self.heights.log_density_slope(from.z), 0.0),
+                true => (1.0 / (self.highest - z), self.highest - z),
+                false => (-self.heights.log_density_slope(z), 0.0),
             };
-            density * importance(from.contact.overlap + rise) <= NEGLIGIBLE * progress.total * rate
+            density * importance(overlap + rise) <= NEGLIGIBLE * progress.total * rate
         }
     }
 

@@ -468,6 +468,11 @@ fn one_contact(handle: &Handle) {
         table.struct_size = size_of::<asperity_table>() as u64;
         assert_eq!(asperity_load_table_of(handle.0, &mut table), OK);
         assert!(table.row_count > 0 && !table.rows.is_null());
+        // The rows are by minus the gap.
+        assert_eq!(
+            (table.zero_force, table.zero_slope),
+            (f64::from_bits(pressed.to_bits()), -f64::from_bits(third.word(0)))
+        );
         let stiffness = asperity_tangential_stiffness_at_load(handle.0, load);
         assert_eq!(asperity_tangential_stiffness_at_loads(handle.0, 1, &load, one.pointer()), OK);
         assert_eq!(one.word(0), stiffness.to_bits());

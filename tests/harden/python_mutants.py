@@ -29,7 +29,9 @@ def noticed(python: Path, tests: str, package: Path) -> str:
         done = subprocess.run(command, cwd=ROOT / "python/tests", env=environment, capture_output=True, text=True, timeout=600)
     except subprocess.TimeoutExpired:
         return "it never ends"
-    if done.returncode not in (0, 1):
+    if done.returncode < 0:
+        return f"it dies of signal {-done.returncode}"
+    if done.returncode > 1:
         sys.exit(f"pytest {tests}: {done.stdout[-2000:]}{done.stderr[-2000:]}")
     failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
     return failed[0] if failed else ""

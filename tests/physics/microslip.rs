@@ -431,3 +431,22 @@ fn a_contact_that_opens_forgets_and_one_at_zero_load_begins_anew() {
         assert!(found.dforce_dload[0] > 0.0 && found.dforce_dload[0].is_finite(), "{found:?}");
     }
 }
+
+/// As it is after a heavy load: springs far longer than the farthest slip of the light one.
+#[test]
+fn what_was_moved_far_under_a_heavy_load_is_at_most_the_friction_of_a_light_one() {
+    for params in surfaces() {
+        let model = model(&params);
+        let half = model.state_at_gap(0.0).expect("a state").load;
+        let (heavy, light) = (100.0 * half, 1e-3 * half);
+        let [(_, long), (strength, _)] = [heavy, light].map(|load| strength_and_length(&model, load));
+        for times in [1e3, 1e9, 1e300] {
+            let mut state = [0.0; MICROSLIP_LENGTH];
+            step(&model, heavy, [times * long, 0.0], &mut state);
+            let left = step(&model, light, [0.0, 0.0], &mut state).force;
+            assert!((0.0..=strength * (1.0 + 1e-12)).contains(&left[0]) && left[1] == 0.0, "{left:?} of {strength}");
+            let moved = step(&model, light, [times * long, 0.0], &mut state).force;
+            assert_near(moved[0], strength, 1e-9, "all slip");
+        }
+    }
+}

@@ -205,7 +205,7 @@ class Checkpoint:
             refused = 0
             for first in (*range(0, self._before, block), *self._starts()):
                 if first < self._before:
-                    arrays = _read(self._file, names, slice(first, min(first + block, self._before)))
+                    arrays = _read(self._file, names, slice(first, first + block))
                 elif _intact(file := self._block(first)):
                     arrays = _read(file, names)
                 else:

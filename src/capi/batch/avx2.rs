@@ -62,6 +62,7 @@ unsafe impl Lanes for __m256d {
                 _mm256_permute2f128_pd::<0x31>(a1, a3),
             ]
         }
+        fn gather(numbers: *const f64, index: __m256i) -> Self { _mm256_i64gather_pd::<8>(numbers, index) }
         fn and_bits(a: __m256i, b: __m256i) -> __m256i { _mm256_and_si256(a, b) }
         fn add_bits(a: __m256i, b: __m256i) -> __m256i { _mm256_add_epi64(a, b) }
         fn sub_bits(a: __m256i, b: __m256i) -> __m256i { _mm256_sub_epi64(a, b) }

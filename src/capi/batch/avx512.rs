@@ -61,6 +61,7 @@ unsafe impl Lanes for __m512d {
                 _mm512_shuffle_f64x2::<0xdd>(a1, a5),
             ]
         }
+        fn gather(numbers: *const f64, index: __m512i) -> Self { _mm512_i64gather_pd::<8>(index, numbers) }
         fn and_bits(a: __m512i, b: __m512i) -> __m512i { _mm512_and_si512(a, b) }
         fn add_bits(a: __m512i, b: __m512i) -> __m512i { _mm512_add_epi64(a, b) }
         fn sub_bits(a: __m512i, b: __m512i) -> __m512i { _mm512_sub_epi64(a, b) }

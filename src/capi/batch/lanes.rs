@@ -1,10 +1,9 @@
 //! The vector form of the law, written once for any number of lanes.
 
 use super::{one, Arrays, FirstInvalid, Quantity};
-use crate::law::{Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, MANTISSA_BITS, OFFSET};
+use crate::law::{Beyond, Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, MANTISSA_BITS, OFFSET};
 use crate::model::{Known, Model};
 use std::mem::{size_of, MaybeUninit};
-use std::ptr;
 
 /// Methods that become part of the calling function, which is compiled for their instructions.
 macro_rules! inlined {
@@ -46,6 +45,8 @@ pub unsafe trait Lanes: Copy {
     unsafe fn from_bits(bits: Self::Bits) -> Self;
     /// Coefficients `from` to `from` + 3 of the row of each lane, at an offset in bytes, transposed: a vector each.
     unsafe fn half_rows(rows: *const Row, offset: &Self::Bits, from: usize) -> [Self; 4];
+    /// The number of each lane, by index.
+    unsafe fn gather(numbers: *const f64, index: Self::Bits) -> Self;
     /// [`answer_others`], in a function of its own with the instructions of the implementation.
     unsafe fn answer_others<const SLOPE: bool>(
         model: &Model,
@@ -77,15 +78,6 @@ pub unsafe trait Lanes: Copy {
             [c0, c1, c2, c3, c4, c5, c6, c7]
         }
         fn is_nan(self) -> Self::Mask { self.unordered(self) }
-        /// The number of each lane, by index.
-        fn gather(numbers: *const f64, index: &Self::Bits) -> Self {
-            let index = ptr::from_ref(index).cast::<u64>();
-            let mut of_lanes = [0.0; 8];
-            for (lane, number) in of_lanes[..Self::COUNT].iter_mut().enumerate() {
-                *number = *numbers.add(*index.add(lane) as usize);
-            }
-            Self::read(of_lanes.as_ptr())
-        }
         /// self/other where the mask is set, any number elsewhere, without raising a flag there.
         fn div_where(self, mask: Self::Mask, other: Self) -> Self {
             // Not 1, by which the compiler would choose after dividing all lanes.
@@ -140,8 +132,10 @@ pub struct Limits<'a> {
     known: Known,
     cap: f64,
     inverse_cap: f64,
-    /// Beyond the light and the heavy end of the table, and the heaviest load that is allowed.
-    beyond: Option<(&'a [Continuation; 2], f64)>,
+    beyond: &'a Beyond,
+    /// The surfaces are apart at a smaller load - pull-off, and heavier loads are not allowed.
+    least: f64,
+    heaviest: f64,
 }
 
 /// The answers to a vector of loads.
@@ -151,8 +145,8 @@ struct Answers<L: Lanes> {
     slope: L,
     /// Those that are left to the scalar call.
     slow: L::Mask,
-    /// Those below pull-off.
-    apart: L::Mask,
+    /// Those below pull-off, too heavy or not finite.
+    failed: L::Mask,
 }
 
 /// What is known beside the table. Zero is a gap like others, and there is no load where the surfaces are apart.
@@ -192,9 +186,12 @@ unsafe fn evaluate_as<L: Lanes, const COEFFICIENT: bool, const SLOPE: bool>(
 ) -> usize {
     let table = quantity.table(model);
     let cap = model.params().max_friction_coefficient;
-    // A load by gap goes on as a power of the gap, which is left to the scalar call.
-    let beyond = (quantity != Quantity::Load).then(|| model.continuations(quantity.tabulated()));
-    let limits = Limits { table, known: known(model, quantity), cap, inverse_cap: model.inverse_cap(), beyond };
+    let (known, inverse_cap, beyond) = (known(model, quantity), model.inverse_cap(), quantity.beyond(model));
+    let (least, heaviest) = match quantity {
+        Quantity::Load => (model.least_approach(), model.deepest_compression()),
+        _ => (0.0, model.heaviest_load()),
+    };
+    let limits = Limits { table, known, cap, inverse_cap, beyond, least, heaviest };
     let vectors = arrays.n / L::COUNT;
     let mut block = [MaybeUninit::<Found<L>>::uninit(); BLOCK];
     // The vectors of the block that no rows answer by themselves, or cap.
@@ -256,14 +253,15 @@ pub unsafe fn answer_others<L: Lanes, const SLOPE: bool>(
             None if L::lanes_of(found.t.is_nan()) == L::ALL => (found.t, found.t),
             None => polynomial::<L, SLOPE>(&L::rows(table.rows.as_ptr(), &found.offset), found.t),
         };
-        let (value, rate) = match limits.beyond {
-            Some(beyond) if L::lanes_of(found.t.is_nan()) != 0 => {
-                or_beyond::<L, SLOPE>(table, beyond, found, (value, rate))
-            }
-            _ => (value, rate),
+        // Where the rows do not answer the rate is NaN, so that no product raises a flag whatever the binade is.
+        let slope = if SLOPE { by_load::<L>(table, found.load, rate) } else { rate };
+        let (value, slope) = if L::lanes_of(found.t.is_nan()) == 0 {
+            (value, slope)
+        } else {
+            or_beyond::<L, SLOPE>(limits, found, (value, slope))
         };
         let loads = L::read(arrays.load.add(*i));
-        let answers = beside_rows::<L, SLOPE>(limits, is_coefficient, loads, value, rate);
+        let answers = beside_rows::<L, SLOPE>(limits, is_coefficient, loads, value, slope);
         write_and_ask::<L, SLOPE>(&answers, model, quantity, arrays, *i, first_invalid);
     }
 }
@@ -281,7 +279,6 @@ unsafe fn by_rows<L: Lanes, const SLOPE: bool>(
     let load = found.load;
     // Loading whole rows and transposing them takes half the time of gather instructions.
     let c = L::rows(limits.table.rows.as_ptr(), &found.offset);
-    // Outside the table, at links and rows that are left out.
     if L::lanes_of(c[0].unordered(found.t)) != 0 {
         return Err(None);
     }
@@ -319,8 +316,8 @@ unsafe fn write_and_ask<L: Lanes, const SLOPE: bool>(
     i: usize,
     first_invalid: &mut FirstInvalid,
 ) {
-    let (slow, apart) = (L::lanes_of(answers.slow), L::lanes_of(answers.apart));
-    if slow == 0 && (apart == 0 || first_invalid.is_some()) {
+    let (slow, failed) = (L::lanes_of(answers.slow), L::lanes_of(answers.failed));
+    if slow == 0 && (failed == 0 || first_invalid.is_some()) {
         return write::<L, SLOPE>(answers.value, answers.slope, arrays, i);
     }
     // The input, before an output that may be the same array is written.
@@ -330,7 +327,7 @@ unsafe fn write_and_ask<L: Lanes, const SLOPE: bool>(
     for (lane, &load) in kept.iter().enumerate().take(L::COUNT) {
         if slow >> lane & 1 != 0 {
             one(model, quantity, arrays, i + lane, load, first_invalid);
-        } else if apart >> lane & 1 != 0 {
+        } else if failed >> lane & 1 != 0 {
             first_invalid.get_or_insert((i + lane, load));
         }
     }
@@ -347,16 +344,16 @@ unsafe fn find<L: Lanes>(table: &Table, loads: L) -> Found<L> {
     let inside = L::below(offset, (table.row_count as u64) << ROW_SHIFT);
     Found {
         load,
-        t: L::splat(f64::NAN).or_where(inside, within::<L>(table, x)),
+        t: L::splat(f64::NAN).or_where(inside, within::<L>(Table::within_row(table.shift), x)),
         offset: L::or_bits_where(L::splat_bits(0), inside, offset),
     }
 }
 
 /// Where in its row x of these bits lies.
 #[inline(always)]
-unsafe fn within<L: Lanes>(table: &Table, x: L::Bits) -> L {
+unsafe fn within<L: Lanes>(within_row: u64, x: L::Bits) -> L {
     // The bits of 1 and what follows them.
-    let within_row = L::and_bits(x, L::splat_bits(table.within_row()));
+    let within_row = L::and_bits(x, L::splat_bits(within_row));
     L::from_bits(L::add_bits(within_row, L::splat_bits(Table::ONE))).sub(L::splat(1.0))
 }
 
@@ -381,8 +378,13 @@ unsafe fn polynomial<L: Lanes, const SLOPE: bool>(c: &[L; COEFFICIENTS], t: L) -
 /// Slopes by load from slopes by t at finite loads.
 #[inline(always)]
 unsafe fn by_load<L: Lanes>(table: &Table, load: L, rate: L) -> L {
-    let binade = L::and_bits(load.sub(L::splat(table.pull_off)).bits(), L::splat_bits(SIGN_AND_EXPONENT));
-    rate.mul(L::from_bits(L::sub_bits(L::splat_bits(Table::TWICE_BIAS), binade)))
+    rate.mul(per_mantissa::<L>(load.sub(L::splat(table.pull_off)).bits()))
+}
+
+/// 1/2^e of x by its bits, e its exponent.
+#[inline(always)]
+unsafe fn per_mantissa<L: Lanes>(x: L::Bits) -> L {
+    L::from_bits(L::sub_bits(L::splat_bits(Table::TWICE_BIAS), L::and_bits(x, L::splat_bits(SIGN_AND_EXPONENT))))
 }
 
 /// What no row answers by itself: capped coefficients, loads at zero and below pull-off.
@@ -392,16 +394,18 @@ unsafe fn beside_rows<L: Lanes, const SLOPE: bool>(
     is_coefficient: bool,
     loads: L,
     value: L,
-    rate: L,
+    slope: L,
 ) -> Answers<L> {
-    // Those that are not finite are left to the scalar call: go on with 1.
-    let load = loads.or_where(loads.not_finite(), L::splat(1.0));
-    let zero = L::splat(0.0);
-    let apart = load.lt(L::splat(limits.table.pull_off));
+    // Those that are not finite have no answer: go on with 1.
+    let not_finite = loads.not_finite();
+    let load = loads.or_where(not_finite, L::splat(1.0));
+    let (zero, x) = (L::splat(0.0), load.sub(L::splat(limits.table.pull_off)));
+    let apart = x.lt(L::splat(limits.least));
+    let excessive = L::or_mask(not_finite, L::splat(limits.heaviest).lt(load));
+    let failed = L::or_mask(apart, excessive);
+    let nan = L::splat(f64::NAN);
     let pressing = zero.lt(load);
     let unknown = value.is_nan();
-    // Where the rows do not answer the rate is NaN, so that no product raises a flag whatever the binade is.
-    let slope = if SLOPE { by_load::<L>(limits.table, load, rate) } else { zero };
     if is_coefficient {
         let ordinary = open::<L, SLOPE>(limits, load, value);
         let uncapped = value.mul(L::splat(limits.inverse_cap)).lt(load);
@@ -411,20 +415,24 @@ unsafe fn beside_rows<L: Lanes, const SLOPE: bool>(
         // Only what cannot trap is divided; not chosen by the same mask, or the compiler would divide all.
         let mu = value.div_where(ordinary, load);
         let slope = if SLOPE { slope.sub(mu).div_where(ordinary, load) } else { zero };
-        let value = mu.or_where(apart, zero).or_where(capped, L::splat(limits.cap));
-        let slope = slope.or_where(L::or_mask(apart, capped), zero);
-        let slow = L::not_mask(L::or_mask(ordinary, L::or_mask(apart, capped)));
-        return Answers { value, slope, slow, apart };
+        let value = mu.or_where(apart, zero).or_where(capped, L::splat(limits.cap)).or_where(excessive, nan);
+        let slope = slope.or_where(L::or_mask(apart, capped), zero).or_where(excessive, nan);
+        let slow = L::not_mask(L::or_mask(ordinary, L::or_mask(failed, capped)));
+        return Answers { value, slope, slow, failed };
     }
-    let Known { at_zero, apart: apart_slope, .. } = limits.known;
-    let is_zero = L::and_mask(unknown, L::not_mask(L::or_mask(pressing, load.lt(zero))));
-    // Zero may be an argument like others, of which nothing is known ahead.
-    let is_known = L::not_mask(L::splat(at_zero.0).is_nan());
-    let at_zero_load = L::and_mask(L::and_mask(is_zero, is_known), L::not_mask(apart));
-    let value = value.or_where(apart, zero).or_where(at_zero_load, L::splat(at_zero.0));
-    let slope = slope.or_where(apart, L::splat(apart_slope)).or_where(at_zero_load, L::splat(at_zero.1));
-    let slow = L::and_mask(unknown, L::not_mask(L::or_mask(apart, at_zero_load)));
-    Answers { value, slope, slow, apart }
+    let Known { at_zero, at_pull_off, apart: apart_slope, .. } = limits.known;
+    let (mut value, mut slope) = (value.or_where(apart, zero), slope.or_where(apart, L::splat(apart_slope)));
+    if L::lanes_of(unknown) != 0 {
+        // Zero may be an argument like others, of which nothing is known ahead.
+        for (number, (known, known_slope)) in [(load, at_zero), (x, at_pull_off)] {
+            let other = L::or_mask(L::or_mask(zero.lt(number), number.lt(zero)), L::splat(known).is_nan());
+            let is_known = L::and_mask(unknown, L::not_mask(L::or_mask(other, apart)));
+            value = value.or_where(is_known, L::splat(known));
+            slope = slope.or_where(is_known, L::splat(known_slope));
+        }
+    }
+    let slow = L::and_mask(value.is_nan(), L::not_mask(failed));
+    Answers { value: value.or_where(excessive, nan), slope: slope.or_where(excessive, nan), slow, failed }
 }
 
 /// Leads the lanes of which the row is a link to the parts of it in which their loads lie, at `t` within the whole row. Whether
@@ -462,31 +470,33 @@ unsafe fn follow_links<L: Lanes>(table: &Table, found: &mut Found<L>, t: L) -> b
 /// it goes on.
 #[inline(always)]
 unsafe fn or_beyond<L: Lanes, const SLOPE: bool>(
-    table: &Table,
-    (ends, heaviest): (&[Continuation; 2], f64),
+    limits: &Limits,
     found: &Found<L>,
-    (mut value, mut rate): (L, L),
+    (mut value, mut slope): (L, L),
 ) -> (L, L) {
-    let x = found.load.sub(L::splat(table.pull_off));
-    let is_light = x.lt(L::splat(table.begin_of(0)));
-    let is_allowed = L::not_mask(L::splat(heaviest).lt(found.load));
-    let is_asked = L::and_mask(found.t.is_nan(), is_allowed);
-    let exponent = L::shift_right(x.bits(), MANTISSA_BITS);
-    for (is_heavy, end) in ends.iter().enumerate() {
-        let is_here = if is_heavy == 1 { L::not_mask(is_light) } else { is_light };
+    let (table, beyond) = (limits.table, limits.beyond);
+    let outside = found.t.is_nan();
+    let is_light = found.load.sub(L::splat(table.pull_off)).lt(L::splat(beyond.begin));
+    for (is_heavy, end) in beyond.ends.iter().enumerate() {
+        let is_here = L::and_mask(outside, if is_heavy == 1 { L::not_mask(is_light) } else { is_light });
+        if L::lanes_of(is_here) == 0 {
+            continue;
+        }
+        let x = found.load.sub(L::splat(end.origin));
+        let exponent = L::shift_right(x.bits(), MANTISSA_BITS);
         let (first, last) = (*end.moderate.start(), *end.moderate.end());
         let is_moderate = L::below(L::sub_bits(exponent, L::splat_bits(first)), last + 1 - first);
-        let is_answered = L::and_mask(is_asked, L::and_mask(is_here, is_moderate));
+        let is_answered = L::and_mask(is_here, is_moderate);
         if L::lanes_of(is_answered) == 0 {
             continue;
         }
-        let binade = L::splat_bits(end.binade);
-        let exponent = L::or_bits_where(binade, is_answered, exponent);
+        let x = L::or_bits_where(L::splat_bits(end.binade << MANTISSA_BITS), is_answered, x.bits());
+        let (binade, exponent) = (L::splat_bits(end.binade), L::shift_right(x, MANTISSA_BITS));
         let mut binades = if is_heavy == 1 { L::sub_bits(exponent, binade) } else { L::sub_bits(binade, exponent) };
         let mut factor = L::splat(1.0);
         for factors in &end.factors {
             let digit = L::and_bits(binades, L::splat_bits(DIGIT as u64 - 1));
-            factor = factor.mul(L::gather(factors.as_ptr(), &digit));
+            factor = factor.mul(L::gather(factors.as_ptr(), digit));
             binades = L::shift_right(binades, DIGIT_BITS);
             // The factors of no binade are 1.
             if L::lanes_of(L::below(binades, 1)) == L::ALL {
@@ -494,14 +504,16 @@ unsafe fn or_beyond<L: Lanes, const SLOPE: bool>(
             }
         }
         // The row's offset in bytes, as in the table, within a binade.
-        let shifted = L::shift_right(x.bits(), table.shift - ROW_SHIFT);
+        let shifted = L::shift_right(x, Continuation::shift() - ROW_SHIFT);
         let offset = L::and_bits(shifted, L::splat_bits((end.rows.len() as u64 - 1) << ROW_SHIFT));
         let c = L::rows(end.rows.as_ptr(), &offset);
-        let (power, power_rate) = polynomial::<L, SLOPE>(&c, within::<L>(table, x.bits()));
+        let (power, rate) = polynomial::<L, SLOPE>(&c, within::<L>(Table::within_row(Continuation::shift()), x));
         value = value.or_where(is_answered, L::splat(end.base).add(factor.mul(power)));
-        rate = rate.or_where(is_answered, factor.mul(power_rate));
+        if SLOPE {
+            slope = slope.or_where(is_answered, factor.mul(rate).mul(per_mantissa::<L>(x)));
+        }
     }
-    (value, rate)
+    (value, slope)
 }
 
 /// Where the coefficient is not capped, nor the load so light that the slope may overflow; not where the force is NaN.

@@ -23,6 +23,8 @@ YIELD = 0.4
 CONTINUUM = 3.0
 # Of the real area over the nominal one, above which summits press each other down.
 CROWDED = 0.1
+# Contacts below which specimens differ from each other by more than a fifth: the warning FEW.
+FEW = 20
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,18 @@ class Contact:
         radius = np.array([state.mean_contact_radius / self.params.burgers_vector for state in states])
         share = np.array([state.real_area / area if area else 0.0 for state in states])
         return pressure, radius, share
+
+    def holds(self) -> str:
+        """The verdict, with the nominal pressure from which on enough summits touch, if that is within the loads."""
+        model, area = Model(self.params), self.params.nominal_area
+        lightest, heaviest = np.log(self.loads)
+        if area == 0 or model.state_at_load(self.loads[0]).contacting >= FEW:
+            return self.verdict
+        for _ in range(50):
+            middle = 0.5 * (lightest + heaviest)
+            few = model.state_at_load(math.exp(middle)).contacting < FEW
+            lightest, heaviest = (middle, heaviest) if few else (lightest, middle)
+        return f"{self.verdict} from {math.exp(heaviest) / area / 1e3:.2g} kPa, with {FEW} contacts"
 
 
 def _bodies(first: str, second: str, work_of_adhesion: float) -> dict[str, Any]:
@@ -105,7 +119,7 @@ def table() -> str:
     for one in CONTACTS:
         pressure, radius, share = one.track(2)
         area = "one contact" if one.params.nominal_area == 0 else _pair(share)
-        cells = (one.name, one.basis, _pair(pressure), _pair(radius), area, one.verdict)
+        cells = (one.name, one.basis, _pair(pressure), _pair(radius), area, one.holds())
         rows.append(f"| {' | '.join(cells)} |")
     return "\n".join(rows)
 
