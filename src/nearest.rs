@@ -17,8 +17,9 @@ pub struct Unknown<'a> {
 impl Display for Unknown<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         let Self { name, thing, instead } = self;
+        let quotes = if name.is_empty() { "\"\"" } else { "" };
         let name = name[..name.len().min(LONGEST)].escape_ascii();
-        write!(f, "{name}: no {thing} has this name; {instead}")
+        write!(f, "{quotes}{name}: no {thing} has this name; {instead}")
     }
 }
 

@@ -136,7 +136,7 @@ contains
                asperity_params_set_spectral_moments(p, M2, M2, 1.49_c_double * M2, AREA) == ASPERITY_INVALID_PARAMETER)
     call check_text('... with a message', asperity_error_message(), &
                     'bandwidth m0 m4/m2^2 = 1.49: must be at least 1.5, the least of isotropic surfaces; ' // &
-                    'are all lengths in one unit?')
+                    'are all lengths in one unit, Ssc per m and Sds per m^2?')
     call asperity_check(asperity_params_set_spectral_moments(p, M0, M2, 0.0_c_double, AREA))
     call check_close('slope of the surface', p%rms_slope, sqrt(2 * M2), 1e-14_c_double)
     call check('higher asperities are sharper', p%radius_amplitude < 0)

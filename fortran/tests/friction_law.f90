@@ -188,18 +188,21 @@ contains
     type(friction_model) :: law
     type(asperity_params) :: p
     integer :: stat
-    character(120) :: errmsg
+    character(160) :: errmsg
+    character(*), parameter :: NO_COUNT = 'asperity_count: must be set; a roughness with a nominal_area sets it: ' // &
+        'Ra or Rq with RSm or a process, Sq with Sdq, m0 with m2'
     call asperity_check(asperity_params_init(p))
     call law%create(p, stat, errmsg)
-    call check_text('no modulus', errmsg, 'composite_modulus: must be set')
+    call check_text('no modulus', errmsg, 'composite_modulus: must be set; two materials set it, ' // &
+                    'by their names or by E1, nu1, E2 and nu2')
     call asperity_params_use_pair(p, 'Si/Si')
     p%height_std = 5e-9_c_double
     p%summit_radius = 1e-6_c_double
     call law%create(p, stat, errmsg)
-    call check_text('no count', errmsg, 'asperity_count: must be set')
+    call check_text('no count', errmsg, NO_COUNT)
     call check('... no law', .not. c_associated(law%c_model()))
     call check('... and no calibration', asperity_params_calibrate(p, 1e-3_c_double, 0.3_c_double) == ASPERITY_INVALID_PARAMETER)
-    call check_text('... for the same reason', asperity_error_message(), 'asperity_count: must be set')
+    call check_text('... for the same reason', asperity_error_message(), NO_COUNT)
     p%asperity_count = 1e5_c_double
     p%slip_radius_1 = 10.75e-9_c_double
     call law%create(p, stat, errmsg)

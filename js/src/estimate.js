@@ -1,6 +1,6 @@
 // Friction from the text of a surface in one call, with its band.
 import { CONSTANTS, LAYOUTS } from "./header.js";
-import { AsperityError } from "./library.js";
+import { AsperityError, numbersOf } from "./library.js";
 
 const STRUCT = "asperity_estimate";
 /** @type {Record<number, Estimate["strength_source"]>} */
@@ -72,7 +72,7 @@ export function estimateText(library, text, load) {
  */
 function laid(library, text, load, room) {
   if (typeof text !== "string") throw new TypeError(`text = ${String(text)}: must be a string`);
-  const numbers = Float64Array.from(typeof load === "number" ? [load] : load);
+  const numbers = Float64Array.from(numbersOf(load));
   const bytes = new TextEncoder().encode(text).subarray(0, 2 ** 20 + 1);
   const behind = 8 * Math.ceil(bytes.length / 8);
   const at = library.room(Math.max(1, behind + 8 * numbers.length + room(numbers.length)));

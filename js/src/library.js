@@ -15,6 +15,17 @@ const TEXT_END = 12 * 1024;
 const ARRAYS = 16 * 1024;
 const BLOCK = ARRAYS + 3 * 8 * CHUNK;
 
+/**
+ * Loads as numbers in a row.
+ * @param {number | ArrayLike<number>} load
+ */
+export function numbersOf(load) {
+  const loads = typeof load === "number" ? [load] : load;
+  if (typeof loads !== "object" || loads === null || typeof loads.length !== "number")
+    throw new TypeError(`load = ${String(load)}: must be a number or an array of numbers`);
+  return loads;
+}
+
 /** What the library refuses, in its own words. */
 export class AsperityError extends Error {
   /**

@@ -1,6 +1,6 @@
 // A friction law ready for use.
 import { CONSTANTS } from "./header.js";
-import { AsperityError, CHUNK } from "./library.js";
+import { AsperityError, CHUNK, numbersOf } from "./library.js";
 import { readParams, writeParams } from "./params.js";
 
 /** @typedef {import("./params.js").Params} Params */
@@ -255,9 +255,7 @@ export class Model {
    * @param {number | Loads} load
    */
   #batch(name, load) {
-    const loads = typeof load === "number" ? [load] : load;
-    if (typeof loads !== "object" || loads === null || typeof loads.length !== "number")
-      throw new TypeError(`load = ${String(load)}: must be a number or an array of numbers`);
+    const loads = numbersOf(load);
     const inputs = this.library.array(0);
     const outputs = [this.library.array(1), this.library.array(2)].slice(0, name.startsWith("tangential") ? 1 : 2);
     const found = outputs.map(() => new Float64Array(loads.length));

@@ -262,6 +262,9 @@ test("a text alone has friction with its band", () => {
   assert.match(estimateText(text, [10]), /^mu\(10 N\) = 0\.194, 95 % band 0\.167 to 0\.221\nrests on: /);
   assert.deepEqual(estimate(text, []), []);
   assert.throws(() => estimate(text, NaN), { status: Status.INVALID_LOAD, message: /element 0: load = NaN/ });
+  for (const load of [undefined, null, "10", {}])
+    assert.throws(() => estimate(text, load), { name: "TypeError", message: /^load = .*: must be a number or an array of numbers$/ });
+  assert.throws(() => contact("Si/Si", "Si"), { message: "Si/Si: no material has this name; it is a pair: give each body by its own name" });
   assert.throws(() => estimate("measured = 0.16", 1), { status: Status.INVALID_PARAMETER, message: /^line 1: measured = 0\.16/ });
   assert.throws(() => estimateText("", 1), AsperityError);
   assert.throws(() => estimate(/** @type {any} */ (undefined), 1), TypeError);

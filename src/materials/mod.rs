@@ -150,10 +150,10 @@ impl Material {
     }
 }
 
-/// The names on both sides of the slash.
+/// The names on both sides of the slash, without spaces around them.
 pub fn halves(name: &[u8]) -> Option<(&[u8], &[u8])> {
     let slash = name.iter().position(|&byte| byte == b'/')?;
-    Some((&name[..slash], &name[slash + 1..]))
+    Some((name[..slash].trim_ascii(), name[slash + 1..].trim_ascii()))
 }
 
 #[cfg(test)]
@@ -218,5 +218,6 @@ mod tests {
             assert!([c"read", c"quoted"].contains(&one.source), "{:?}", one.name);
         }
         assert!(Interface::find("mica/mica").is_none());
+        assert!(Bodies::find("steel / silica").is_some_and(|bodies| bodies.second.name == c"SiO2"));
     }
 }

@@ -83,6 +83,9 @@ fn instead(name: &[u8]) -> Instead<'static> {
     if let Some(material) = Material::find(name) {
         return Instead::Nearest(text(material.name));
     }
+    if Bodies::find(name).is_some() {
+        return Instead::Says("it is a pair: give each body by its own name");
+    }
     match expected(EXPECTED, name) {
         Some(says) => Instead::Says(says),
         None => Instead::of(name, MATERIALS.iter().map(|material| text(material.name)), LISTED),
@@ -108,6 +111,7 @@ mod tests {
             ("cast iron", "cast iron: no material has this name; it is not in the table"),
             ("Gold", "Gold: no material has this name; the nearest is Au"),
             ("sapphire", "sapphire: no material has this name; the nearest is Al2O3, sintered: give E1"),
+            ("Si/Si", "Si/Si: no material has this name; it is a pair: give each body by its own name"),
             ("stel", "stel: no material has this name; the nearest is steel"),
             ("unobtainium", "unobtainium: no material has this name; docs/materials.md lists them"),
         ] {
@@ -121,6 +125,7 @@ mod tests {
             ),
             ("steel/rubber", "steel/rubber: no pair has this name; rubber: no material has this name; rubber is visco"),
             ("rubber", "rubber: no pair has this name; rubber is viscoelastic"),
+            ("", "\"\": no pair has this name; docs/materials.md lists them"),
             ("stel/stel", "stel/stel: no pair has this name; the nearest is steel/steel; no material is called stel"),
             (
                 "mild steel/SIC",

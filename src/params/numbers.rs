@@ -34,7 +34,11 @@ pub fn magnitude(name: &'static str, value: f64, allowed: &'static str) -> Resul
 
 pub fn poisson_ratio(name: &'static str, value: f64) -> Result<(), Error> {
     if nan(value) || !(value > -1.0 && value <= 0.5) {
-        return Err(Error::invalid(name, value, "must be > -1 and <= 0.5"));
+        return Err(Error::invalid(
+            name,
+            value,
+            "must be > -1 and <= 0.5; is it in per cent, or Young's modulus, which comes before it?",
+        ));
     }
     Ok(())
 }

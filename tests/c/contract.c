@@ -226,7 +226,7 @@ static void a_slip_of_units_is_told(void)
     CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is it in mJ/m^2?"), "'%s'", last_message());
     p = surface(8);
     p.summit_radius *= 1e6;
-    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is it in um?"), "'%s'", last_message());
+    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is it in mm, um or nm?"), "'%s'", last_message());
     p = surface(8);
     p.hardness = 12;
     CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && says("is hardness in GPa"), "'%s'", last_message());
