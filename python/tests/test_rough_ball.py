@@ -80,7 +80,10 @@ def errors() -> dict[float, np.ndarray]:
 
 
 def test_the_area_of_the_page_is_within_two_per_cent_of_friction(root: Path, errors: dict[float, np.ndarray]) -> None:
-    assert "A = π (a² + 1.5 Sq R)" in (root / "docs" / "start.md").read_text(encoding="utf-8")
+    text = (root / "docs" / "start.md").read_text(encoding="utf-8")
+    assert "A = π (a² + 1.5 Sq R)" in text
+    (friction,) = re.findall(r"glass beads of 4 mm \| (\S+) at 0.1 N", text)  # The table at the top.
+    assert f"0.10 N: mu = {friction}, " in text
     assert max(np.abs(rows[:, 1]).max() for rows in errors.values()) < 2
     assert np.abs(errors[30.0][:, 0]).max() > 25
 
