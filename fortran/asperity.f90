@@ -86,13 +86,19 @@ module asperity
 
   ! Friction at one load, with its band
   type, bind(c), public :: asperity_estimate
-    integer(c_int64_t) :: struct_size = 96          ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 120         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load [N]
     real(c_double) :: friction_coefficient          ! F/P; infinite from the pull-off load to 0, where F/P has no limit;
                                                     ! 0 below
-    real(c_double) :: low                           ! Lower end of the band
+    real(c_double) :: low                           ! Lower end of the band, which is without the scatter of specimens
     real(c_double) :: high                          ! Upper end
     real(c_double) :: friction_force                ! F [N]
+    real(c_double) :: contacts                      ! Summits in contact, by the mean of the model; NaN if loads are
+                                                    ! pressures, as the next two
+    real(c_double) :: specimen_force                ! Mean F of single specimens [N], NaN if not known; if contacts < 1
+                                                    ! that of one summit, which they have once or twice
+    real(c_double) :: specimen_scatter              ! Its standard deviation over it, from specimen to specimen; NaN if
+                                                    ! contacts < 1, or if not known
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
                                                     ! interface: measure friction
     real(c_double) :: roughness_share               ! Share from the roughness: measure RSm, or Ra
@@ -104,7 +110,8 @@ module asperity
                                                     ! heaviest load > 0.
     integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
                                                     ! ASPERITY_STRENGTH_....
-    integer(c_int32_t) :: reserved                  ! Keeps the size the same on all systems; 0
+    integer(c_int32_t) :: is_of_pressures           ! 1 if the text has no area: loads are pressures [Pa], forces
+                                                    ! stresses; else 0
   end type asperity_estimate
 
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat
@@ -603,8 +610,18 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_text_c
     end function asperity_params_set_text_c
 
-    ! Writes parameters as a text of which asperity_params_set_text makes the same, bit for bit, in parameters fresh
-    ! from asperity_params_init
+    ! Sets all parameters as asperity_estimate_at_loads takes them for a text, with its contact law and strength: models
+    ! of them have its friction
+    function asperity_params_set_estimate_c(params, surface, length) bind(c, name='asperity_params_set_estimate')
+      import
+      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as of
+                                                    ! asperity_estimate_at_loads, which returns the same
+      integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads, which returns the same
+      integer(c_int32_t) :: asperity_params_set_estimate_c
+    end function asperity_params_set_estimate_c
+
+    ! Writes parameters as a text of which asperity_params_set_text makes the same in fresh parameters, bit for bit
     function asperity_params_text_c(params, buffer, length) bind(c, name='asperity_params_text')
       import
       type(asperity_params), intent(in) :: params   ! initialised parameters
@@ -1297,7 +1314,7 @@ module asperity
   public :: asperity_interface_of, asperity_interface_name_text
   public :: asperity_params_use_pair, asperity_params_use_interface
   public :: asperity_params_read, asperity_params_set_text, asperity_params_text
-  public :: asperity_estimate_at_loads, asperity_estimate_text
+  public :: asperity_estimate_at_loads, asperity_estimate_text, asperity_params_set_estimate
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text
 
@@ -1377,6 +1394,17 @@ contains
     characters = c_string(text, size(characters))
     call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
   end subroutine asperity_params_set_text
+
+  ! All parameters as asperity_estimate_at_loads takes them for a text.
+  subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
+    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
+    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: text(len(surface) + 1)
+    text = c_string(surface, size(text))
+    call report(asperity_params_set_estimate_c(params, c_loc(text), len_trim(surface, kind=c_size_t)), stat, errmsg)
+  end subroutine asperity_params_set_estimate
 
   ! The text of a surface file, of which asperity_params_set_text makes these parameters.
   function asperity_params_text(params, stat, errmsg) result(text)

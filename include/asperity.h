@@ -155,11 +155,16 @@ typedef struct asperity_estimate {
   /** Normal load [N]. */ double load;
   /** F/P; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap. */
   double friction_coefficient;
-  /** Lower end of the band. */ double low;
+  /** Lower end of the band, which is without the scatter of specimens. */ double low;
   /** Upper end. */ double high;
   /** F [N]. */ double friction_force;
-  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. Shares are 0 without a band.
+  /** Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two. */ double contacts;
+  /** Mean F of single specimens [N], NaN if not known; if contacts < 1 that of one summit, which they have once or twice.
    */
+  double specimen_force;
+  /** Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known. */
+  double specimen_scatter;
+  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. 0 without a band. */
   double strength_share;
   /** Share from the roughness: measure RSm, or Ra. */ double roughness_share;
   /** Share from the errors of the measured points and what they leave open: measure more. */
@@ -168,7 +173,7 @@ typedef struct asperity_estimate {
   double misfit;
   /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
   /** What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`. */ int32_t strength_source;
-  /** Keeps the size the same on all systems; 0. */ int32_t reserved;
+  /** 1 if the text has no area: loads are pressures [Pa], forces stresses; else 0. */ int32_t is_of_pressures;
 } asperity_estimate;
 
 /** Two rough surfaces in contact, as one equivalent rough surface against a flat.
@@ -505,8 +510,7 @@ extern "C" {
  * The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
  * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
  * `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
- * the elastic-plastic law, unless the text has a law. Up to six models are made, in tens of milliseconds; more loads cost
- * little. Threads may call it at the same time.
+ * the elastic-plastic law, unless the text has a law. It takes tens of milliseconds, and up to one for each load.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -826,17 +830,12 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
 
 /** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
  *
- * What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
- * Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists: materials, roughness,
- * interface, a measured friction. The contact law is Maugis' unless the text has another, also where summits yield: models warn
- * then (`ASPERITY_WARNING_PLASTIC`), and estimates take the elastic-plastic law.
+ * What it does not give stays as it is. Keys are the names of `asperity_params_set_values`, in SI units, and what
+ * docs/solvers.md lists. `asperity_params_set_estimate` also sets what an estimate of the text chooses.
  *
  * ```c
- * const char surface[] =
- *     "pair = \"steel/steel\"\n"
- *     "nominal_area = 1e-4\n"
- *     "measured = [1000, 0.16]\n"
- *     "roughness = {Ra = 0.8e-6, RSm = 80e-6}\n";
+ * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
+ *                        "roughness = {Ra = 0.8e-6, RSm = 80e-6}\n";
  * asperity_params_set_text(&params, surface, sizeof surface - 1);
  * ```
  *
@@ -850,8 +849,14 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
  *         `ASPERITY_OUT_OF_MEMORY`; with a measured friction also what `asperity_params_calibrate_force` returns */
 asperity_status asperity_params_set_text(struct asperity_params *params, const char *text, size_t length);
 
-/** Writes parameters as a text of which `asperity_params_set_text` makes the same, bit for bit, in parameters fresh from
- * `asperity_params_init`.
+/** Sets all parameters as `asperity_estimate_at_loads` takes them for a text, with its contact law and strength: models of them have
+ * its friction.
+ *
+ * @param params          initialised parameters
+ * @param surface,length  as of `asperity_estimate_at_loads`, which returns the same */
+asperity_status asperity_params_set_estimate(struct asperity_params *params, const char *surface, size_t length);
+
+/** Writes parameters as a text of which `asperity_params_set_text` makes the same in fresh parameters, bit for bit.
  *
  * Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
  * force at that load; otherwise it is a comment.
@@ -860,8 +865,7 @@ asperity_status asperity_params_set_text(struct asperity_params *params, const c
  * @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param length  size of `buffer` [bytes]
  * @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
- *         `asperity_last_error` describes: parameters whose choices are none of the constants, or a table that cannot be read
- */
+ *         `asperity_last_error` describes: choices that are none of the constants, or a table that cannot be read */
 size_t asperity_params_text(const struct asperity_params *params, char *buffer, size_t length);
 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.

@@ -355,6 +355,7 @@ contains
     character(*), parameter :: SURFACE = 'pair = "steel/steel"' // LF // 'nominal_area = 1e-4' // LF // &
       'measured = [1000, 0.16]' // LF // '[roughness]' // LF // 'process = "ground"' // LF // 'Ra = 0.8e-6' // LF
     type(asperity_estimate) :: found(2), none(0)
+    type(asperity_params) :: params
     character(300) :: message
     integer :: stat
     call asperity_estimate_at_loads(SURFACE, [10.0_c_double, 1000.0_c_double], found)
@@ -364,6 +365,13 @@ contains
     call check('... and what it rests on', found(1)%strength_source == ASPERITY_STRENGTH_MEASURED)
     call check('so has its text', index(asperity_estimate_text(SURFACE, [10.0_c_double]), &
                                         'mu(10 N) = 0.194, 95 % band 0.167 to 0.221' // LF) == 1)
+    call asperity_check(asperity_params_init(params))
+    call asperity_params_set_estimate(params, SURFACE)
+    call check('a model of it takes its contact law', params%contact_law == ASPERITY_CONTACT_ELASTIC_PLASTIC)
+    call check('... of many contacts', found(1)%contacts > 20 .and. found(1)%specimen_scatter < 0.05)
+    call asperity_params_set_estimate(params, 'mu = 1', stat)
+    call check('... whole or not at all', stat == ASPERITY_INVALID_PARAMETER .and. &
+               identical(params%calibration_load, 1000.0_c_double))
     call asperity_estimate_at_loads(SURFACE, [real(c_double) ::], none)
     call asperity_estimate_at_loads('measured = 0.16', [1.0_c_double], found, stat, message)
     call check('what is wrong is named', stat == ASPERITY_INVALID_PARAMETER .and. &

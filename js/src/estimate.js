@@ -19,12 +19,16 @@ const SOURCES = {
  * @property {number} low lower end of the band
  * @property {number} high upper end
  * @property {number} friction_force F [N]
+ * @property {number} contacts expected number of summits in contact; NaN, as the next two, if loads are pressures
+ * @property {number} specimen_force mean friction force of single specimens [N]; for less than one contact that of one summit
+ * @property {number} specimen_scatter its standard deviation over its mean; NaN if it is not known
  * @property {number} strength_share share of the variance of ln(F/P) from the strength of the interface
  * @property {number} roughness_share share from the roughness
  * @property {number} measurement_share share from the errors of the measured points
  * @property {number} misfit how far the measured points are off the law, root mean square in their errors
  * @property {number} warnings bits, which `warningsOf` puts into words
  * @property {"default" | "table" | "given" | "measured"} strength_source what the strength of the interface rests on
+ * @property {boolean} is_of_pressures whether the text has no nominal area, so that loads are pressures [Pa]
  */
 
 /**
@@ -42,8 +46,8 @@ export function estimate(library, text, load) {
   library.write(end, STRUCT, "struct_size", size);
   library.run("estimate_at_loads", at, length, count, loads, end);
   const found = Array.from({ length: count }, (_, i) => {
-    const { reserved, strength_source, ...numbers } = library.read(end + i * size, STRUCT);
-    return { ...numbers, strength_source: SOURCES[strength_source] };
+    const { is_of_pressures, strength_source, ...numbers } = library.read(end + i * size, STRUCT);
+    return { ...numbers, strength_source: SOURCES[strength_source], is_of_pressures: is_of_pressures === 1 };
   });
   return /** @type {any} */ (typeof load === "number" ? found[0] : found);
 }

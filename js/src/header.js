@@ -50,7 +50,7 @@ export const CONSTANTS = /** @type {const} */ ({
 /** Where the fields of the structs lie in WebAssembly's memory. @type {Record<string, Layout>} */
 export const LAYOUTS = {
   asperity_estimate: {
-    size: 96,
+    size: 120,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "load", type: "double", offset: 8 },
@@ -58,13 +58,16 @@ export const LAYOUTS = {
       { name: "low", type: "double", offset: 24 },
       { name: "high", type: "double", offset: 32 },
       { name: "friction_force", type: "double", offset: 40 },
-      { name: "strength_share", type: "double", offset: 48 },
-      { name: "roughness_share", type: "double", offset: 56 },
-      { name: "measurement_share", type: "double", offset: 64 },
-      { name: "misfit", type: "double", offset: 72 },
-      { name: "warnings", type: "uint64_t", offset: 80 },
-      { name: "strength_source", type: "int32_t", offset: 88 },
-      { name: "reserved", type: "int32_t", offset: 92 },
+      { name: "contacts", type: "double", offset: 48 },
+      { name: "specimen_force", type: "double", offset: 56 },
+      { name: "specimen_scatter", type: "double", offset: 64 },
+      { name: "strength_share", type: "double", offset: 72 },
+      { name: "roughness_share", type: "double", offset: 80 },
+      { name: "measurement_share", type: "double", offset: 88 },
+      { name: "misfit", type: "double", offset: 96 },
+      { name: "warnings", type: "uint64_t", offset: 104 },
+      { name: "strength_source", type: "int32_t", offset: 112 },
+      { name: "is_of_pressures", type: "int32_t", offset: 116 },
     ],
   },
   asperity_params: {

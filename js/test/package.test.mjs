@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readEstimate, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
 import { answers, bits, contactOf, entries, entryOf, mccoolOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
@@ -260,6 +260,13 @@ test("a text alone has friction with its band", () => {
   assert.equal(many.length, 3000);
   assert.ok(Math.abs(many[9].low / one.low - 1) < 1e-6 && many[2999].load === 3000);
   assert.match(estimateText(text, [10]), /^mu\(10 N\) = 0\.194, 95 % band 0\.167 to 0\.221\nrests on: /);
+  assert.ok(one.contacts > 20 && one.specimen_scatter < 0.1 && one.is_of_pressures === false);
+  const pressure = estimate(text.replace("nominal_area = 1e-4", ""), 1e7);
+  assert.ok(pressure.is_of_pressures && Number.isNaN(pressure.contacts));
+  const params = readEstimate(text);
+  assert.ok(params.contact_law === "elastic-plastic" && Math.abs(new Model(params).frictionAtLoad(10) / one.friction_coefficient - 1) < 3e-8);
+  assert.deepEqual(readText(toText(params)), params);
+  assert.throws(() => readEstimate("mu = 1"), { status: Status.INVALID_PARAMETER, message: /^line 1: mu: no such key/ });
   assert.deepEqual(estimate(text, []), []);
   assert.throws(() => estimate(text, NaN), { status: Status.INVALID_LOAD, message: /element 0: load = NaN/ });
   for (const load of [undefined, null, "10", {}])

@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, material, momentsOfMap, mccoolSummits, paper, readText, toText, warningsText, withElasticPlastic, withInterface, type Material, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, material, momentsOfMap, mccoolSummits, paper, readEstimate, readText, toText, warningsText, withElasticPlastic, withInterface, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -26,6 +26,7 @@ const pressed: number = model.stateAtLoad(1e-3).hertz_load + model.sensitivities
 const written: string = toText(readText("skew = 0.1", params));
 const filmed: Params = withInterface(params, "MoS2 film in dry air");
 const estimated: number = estimate("pair = 'Si/Si'", 1).low + estimate("pair = 'Si/Si'", [1])[0].misfit;
+const taken: Params = readEstimate("pair = 'Si/Si'");
 const said: string = estimateText("pair = 'Si/Si'", [1]);
 const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);
 
@@ -44,4 +45,4 @@ model.stateAtLoad(1).friction;
 
 const other = new (await instantiate(new Uint8Array())).Model({ ...params, height_distribution: "johnson" });
 other.setParams(model.params);
-export { AsperityError, between, both, estimated, filmed, hardness, kept, law, measured, moments, named, one, part, pressed, radius, reference, said, status, summits, told, unknown, warnings, written, wrong };
+export { AsperityError, between, both, estimated, filmed, hardness, kept, law, measured, moments, named, one, part, pressed, radius, reference, said, status, summits, taken, told, unknown, warnings, written, wrong };

@@ -80,7 +80,7 @@ def with_parts(path, text, parts, all_of_them=True):
 def with_attributes(path, text, header):
     """A module of Python in which docstrings say what the header says of fields and members."""
     sections = {
-        "params": {"Params": python.attributes(header.params, header)},
+        "params": {"Params": [*python.attributes(header.params, header), *python.IN_SI]},
         "results": {
             "Warnings": python.member_docs(header.warnings, "ASPERITY_WARNING_", header),
             "State": python.attributes(header.structs["asperity_state"].fields[1:], header),

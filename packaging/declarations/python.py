@@ -124,6 +124,10 @@ def members(constants, prefix):
         yield f"    {constant.name.removeprefix(prefix)} = _header.{constant.name}"
 
 
+# The one field that the library does not have.
+IN_SI = ("        in_si: Whether all quantities are in SI units, as a surface file has them; False by default.",)
+
+
 def attributes(fields, header):
     """The lines of a docstring that say what each field means."""
     for one in fields:

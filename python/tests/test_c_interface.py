@@ -87,6 +87,8 @@ def test_every_function_of_the_header_works() -> None:
     length = lib.estimate_text(surface, len(surface), 2, loads, None, 0)
     told = ctypes.create_string_buffer(length + 1)
     assert lib.estimate_text(surface, len(surface), 2, loads, told, length + 1) == length and told.value.startswith(b"mu(0.001 N)")
+    taken = _header.asperity_params.from_buffer_copy(back)
+    assert lib.params_set_estimate(taken, surface, len(surface)) == Status.OK and taken.asperity_count == 1e5
     assert lib.params_set_units(back, 1e-3, 1.0) == Status.OK and math.isclose(back.height_std, 1e3 * params.height_std)
     assert lib.params_read(back, b"nowhere.toml") == Status.INVALID_PARAMETER
 

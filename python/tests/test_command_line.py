@@ -215,7 +215,7 @@ def test_friction_is_told_with_its_band(tmp_path: Path, root: Path) -> None:
 
 
 def test_friction_of_one_line_with_units_in_the_help_and_a_figure(tmp_path: Path) -> None:
-    line = "friction steel/steel --Ra 0.8e-6 --process ground --measured 1000 0.16 --load 10 100 1000"
+    line = "friction steel/steel --Ra 0.8e-6 --process ground --nominal-area 1e-4 --measured 1000 0.16 --load 10 100 1000"
     done = asperity(f"{line} --figure {tmp_path / 'friction.svg'}")
     assert done.returncode == 0 and "mu(1000 N) = 0.16, " in done.stdout and (tmp_path / "friction.svg").stat().st_size > 0
     several = asperity(f"{line} --measured 100 0.17 0.1")

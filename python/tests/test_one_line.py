@@ -47,6 +47,27 @@ def test_without_an_area_loads_are_pressures() -> None:
     assert by_pressure == pytest.approx(friction("Si/Si", **ROUGH, load=1e-1, nominal_area=1e-6).value, rel=1e-9)
 
 
+    # ... and are called so.
+    found = friction("steel/steel", process="ground", Ra=0.8e-6, load=1e5, measured=(1e7, 0.16))
+    assert found.unit == "Pa" and str(found).startswith("mu(100000 Pa) = 0.19") and " N" not in str(found)
+    assert found.rests_on[1] == "loads are nominal pressures in Pa: no nominal_area was given"
+    assert found.plot().axes[0].get_xlabel() == "nominal pressure $p$ [Pa]" and math.isnan(found.contacts)
+    assert friction("Si/Si", **ROUGH, load=0.1, nominal_area=1.0).unit == "N"
+
+
+@pytest.mark.parametrize("pair", sorted(set(PAIRS) - {"PDMS/PDMS"}))
+def test_a_model_of_an_estimate_has_its_friction_its_strength_and_its_law(pair: str) -> None:
+    for given in ({"Ra": 0.8e-6}, {"measured": (1.0, 0.2)}, {"measured": [(1.0, 0.2), (100.0, 0.17)]}):
+        found = friction(pair, process="ground", nominal_area=1e-4, load=[0.5, 50.0], **given)
+        params = Params.from_text(found.surface)
+        assert params == found.params
+        with Model(params) as model:
+            assert model.friction_force_at_load([0.5, 50.0]) == pytest.approx(found.force, rel=3e-8)
+        yields = any(line.startswith("asperities yield") for line in found.rests_on)
+        assert (params.contact_law == "elastic-plastic") == yields
+        assert (params.calibration_load == 1.0) == (given.get("measured") == (1.0, 0.2))
+
+
 def test_roughness_is_taken_in_several_forms() -> None:
     params = Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1.0)
     m2 = ROUGH["Sdq"] ** 2 / 2
@@ -168,7 +189,7 @@ def test_one_measured_point_narrows_the_band() -> None:
 def test_a_strength_that_is_given_has_no_band() -> None:
     found = friction("Si/Si", **ROUGH, load=1e5, slip_stress_1=0.02)
     assert (found.low, found.high, found.coverage, found.narrow) == (None, None, None, ())
-    assert found.rests_on == ("strength of the interface: as given",) and "no band" in repr(found)
+    assert found.rests_on[0] == "strength of the interface: as given" and "no band" in repr(found)
 
 
 def test_an_estimate_is_a_number_with_its_band() -> None:
@@ -181,11 +202,12 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
     many = friction("Si/Si", **ROUGH, load=pandas.Series([1e4, 0.0, -1e20], index=list("abc")))
     assert many.high.index.tolist() == list("abc") and many.high["a"] == pytest.approx(10 * many.value["a"])
     assert many.low["b"] == many.value["b"] == math.inf and many.low["c"] == many.value["c"] == 0.0
-    assert "mu(0 N) has no limit" in repr(many)
+    assert "mu(0 N) has no limit" in friction("Si/Si", **ROUGH, load=0.0, nominal_area=1e-8).text
+    assert "mu(0 Pa) has no limit" in repr(many)
     with pytest.raises(TypeError):
         float(many)
     # The same text as the library and the command line have.
-    assert repr(many) == asperity.estimate.estimate(many.surface, [1e4, 0.0, -1e20]).text
+    assert repr(many) == asperity.estimate.estimate(many._text, [1e4, 0.0, -1e20]).text
     assert repr(friction("Si/Si", **ROUGH, load=np.full(9, 1e5))).count("mu(") == 2
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from asperity import Error, Model, Params, pads
+from asperity import Error, Model, Params, friction, pads
 from asperity._pad_equilibrium import OneSummitLaw, descend
 from asperity._pad_heights import TailHeights
 
@@ -35,6 +35,38 @@ def variants(params: Params) -> list[Params]:
         params.replace(radius_amplitude=-0.6, radius_rate=0.8),
         params.replace(work_of_adhesion=0.0),
     ]
+
+
+# What one specimen has that is to be expected of it: pairs that adhere, that hardly do, that yield.
+SPECIMENS: dict[str, dict[str, Any]] = {
+    "SiO2/SiO2": {"Sq": 5e-9, "Sdq": 0.08, "nominal_area": 1e-8},
+    "Si/Si": {"Sq": 5e-9, "Sdq": 0.08, "nominal_area": 1e-8, "work_of_adhesion": 1e-4},
+    "steel/steel": {"process": "ground", "Ra": 0.8e-6, "nominal_area": 1e-6},
+}
+
+
+@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
+@pytest.mark.parametrize("pair", SPECIMENS)
+def test_an_estimate_tells_what_single_specimens_have(pair: str) -> None:
+    """From 30 contacts to a thousandth of one: mean and scatter to 20 %, and below one contact what one summit has once or twice."""
+    surface = SPECIMENS[pair]
+    model = Model(friction(pair, **surface, load=1.0).params)
+    gaps = [model.params.height_std * z for z in np.linspace(-1, 12, 60)]
+    states = [model.state_at_gap(gap) for gap in gaps]
+    by_contacts = np.interp(np.log([30, 10, 3, 0.3, 0.03, 1e-3]), np.log([s.contacting for s in states][::-1]), np.log([s.load for s in states][::-1]))
+    loads = np.exp(by_contacts).tolist() + ([0.0] if model.params.work_of_adhesion else [])
+    told = friction(pair, **surface, load=loads)
+    found = pads(told.params, loads, 400, progress=False)
+    error = found.mean_force * found.scatter / 20
+    for i, contacts in enumerate(told.contacts):
+        if contacts >= 1:
+            assert abs(told.specimen_force[i] - found.mean_force[i]) < 0.2 * abs(found.mean_force[i] - told.force[i]) + 3 * error[i], i
+            assert told.specimen_scatter[i] == pytest.approx(found.scatter[i], rel=0.2), i
+        else:
+            times = found.mean_force[i] / told.specimen_force[i]
+            assert 1 - 3 * error[i] / found.mean_force[i] < times < 2 and math.isnan(told.specimen_scatter[i]), (i, times)
+    assert told.contacts[0] > 20 and f"few contacts: {told.contacts[1]:.3g} summits touch at" in told.text
+    assert told.text.count("few contacts: ") == 5
 
 
 # ---- The equilibrium of one pad ----

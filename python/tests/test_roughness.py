@@ -13,6 +13,7 @@ import pytest
 from random_surfaces import GaussianSurface
 
 from asperity import Error, Model, Params, Status, ValidityWarning, Warnings, friction, surface, uncertainty
+from asperity.materials import PAIRS
 
 CONTACT: dict[str, Any] = dict(
     work_of_adhesion=0.06, adhesion_range=4e-10, burgers_vector=4e-10, E1=160e9, nu1=0.22, E2=160e9, nu2=0.22
@@ -100,6 +101,16 @@ def test_the_other_names_of_a_profile_are_refused_together_or_alone() -> None:
     for given, message in cases:
         with pytest.raises(Error, match=message):
             Params.from_profile(**given, **rest)
+
+
+def test_a_process_stands_for_the_slope_of_a_profile() -> None:
+    rest: dict[str, Any] = dict(nominal_area=1e-4, **PAIRS["steel/steel"].contact)
+    given = Params.from_profile(Ra=0.8e-6, process="ground", **rest)
+    text = 'pair = "steel/steel"\nnominal_area = 1e-4\n[roughness]\nRa = 0.8e-6\nprocess = "ground"\n'
+    assert given == Params.from_text(text)
+    assert Params.from_profile(process="ground", **rest).height_std > 0
+    with pytest.raises(Error, match="process = \"grund\": must be one of superfinished"):
+        Params.from_profile(Ra=0.8e-6, process="grund", **rest)  # type: ignore[arg-type]
 
 
 def test_mccools_summits_are_those_of_the_literature() -> None:

@@ -203,6 +203,15 @@ def test_friction_that_was_measured_narrows_the_band(plain: Array, truth: surfac
             assert model.friction_at_load(load) == pytest.approx(0.3, rel=1e-6)  # calibrated too
 
 
+@pytest.mark.parametrize("interface", ["steel/steel dry", "MoS2 film in dry air"])
+def test_an_interface_of_the_table_is_that_of_its_surface_too(plain: Array, interface: str) -> None:
+    """Also one of which the table has a friction coefficient alone."""
+    found = analysed(100 * plain, dx=30 * PIXEL, load=10.0, pair="steel/steel", interface=interface)
+    assert found.estimate is not None and found.estimate.strength == "table" and found.params == found.estimate.params
+    with Model(found.params) as model:
+        assert model.friction_at_load(10.0) == pytest.approx(found.value, rel=1e-6)
+
+
 def test_long_waves_are_removed_and_what_is_asked_for_wrongly_is_refused(plain: Array, truth: surface.Analysis) -> None:
     wavy = plain + 3 * SIGMA * np.cos(2 * np.pi * 2.5 * X / POINTS) * np.cos(2 * np.pi * 2.5 * Y / POINTS)
     found = analysed(wavy, longest=1e-6)

@@ -283,6 +283,8 @@ def test_where_no_cutoff_will_do_none_is_recommended(plain: Array) -> None:
     assert found.friction[1] == pytest.approx(found.friction[0], rel=0.08)
     with pytest.raises(ValueError, match="load = 0.0: must be finite and > 0"):
         surface.cutoffs(plain, 0.0, PIXEL, **MATERIAL)
+    with pytest.raises(TypeError, match="nominal_aera"):
+        surface.cutoffs(plain, 1.0, PIXEL, nominal_aera=1e-8, **MATERIAL)  # type: ignore[call-arg]
     with pytest.raises(ValueError, match=r"cutoff\[0\] = -1.0: must be finite and > 0"):
         surface.cutoffs(plain, 1.0, PIXEL, cutoff=[-1.0], **MATERIAL)
     with pytest.raises(ValueError, match=r"256 x 256 points, dx = 5e-09, dy = 0.0001: too small for the shortest cutoff"):

@@ -80,6 +80,8 @@ pub struct Described {
     pub has_law: bool,
     /// What of the roughness is that of a process.
     pub machined: Option<Machined>,
+    /// Whether the text says neither how large the nominal area is nor how many summits there are: it is of 1 m^2 then.
+    pub is_of_pressures: bool,
 }
 
 /// Reads what a text says, with what it leaves open of the roughness at one of its cases.
@@ -88,7 +90,13 @@ pub struct Described {
 /// Those of [`read`].
 pub fn describe(bytes: &[u8], case: Case) -> Result<Described, Error> {
     let described = Entries::read(text(bytes)?).and_then(|entries: Entries| {
-        let described = entries.describe(&mut Draft::default(), case)?;
+        let mut draft = Draft::default();
+        let is_of_pressures =
+            ["nominal_area", "asperity_count"].into_iter().all(|name| entries.find(Table::Top, name).is_none());
+        if is_of_pressures {
+            draft.params.nominal_area = 1.0;
+        }
+        let described = Described { is_of_pressures, ..entries.describe(&mut draft, case)? };
         described.params.surface().map_err(|error| entries.problem(error, None))?;
         Ok(described)
     });
@@ -132,6 +140,7 @@ impl Entries<'_> {
             has_strength: given(STRENGTH),
             has_law: given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0),
             machined,
+            is_of_pressures: false,
             params,
         })
     }

@@ -4,8 +4,8 @@ use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
 use super::last_error::asperity_last_error;
 use super::reserve;
 use super::status::{asperity_status, ASPERITY_OK};
+use super::surface_text::bytes;
 use super::text::write_text;
-use crate::by_name::LONGEST;
 use crate::estimate::known::DEFAULT_FACTOR;
 use crate::estimate::{write, Answer, Estimate, Rests};
 use std::ffi::c_char;
@@ -33,13 +33,19 @@ pub struct asperity_estimate {
     pub load: f64,
     /// F/P; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap.
     pub friction_coefficient: f64,
-    /// Lower end of the band.
+    /// Lower end of the band, which is without the scatter of specimens.
     pub low: f64,
     /// Upper end.
     pub high: f64,
     /// F [N].
     pub friction_force: f64,
-    /// Share of the variance of ln(F/P) from the strength of the interface: measure friction. Shares are 0 without a band.
+    /// Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two.
+    pub contacts: f64,
+    /// Mean F of single specimens [N], NaN if not known; if contacts < 1 that of one summit, which they have once or twice.
+    pub specimen_force: f64,
+    /// Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known.
+    pub specimen_scatter: f64,
+    /// Share of the variance of ln(F/P) from the strength of the interface: measure friction. 0 without a band.
     pub strength_share: f64,
     /// Share from the roughness: measure RSm, or Ra.
     pub roughness_share: f64,
@@ -51,8 +57,8 @@ pub struct asperity_estimate {
     pub warnings: u64,
     /// What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`.
     pub strength_source: i32,
-    /// Keeps the size the same on all systems; 0.
-    pub reserved: i32,
+    /// 1 if the text has no area: loads are pressures [Pa], forces stresses; else 0.
+    pub is_of_pressures: i32,
 }
 
 /// The text and the loads of a caller, and what the library makes of them.
@@ -69,8 +75,7 @@ unsafe fn estimated(
     if n > 0 {
         not_null(load, "load")?;
     }
-    // Of a longer one nothing is read. SAFETY: the caller says that there are so many bytes.
-    let text = std::slice::from_raw_parts(surface.cast::<u8>(), length.min(LONGEST + 1));
+    let text = bytes(surface, length);
     reserve::held(|| {
         let loads: Vec<f64> = (0..n).map(|i| load.add(i).read_unaligned()).collect();
         let estimate = Estimate::new(text, &loads)?;
@@ -87,8 +92,7 @@ unsafe fn estimated(
 /// The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
 /// `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
 /// `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
-/// the elastic-plastic law, unless the text has a law. Up to six models are made, in tens of milliseconds; more loads cost
-/// little. Threads may call it at the same time.
+/// the elastic-plastic law, unless the text has a law. It takes tens of milliseconds, and up to one for each load.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -139,13 +143,16 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
                 low: answer.low,
                 high: answer.high,
                 friction_force: answer.friction_force,
+                contacts: answer.contacts,
+                specimen_force: answer.specimen_force,
+                specimen_scatter: answer.specimen_scatter,
                 strength_share: answer.strength_share,
                 roughness_share: answer.roughness_share,
                 measurement_share: answer.measurement_share,
                 misfit: estimate.misfit,
                 warnings,
                 strength_source,
-                reserved: 0,
+                is_of_pressures: estimate.is_of_pressures().into(),
             };
             let count = size_of::<asperity_estimate>().min(step as usize);
             // SAFETY: the caller says that n elements are so far apart.

@@ -7,8 +7,9 @@ use super::setters::change;
 use super::status::{asperity_status, ASPERITY_OK};
 use super::tables::{keep, Kept};
 use super::text::write_text;
-use crate::by_name::{self, is_of_these_surfaces, LONGEST};
+use crate::by_name::{self, is_of_these_surfaces, Draft, LONGEST};
 use crate::error::Error;
+use crate::estimate::Estimate;
 use crate::params::HeightFamily;
 use std::ffi::c_char;
 use std::mem::replace;
@@ -23,12 +24,20 @@ impl asperity_params {
         text: &[u8],
         refuse: impl FnOnce(Error) -> Failure,
     ) -> Result<(), Failure> {
+        self.set_draft(|draft| by_name::read(text, draft).map_err(refuse))
+    }
+
+    /// Sets what is changed of a draft.
+    ///
+    /// # Safety
+    /// As that of `to_params`.
+    unsafe fn set_draft(&mut self, set: impl FnOnce(&mut Draft) -> Result<(), Failure>) -> Result<(), Failure> {
         let (draft, table) = reserve::held(|| {
             let mut draft = self.draft()?;
-            // A table that cannot be read is refused unless the text chooses other heights.
+            // A table that cannot be read is refused unless other heights are chosen.
             draft.params.heights = self.readable_table().unwrap_or(HeightFamily::Gaussian);
             let before = table_at(&draft.params.heights);
-            by_name::read(text, &mut draft).map_err(refuse)?;
+            set(&mut draft)?;
             let after = table_at(&draft.params.heights);
             let table = match replace(&mut draft.params.heights, HeightFamily::Gaussian) {
                 HeightFamily::Tabulated { height, density } if after != before => Some(Kept::new(height, density)),
@@ -45,6 +54,14 @@ impl asperity_params {
     }
 }
 
+/// The bytes of a text; of a longer one than is read, one more.
+///
+/// # Safety
+/// The caller says that there are so many.
+pub(super) unsafe fn bytes<'t>(text: *const c_char, length: usize) -> &'t [u8] {
+    std::slice::from_raw_parts(text.cast::<u8>(), length.min(LONGEST + 1))
+}
+
 /// Where the table of heights is, if they are one.
 fn table_at(heights: &HeightFamily) -> Option<*const f64> {
     match heights {
@@ -55,17 +72,12 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
-/// What the text does not give stays as it is, so that parameters fresh from `asperity_params_init` become those of the text.
-/// Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists: materials, roughness,
-/// interface, a measured friction. The contact law is Maugis' unless the text has another, also where summits yield: models warn
-/// then (`ASPERITY_WARNING_PLASTIC`), and estimates take the elastic-plastic law.
+/// What it does not give stays as it is. Keys are the names of `asperity_params_set_values`, in SI units, and what
+/// docs/solvers.md lists. `asperity_params_set_estimate` also sets what an estimate of the text chooses.
 ///
 /// ```c
-/// const char surface[] =
-///     "pair = \"steel/steel\"\n"
-///     "nominal_area = 1e-4\n"
-///     "measured = [1000, 0.16]\n"
-///     "roughness = {Ra = 0.8e-6, RSm = 80e-6}\n";
+/// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
+///                        "roughness = {Ra = 0.8e-6, RSm = 80e-6}\n";
 /// asperity_params_set_text(&params, surface, sizeof surface - 1);
 /// ```
 ///
@@ -86,15 +98,34 @@ pub unsafe extern "C" fn asperity_params_set_text(
     boundary::status(|| {
         change(params, |params| {
             not_null(text, "text")?;
-            // Of a longer one nothing is read. SAFETY: the caller says that there are so many bytes.
-            let text = std::slice::from_raw_parts(text.cast::<u8>(), length.min(LONGEST + 1));
-            params.set_text(text, Failure::from)
+            params.set_text(bytes(text, length), Failure::from)
         })
     })
 }
 
-/// Writes parameters as a text of which `asperity_params_set_text` makes the same, bit for bit, in parameters fresh from
-/// `asperity_params_init`.
+/// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, with its contact law and strength: models of them have
+/// its friction.
+///
+/// @param params          initialised parameters
+/// @param surface,length  as of `asperity_estimate_at_loads`, which returns the same
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_estimate(
+    params: *mut asperity_params,
+    surface: *const c_char,
+    length: usize,
+) -> asperity_status {
+    boundary::status(|| {
+        change(params, |params| {
+            not_null(surface, "surface")?;
+            params.set_draft(|draft| {
+                *draft = Draft::of(Estimate::new(bytes(surface, length), &[])?.params());
+                Ok(())
+            })
+        })
+    })
+}
+
+/// Writes parameters as a text of which `asperity_params_set_text` makes the same in fresh parameters, bit for bit.
 ///
 /// Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
 /// force at that load; otherwise it is a comment.
@@ -103,7 +134,7 @@ pub unsafe extern "C" fn asperity_params_set_text(
 /// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param length  size of `buffer` [bytes]
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
-///         `asperity_last_error` describes: parameters whose choices are none of the constants, or a table that cannot be read
+///         `asperity_last_error` describes: choices that are none of the constants, or a table that cannot be read
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_text(
     params: *const asperity_params,

@@ -17,6 +17,7 @@ use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
 use crate::model::calibration::Calibrated;
 use crate::model::points::{slice, slices, Seen, Slice};
+use crate::model::validity::WARNING_FEW;
 use crate::model::Model;
 use crate::params::{ContactLawKind, Params};
 pub use strength::Rests;
@@ -24,7 +25,7 @@ use strength::Strength;
 pub use words::write;
 
 /// An answer for one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Answer {
     /// [N]
     pub load: f64,
@@ -35,6 +36,15 @@ pub struct Answer {
     pub high: f64,
     /// F [N].
     pub friction_force: f64,
+    /// Summits in contact that the model expects, and whether they are too few for one specimen to be like the mean of the model. NaN
+    /// where loads are pressures.
+    pub contacts: f64,
+    pub is_few: bool,
+    /// Mean friction force of single specimens [N]. Of less than one contact that of a summit alone, which simulated specimens have once
+    /// or twice (python/tests/test_pads.py). NaN where it is not known.
+    pub specimen_force: f64,
+    /// Standard deviation of the friction force of single specimens over its mean; NaN where it is not known.
+    pub specimen_scatter: f64,
     /// Shares of the variance of ln(F/P) that follow from the strength of the interface, the roughness and the measurement.
     pub strength_share: f64,
     pub roughness_share: f64,
@@ -173,25 +183,60 @@ impl Estimate {
         }
         let middle = &self.cases[0].model;
         let (force, pressed) = (self.positive(middle, load)?, self.pressed(load)?);
-        let factor = self.params.slip.stress_1 / middle.params().slip.stress_1;
-        let friction_force = factor * force + self.params.pressure_coefficient * pressed;
+        let by_pressure = self.params.pressure_coefficient * pressed;
+        let friction_force = self.factor() * force + by_pressure;
         let mut answer = Answer {
             load,
             friction_coefficient: friction_force / load,
-            low: 0.0,
-            high: 0.0,
             friction_force,
-            strength_share: 0.0,
-            roughness_share: 0.0,
-            measurement_share: 0.0,
+            contacts: f64::NAN,
+            specimen_force: f64::NAN,
+            specimen_scatter: f64::NAN,
+            ..Answer::default()
         };
+        let is_apart = load <= 0.0 && middle.validate_load(load).is_err();
+        if is_apart {
+            answer.contacts = 0.0;
+        } else if load <= 0.0 && middle.params().work_of_adhesion == 0.0 {
+            (answer.contacts, answer.specimen_force) = (0.0, 0.0);
+        } else {
+            self.add_specimens(&mut answer, by_pressure)?;
+        }
+        if self.is_of_pressures() {
+            (answer.contacts, answer.specimen_force, answer.specimen_scatter) = (f64::NAN, f64::NAN, f64::NAN);
+        }
         if load <= 0.0 {
             // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
-            let apart = middle.validate_load(load).is_err();
-            answer.friction_coefficient = if apart { 0.0 } else { f64::INFINITY };
+            answer.friction_coefficient = if is_apart { 0.0 } else { f64::INFINITY };
             (answer.low, answer.high) = (answer.friction_coefficient, answer.friction_coefficient);
             return Ok(answer);
         }
+        self.add_band(&mut answer, pressed)?;
+        Ok(answer)
+    }
+
+    /// What one specimen has, whose summits are not the mean of all.
+    fn add_specimens(&self, answer: &mut Answer, by_pressure: f64) -> Result<(), Error> {
+        let middle = &self.cases[0].model;
+        let state = match middle.state_at_load(answer.load) {
+            // Of so rough surfaces no number is small enough for what the mean has without a load.
+            Err(_) if answer.load == 0.0 => None,
+            state => Some(state?),
+        };
+        answer.contacts = state.map_or(0.0, |state| state.contacting);
+        answer.is_few = state.is_none_or(|state| state.warnings & WARNING_FEW != 0);
+        if self.params.is_of_many() && answer.contacts < 1.0 && answer.load >= 0.0 {
+            answer.specimen_force = self.factor() * middle.one_summit_at_load(answer.load) + by_pressure;
+        } else if let Some(state) = state {
+            let scattering = answer.friction_force - by_pressure;
+            answer.specimen_force = answer.friction_force + state.friction_bias * scattering;
+            answer.specimen_scatter = state.friction_scatter * scattering / answer.friction_force;
+        }
+        Ok(())
+    }
+
+    fn add_band(&self, answer: &mut Answer, pressed: f64) -> Result<(), Error> {
+        let load = answer.load;
         let (mut mean, mut square) = (0.0, 0.0);
         let (mut by_strength, mut within, mut between) = (0.0, 0.0, 0.0);
         let mut means = Vec::with_capacity(self.cases.len());
@@ -225,7 +270,30 @@ impl Estimate {
         } else {
             (answer.low, answer.high) = (answer.friction_coefficient, answer.friction_coefficient);
         }
-        Ok(answer)
+        Ok(())
+    }
+
+    /// The strength that is estimated, over that of the models.
+    fn factor(&self) -> f64 {
+        self.params.slip.stress_1 / self.cases[0].model.params().slip.stress_1
+    }
+
+    /// Whether the text has no nominal area, so that loads are nominal pressures [Pa] and forces shear stresses.
+    pub fn is_of_pressures(&self) -> bool {
+        self.described.is_of_pressures
+    }
+
+    /// Of loads and of forces.
+    fn unit(&self) -> &'static str {
+        match self.is_of_pressures() {
+            true => "Pa",
+            false => "N",
+        }
+    }
+
+    /// The surfaces as they are taken: the most probable roughness, its contact law and the strength of the interface.
+    pub fn params(&self) -> &Params {
+        &self.params
     }
 
     /// Bits of what the model assumes and a state between these loads lacks: of those that press.

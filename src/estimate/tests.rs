@@ -3,6 +3,7 @@
 use super::known::{deviation, DEFAULT_FACTOR, PROCESSES, SLOPE_FACTOR};
 use super::{write, Answer, Estimate};
 use crate::by_name::{describe, Case};
+use crate::materials::PAIRS;
 use crate::model::Model;
 use crate::params::{ContactLawKind, Params};
 
@@ -144,6 +145,93 @@ fn what_was_measured_on_the_pair_is_the_first_line() {
     assert!(written(&film, &[12.0]).contains("shear strength 24.8 MPa"));
     // A measurement here is worth more than any of them.
     assert!(!written(&format!("{STEEL}measured = [10, 0.1]\n{ROUGH}"), &[10.0]).contains("other specimens"));
+}
+
+/// Whatever an estimate chose beside its text, a text of its parameters has it.
+#[test]
+fn the_parameters_of_an_estimate_have_its_friction_its_strength_and_its_law() {
+    let rough = PROCESSES.iter().map(|process| format!("process = \"{}\"\n", process.name));
+    let rough: Vec<_> = rough.chain(["Ra = 0.2e-6\nRSm = 40e-6\n".into(), SMOOTH[12..].into()]).collect();
+    let (mut yielding, mut calibrated) = (0, 0);
+    for (pair, rough) in PAIRS.iter().zip(rough.iter().cycle()) {
+        let name = pair.name.to_str().expect("UTF-8");
+        // An elastomer has no Burgers vector.
+        let slip = if name.contains("PDMS") { "burgers_vector = 50e-9\n" } else { "" };
+        for points in ["", "measured = [1, 0.2]\n", "measured = [[1, 0.2], [100, 0.17]]\n"] {
+            let text = format!("pair = \"{name}\"\n{slip}nominal_area = 1e-4\n{points}[roughness]\n{rough}");
+            let (estimate, answers) = estimate(&text, &[0.5, 100.0]);
+            let params = Params::from_toml(&estimate.params().to_toml()).expect("a surface");
+            assert_eq!(&params, estimate.params(), "{text}");
+            assert_eq!(estimate.yields, params.contact_law == ContactLawKind::ElasticPlastic, "{text}");
+            yielding += u32::from(estimate.yields);
+            calibrated += u32::from(params.calibration_friction_force > 0.0);
+            let model = Model::new(&params).expect("a model");
+            for found in answers {
+                let off = model.friction_force_at_load(found.load) / found.friction_force - 1.0;
+                assert!(off.abs() < 3e-8, "{off:e}, {text}");
+            }
+        }
+    }
+    assert!(yielding > 10 && calibrated >= PAIRS.len() as u32, "{yielding} {calibrated}");
+}
+
+/// The summits that are expected, and what single specimens of them have.
+#[test]
+fn few_contacts_are_counted_and_told() {
+    let text = format!("{SILICON}{SMOOTH}");
+    let loads = [1e-2, 2e-5, 3e-7, 0.0];
+    let (estimate, found) = estimate(&text, &loads);
+    let model = Model::new(estimate.params()).expect("a model");
+    for one in &found[..3] {
+        assert_near(one.contacts, model.state_at_load(one.load).expect("a state").contacting, 1e-12);
+    }
+    assert!(!found[0].is_few && found[1..].iter().all(|one| one.is_few), "{found:?}");
+    assert_near(found[0].specimen_force, found[0].friction_force, 2e-3);
+    assert!(found[1].contacts > 1.0 && found[1].specimen_force > 1.05 * found[1].friction_force, "{found:?}");
+    assert!(found[1].specimen_scatter > 0.1 && found[1].specimen_scatter < 0.5, "{found:?}");
+    assert!(found[2].contacts < 1.0 && found[2].specimen_scatter.is_nan(), "{found:?}");
+    // Without a load a summit adheres, however far off the mean of all surfaces is.
+    assert!(found[2].specimen_force > found[3].specimen_force && found[3].specimen_force > 1e-7, "{found:?}");
+    let shown = written(&text, &loads);
+    for says in [
+        " summits touch at 2e-5 N: single specimens have ",
+        " on average, with a standard deviation of ",
+        " summits touch at 3e-7 N: one specimen stands on one or two, with ",
+        "mu(0 N) has no limit: a specimen adheres by its tallest summits, with a friction force of ",
+    ] {
+        assert!(shown.contains(says), "{shown}");
+    }
+    assert_eq!(shown.matches("few contacts: ").count(), 2, "{shown}");
+    // Of surfaces so rough that the mean has no number, too.
+    let rough = answer(&format!("work_of_adhesion = 1e-4\n{text}"), 0.0);
+    assert!(rough.friction_force == 0.0 && rough.friction_coefficient == f64::INFINITY, "{rough:?}");
+    assert!(rough.specimen_force > 1e-10 && rough.specimen_force < found[3].specimen_force, "{rough:?}");
+    // One summit is itself, and metal that yields does not adhere.
+    let tip = "pair = \"Si/Si\"\nheight_std = 3e-13\nsummit_radius = 30e-9\nasperity_count = 1\n";
+    let found = answer(tip, 1e-8);
+    assert_eq!((found.specimen_force, found.specimen_scatter, found.is_few), (found.friction_force, 0.0, false));
+    let found = answer(&format!("{STEEL}{ROUGH}"), 0.0);
+    assert_eq!((found.friction_force, found.specimen_force, found.contacts), (0.0, 0.0, 0.0));
+}
+
+#[test]
+fn without_an_area_loads_are_pressures_and_are_called_so() {
+    let at = |area: &str, load: f64| format!("pair = \"steel/steel\"\n{area}measured = [{load}, 0.16]\n{ROUGH}");
+    let (by_pressure, by_load) = (answer(&at("", 1e7), 1e5), answer(&at("nominal_area = 1e-4\n", 1e3), 10.0));
+    assert_near(by_pressure.friction_coefficient, by_load.friction_coefficient, 1e-7);
+    assert!(by_pressure.contacts.is_nan() && by_pressure.specimen_force.is_nan(), "{by_pressure:?}");
+    let shown = written(&at("", 1e7), &[1e5, 0.0, -1.0]);
+    assert!(shown.starts_with("mu(100000 Pa) = 0.19") && !shown.contains(" N"), "{shown}");
+    assert!(
+        shown.contains("rests on: loads are nominal pressures in Pa") && shown.contains("0.16 at 1e7 Pa"),
+        "{shown}"
+    );
+    assert!(written(&at("", 1.0), &[10.0]).contains("is load in Pa? Give nominal_area"));
+    let adheres = written(&format!("pair = \"Si/Si\"\n{SMOOTH}"), &[0.0]);
+    assert!(adheres.starts_with("mu(0 Pa) has no limit: the tallest summits adhere, how many depends"), "{adheres}");
+    // A number of summits is an area too.
+    let counted = "pair = \"Si/Si\"\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_count = 1e5\n";
+    assert!(written(counted, &[1e-3]).contains("mu(0.001 N)"));
 }
 
 #[test]

@@ -20,6 +20,9 @@ const STEEP: f64 = 0.7;
 const STICKY: f64 = 5.0;
 /// Of a steel sheet of 1 mm under its weight [Pa]: where the heaviest load makes less, a unit may be wrong.
 const LIGHT: f64 = 77.0;
+/// Of less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
+/// (python/tests/test_pads.py).
+const FEWEST: f64 = 2.0;
 /// More points are told by their number.
 const SHOWN: usize = 3;
 /// In the order of their bits.
@@ -37,8 +40,12 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut d
     }
     for answer in answers {
         write_answer(estimate, answer, out)?;
+        write_specimens(estimate, answer, out)?;
     }
     write_strength(estimate, out)?;
+    if estimate.is_of_pressures() {
+        writeln!(out, "rests on: loads are nominal pressures in Pa: no nominal_area was given")?;
+    }
     write_roughness(estimate, out)?;
     write_units(estimate, answers, out)?;
     if estimate.yields {
@@ -55,26 +62,58 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut d
 fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
     let Answer { load, friction_coefficient: mu, low, high, friction_force: force, .. } = *answer;
     let [at, mu, low, high] = [load, mu, low, high].map(Figures);
+    let unit = estimate.unit();
     if answer.friction_coefficient == 0.0 {
-        return writeln!(out, "mu({at} N) = 0: the surfaces are apart");
+        return writeln!(out, "mu({at} {unit}) = 0: the surfaces are apart");
     }
     if load <= 0.0 {
-        return match force > 0.0 {
-            true => writeln!(out, "mu({at} N) has no limit: adhesion gives a friction force of {} N", Figures(force)),
-            false => writeln!(out, "mu({at} N) has no limit: it grows as the load goes to 0, where friction is 0"),
+        write!(out, "mu({at} {unit}) has no limit: ")?;
+        return match answer.specimen_force > 0.0 {
+            _ if force > 0.0 && !answer.is_few => {
+                writeln!(out, "adhesion gives a friction force of {} {unit}", Figures(force))
+            }
+            true => {
+                let [least, most] = [1.0, FEWEST].map(|times| Figures(times * answer.specimen_force));
+                writeln!(
+                    out,
+                    "a specimen adheres by its tallest summits, with a friction force of {least} to {most} {unit}"
+                )
+            }
+            false if answer.is_few && estimate.params.work_of_adhesion > 0.0 => {
+                writeln!(out, "the tallest summits adhere, how many depends on the nominal area")
+            }
+            false => writeln!(out, "it grows as the load goes to 0, where friction is 0"),
         };
     }
     if answer.low == answer.high {
-        return writeln!(out, "mu({at} N) = {mu}, no band: all inputs count as known");
+        return writeln!(out, "mu({at} {unit}) = {mu}, no band: all inputs count as known");
     }
     match (estimate.rests(), estimate.strength.is_measured) {
-        (Rests::Default, false) => writeln!(out, "mu({at} N) = {mu} to an order of magnitude, {low} to {high}"),
-        _ => writeln!(out, "mu({at} N) = {mu}, {} % band {low} to {high}", Percent(estimate.described.coverage)),
+        (Rests::Default, false) => writeln!(out, "mu({at} {unit}) = {mu} to an order of magnitude, {low} to {high}"),
+        _ => writeln!(out, "mu({at} {unit}) = {mu}, {} % band {low} to {high}", Percent(estimate.described.coverage)),
+    }
+}
+
+/// What single specimens have where few summits touch: the band is that of their mean.
+fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
+    if !answer.is_few || answer.load <= 0.0 || answer.contacts.is_nan() {
+        return Ok(());
+    }
+    let mean = answer.specimen_force / answer.load;
+    let [at, contacts, least, most] = [answer.load, answer.contacts, mean, FEWEST * mean].map(Figures);
+    write!(out, "few contacts: {contacts} summits touch at {at} {}: ", estimate.unit())?;
+    if mean.is_nan() {
+        writeln!(out, "single specimens differ, by how much is not known: take a heavier load or a larger nominal area")
+    } else if answer.specimen_scatter.is_nan() {
+        writeln!(out, "one specimen stands on one or two, with {least} to {most}: the number above is not its friction")
+    } else {
+        let scatter = Figures(100.0 * answer.specimen_scatter);
+        writeln!(out, "single specimens have {least} on average, with a standard deviation of {scatter} %")
     }
 }
 
 fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
-    let factor = Figures(estimate.strength.factor());
+    let (factor, unit) = (Figures(estimate.strength.factor()), estimate.unit());
     write!(out, "rests on: strength of the interface: ")?;
     if !estimate.strength.is_measured {
         return match estimate.rests() {
@@ -93,15 +132,15 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
             let loads = || points.iter().map(|point| point.load);
             let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
             let [lightest, heaviest] = ends.map(Figures);
-            writeln!(out, "{} points from {lightest} N to {heaviest} N", points.len())?;
+            writeln!(out, "{} points from {lightest} {unit} to {heaviest} {unit}", points.len())?;
         }
         some => {
             for (i, point) in some.iter().enumerate() {
                 let before = if i > 0 { ", " } else { "" };
                 let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
                 match point.load > 0.0 {
-                    true => write!(out, "{before}{ratio} at {load} N")?,
-                    false => write!(out, "{before}{force} N at {load} N")?,
+                    true => write!(out, "{before}{ratio} at {load} {unit}")?,
+                    false => write!(out, "{before}{force} {unit} at {load} {unit}")?,
                 }
                 write!(out, " to {} %", Percent(point.error))?;
             }
@@ -135,7 +174,7 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
         writeln!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?")?;
     }
     let Params { rms_slope, pressure_coefficient, work_of_adhesion, .. } = estimate.described.params;
-    let is_given = estimate.described.machined.as_ref().map_or(true, |machined| machined.has_slope);
+    let is_given = estimate.described.machined.as_ref().is_none_or(|machined| machined.has_slope);
     for (name, value, most, says) in [
         (
             "the slope of the surface",
@@ -153,7 +192,10 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
     let Params { nominal_area, hardness, .. } = estimate.params;
     let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));
     let pressure = loads.fold(0.0, f64::max) / nominal_area;
-    let units = "is load in N, and nominal_area in m^2?";
+    let units = match estimate.is_of_pressures() {
+        true => "is load in Pa? Give nominal_area for loads in N",
+        false => "is load in N, and nominal_area in m^2?",
+    };
     let shown = Figures(pressure);
     if !(nominal_area > 0.0 && pressure > 0.0) {
         return Ok(());

@@ -280,6 +280,30 @@ impl Model {
         })
     }
 
+    /// The friction force [force] of a summit that carries a load >= 0 alone, at the separation that the surfaces have at this load: of
+    /// less than one contact, what a specimen stands on.
+    pub(crate) fn one_summit_at_load(&self, load: f64) -> f64 {
+        // Far off all tall summits have the same radius.
+        let separation = self.equilibrium_at(load).map_or(FARTHEST_SEPARATION, |(separation, _)| separation);
+        let population = self.branch.population();
+        let of_one = load / self.units.load * self.units.count;
+        let at = |overlap: f64| population.one_summit(overlap, separation);
+        let bears = |overlap: f64| at(overlap).load > of_one;
+        let (mut loose, mut pressed) = (-1.0, 1.0);
+        while bears(loose) {
+            loose *= 2.0;
+        }
+        while !bears(pressed) && pressed < FARTHEST_SEPARATION {
+            pressed *= 2.0;
+        }
+        // Halved until no number is between, at overlaps that are far smaller than a standard deviation too.
+        for _ in 0..200 {
+            let middle = 0.5 * (loose + pressed);
+            *(if bears(middle) { &mut pressed } else { &mut loose }) = middle;
+        }
+        at(pressed).friction * self.units.force / self.units.count
+    }
+
     /// The separation of the population, in sigma, at a gap.
     pub(super) fn separation_at(&self, gap: f64) -> Result<f64, Error> {
         self.in_sigma("gap", gap).map(|_| self.law.separation_at(gap))

@@ -52,14 +52,17 @@ typedef struct asperity_estimate {
   double low; /* 24, 8 */
   double high; /* 32, 8 */
   double friction_force; /* 40, 8 */
-  double strength_share; /* 48, 8 */
-  double roughness_share; /* 56, 8 */
-  double measurement_share; /* 64, 8 */
-  double misfit; /* 72, 8 */
-  uint64_t warnings; /* 80, 8 */
-  int32_t strength_source; /* 88, 4 */
-  int32_t reserved; /* 92, 4 */
-} asperity_estimate; /* 96 */
+  double contacts; /* 48, 8 */
+  double specimen_force; /* 56, 8 */
+  double specimen_scatter; /* 64, 8 */
+  double strength_share; /* 72, 8 */
+  double roughness_share; /* 80, 8 */
+  double measurement_share; /* 88, 8 */
+  double misfit; /* 96, 8 */
+  uint64_t warnings; /* 104, 8 */
+  int32_t strength_source; /* 112, 4 */
+  int32_t is_of_pressures; /* 116, 4 */
+} asperity_estimate; /* 120 */
 
 typedef struct asperity_params {
   uint64_t struct_size; /* 0, 8 */
@@ -276,6 +279,7 @@ const char *asperity_params_name(size_t);
 asperity_status asperity_params_read(struct asperity_params *, const char *);
 asperity_status asperity_params_set_dimensionless(struct asperity_params *, double, double, double, double, double);
 asperity_status asperity_params_set_elastic_plastic(struct asperity_params *, double);
+asperity_status asperity_params_set_estimate(struct asperity_params *, const char *, size_t);
 asperity_status asperity_params_set_interface(struct asperity_params *, const char *);
 asperity_status asperity_params_set_materials(struct asperity_params *, double, double, double, double);
 asperity_status asperity_params_set_mccool_summits(struct asperity_params *, double, double, double, double);

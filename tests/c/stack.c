@@ -103,6 +103,7 @@ static asperity_params other_surface(int kind)
     X(ANSWERS, params_set_interface, (&changed, "graphite layers"))                                                    \
     X(MAKES, params_calibrate, (&changed, in[0], 0.2))                                                                 \
     X(MAKES, params_calibrate_force, (&changed, in[0], 0.2 * in[0]))                                                   \
+    X(ESTIMATES, params_set_estimate, (&changed, SURFACE, sizeof SURFACE - 1))                                             \
     X(MAKES, params_set_text, (&changed, SURFACE, sizeof SURFACE - 1))                                                 \
     X(EXACT, params_text, (&params, text, sizeof text))                                                                \
     X(ANSWERS, params_set_units, (&changed, 1e-3, 1.0))                                                                \

@@ -38,7 +38,7 @@ fn an_estimate_has_its_number_its_band_and_what_makes_it() {
     assert!((one.friction_force / (one.friction_coefficient * one.load) - 1.0).abs() < 4.0 * f64::EPSILON, "{one:?}");
     assert!(0.16 < one.low && one.low < one.friction_coefficient && one.friction_coefficient < one.high, "{one:?}");
     assert!((one.strength_share + one.roughness_share + one.measurement_share - 1.0).abs() < 1e-12, "{one:?}");
-    assert_eq!((one.strength_source, one.misfit, one.reserved), (ASPERITY_STRENGTH_MEASURED, 0.0, 0));
+    assert_eq!((one.strength_source, one.misfit, one.is_of_pressures), (ASPERITY_STRENGTH_MEASURED, 0.0, 0));
     let rough = "nominal_area = 1e-8\n[roughness]\nSq = 5e-9\nSdq = 0.08\n";
     for (text, source) in [
         ("pair = \"Si/Si\"\n", ASPERITY_STRENGTH_DEFAULT),
@@ -48,6 +48,37 @@ fn an_estimate_has_its_number_its_band_and_what_makes_it() {
         let [one] = found(&format!("{text}{rough}"), &[1e-3])[..] else { panic!("one") };
         assert_eq!(one.strength_source, source, "{text}");
         assert_eq!(one.warnings & ASPERITY_WARNING_UNCALIBRATED != 0, source == ASPERITY_STRENGTH_DEFAULT, "{text}");
+    }
+}
+
+/// The parameters that an estimate takes: all of them, whatever was there, or none.
+#[test]
+fn a_model_of_the_parameters_of_an_estimate_has_its_friction() {
+    let unmeasured = GROUND.replace("measured = [1000, 0.16]\n", "");
+    let of_pressures = unmeasured.replace("nominal_area = 1e-4\n", "");
+    for text in [GROUND, &unmeasured, &of_pressures] {
+        let [one] = found(text, &[10.0])[..] else { panic!("one") };
+        assert_eq!(one.is_of_pressures != 0, text == of_pressures);
+        assert_eq!(
+            (one.contacts > 20.0, one.contacts.is_nan()),
+            (text != of_pressures, text == of_pressures),
+            "{one:?}"
+        );
+        let mut params = asperity_params::initial();
+        let mut of_text = |text: &str| {
+            // SAFETY: the text has as many bytes as is said.
+            let status = unsafe { asperity_params_set_estimate(&mut params, text.as_ptr().cast(), text.len()) };
+            (status, params)
+        };
+        let (status, params) = of_text(text);
+        assert_eq!((status, params.contact_law), (OK, ASPERITY_CONTACT_ELASTIC_PLASTIC), "{}", message());
+        let model = Handle::new(&params);
+        // SAFETY: the model lives.
+        let mu = unsafe { asperity_friction_at_load(model.0, 10.0) };
+        assert!((mu / one.friction_coefficient - 1.0).abs() < 3e-8, "{mu} {one:?}");
+        let (status, same) = of_text("mu = 1");
+        assert_eq!((status, same.composite_modulus), (INVALID_PARAMETER, params.composite_modulus));
+        assert!(message().starts_with("line 1: mu: no such key"), "{}", message());
     }
 }
 

@@ -239,6 +239,7 @@ fn parameters_are_set_in_memory_without_values() {
         let buffer = Place::at(written + 1, 1);
         assert_eq!(asperity_estimate_text(at, surface.len(), 1, load, buffer.pointer(), written + 1), written);
         assert_eq!(CStr::from_ptr(buffer.pointer()).count_bytes(), written);
+        assert_eq!(asperity_params_set_estimate(params, at, surface.len()), OK);
         assert_eq!(asperity_params_set_units(params, 1e-3, 1.0), OK);
         let written = asperity_params_text(params, null_mut(), 0);
         let buffer = Place::at(written + 1, 1);
@@ -304,6 +305,8 @@ fn null_is_refused_or_skipped() {
             asperity_params_get_value(&params, c"skew".as_ptr(), null_mut()),
             asperity_params_set_text(null_mut(), c"".as_ptr(), 0),
             asperity_params_set_text(&mut params, null(), 0),
+            asperity_params_set_estimate(null_mut(), c"".as_ptr(), 0),
+            asperity_params_set_estimate(&mut params, null(), 0),
             asperity_estimate_at_loads(null(), 0, 0, null(), null_mut()),
             asperity_estimate_at_loads(c"".as_ptr(), 0, 1, null(), null_mut()),
             asperity_params_read(null_mut(), c"".as_ptr()),

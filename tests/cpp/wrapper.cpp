@@ -368,6 +368,10 @@ void an_estimate_needs_a_text_alone() {
     EXPECT(found[0].strength_source == ASPERITY_STRENGTH_MEASURED && found[0].load == 10.0);
     EXPECT(close(asperity::estimate(GROUND, 10.0).friction_coefficient, found[0].friction_coefficient, 1e-7));
     EXPECT(begins(asperity::estimate_text(GROUND, loads).c_str(), "mu(10 N) = 0.194, 95 % band 0.167 to 0.221\n"));
+    const Params params = Params::paper().set_estimate(GROUND);
+    EXPECT(params.contact_law() == asperity::ContactLaw::elastic_plastic && params.calibration_load() == 1000.0);
+    EXPECT(close(Model(params).friction_at_load(10.0), found[0].friction_coefficient, 3e-8) && found[0].contacts > 20.0);
+    EXPECT(begins(thrown_by([] { Params().set_estimate("mu = 1"); }).what(), "line 1: mu: no such key"));
     const Error error = thrown_by([&] { (void)asperity::estimate("measured = 0.16", 1.0); });
     EXPECT(error.status() == ASPERITY_INVALID_PARAMETER && begins(error.what(), "line 1: measured = 0.16: must be points"));
     EXPECT(begins(thrown_by([&] { (void)asperity::estimate_text("", loads); }).what(), "line 1: "));

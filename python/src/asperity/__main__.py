@@ -1,7 +1,6 @@
 """The command line: `python -m asperity friction` prints friction at loads with its band, `curve` prints friction over a range of
-loads and draws the curve, `fit` finds
-parameters from measured friction, `study` computes friction of thousands of surfaces, `export` and `fmu` write tables and
-mock-up units for hosts, `figures` draws the paper's figures.
+loads and draws the curve, `fit` finds parameters from measured friction, `study` computes friction of thousands of surfaces,
+`export` and `fmu` write tables and mock-up units for hosts, `figures` draws the paper's figures.
 
 Exit status: 0; 1 if the library, a file or a missing package stands in the way; 2 for a wrong command line.
 """
@@ -15,10 +14,12 @@ import sys
 import warnings
 from pathlib import Path
 
+import numpy as np
+
 from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _friction_command, _header, _library
-from . import _study_command
-from . import _surface_options
-from ._style import saved, style
+from . import _study_command, _surface_options, _units
+from ._band_figure import drawn
+from ._style import style
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -94,19 +95,6 @@ def _print_table(model: Model, loads: list[float]) -> list[float]:
     return coefficients
 
 
-def _draw(file: str, loads: list[float], coefficients: list[float]) -> None:
-    with style():
-        from matplotlib.figure import Figure
-
-        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
-        axes = figure.add_subplot()
-        axes.semilogx(loads, coefficients)
-        axes.set(xlabel="normal load $P$ [force, in the units of the parameters]", ylabel="friction coefficient $F/P$ [–]")
-        axes.set_ylim(bottom=0)
-        saved(figure, file)
-    print(f"asperity: the curve is drawn in {file}", file=sys.stderr)
-
-
 def _require_matplotlib() -> None:
     try:
         with style():
@@ -124,7 +112,8 @@ def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         coefficients = _print_table(model, loads)
         model.warn(loads[0], loads[-1])
     if options.figure != "-":
-        _draw(options.figure, loads, coefficients)
+        drawn(options.figure, None, _units.unit("force", params.in_si), np.array(loads), np.array(coefficients), None, None, "")
+        print(f"asperity: the curve is drawn in {options.figure}", file=sys.stderr)
 
 
 def _figures(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:

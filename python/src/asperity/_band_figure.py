@@ -55,7 +55,7 @@ def drawn(
             axes.plot(*measured.T, "D", ms=6, color=BLACK, label="measured")
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1))
-        axes.set(xlabel=f"normal load $P$ [{unit}]", ylabel="friction coefficient $F/P$ [–]")
+        axes.set(xlabel=f"{'nominal pressure $p$' if unit == 'Pa' else 'normal load $P$'} [{unit}]", ylabel="friction coefficient $F/P$ [–]")
         if is_wide(low, high):
             axes.set_yscale("log")
         else:

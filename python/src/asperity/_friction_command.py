@@ -30,8 +30,6 @@ def add(commands: Any) -> None:
 
 
 def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    if options.surface is None and options.nominal_area is None:
-        options.nominal_area = "1"  # as in asperity.friction: loads are pressures
     text = _surface_options.text(options)
     if options.surface is None:
         try:

@@ -62,13 +62,16 @@ class asperity_estimate(Structure):
         ("low", c_double),
         ("high", c_double),
         ("friction_force", c_double),
+        ("contacts", c_double),
+        ("specimen_force", c_double),
+        ("specimen_scatter", c_double),
         ("strength_share", c_double),
         ("roughness_share", c_double),
         ("measurement_share", c_double),
         ("misfit", c_double),
         ("warnings", c_uint64),
         ("strength_source", c_int32),
-        ("reserved", c_int32),
+        ("is_of_pressures", c_int32),
     ]
 
 
@@ -302,6 +305,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_calibrate": (c_int32, [_params, c_double, c_double]),
     "asperity_params_calibrate_force": (c_int32, [_params, c_double, c_double]),
     "asperity_params_set_text": (c_int32, [_params, c_char_p, c_size_t]),
+    "asperity_params_set_estimate": (c_int32, [_params, c_char_p, c_size_t]),
     "asperity_params_text": (c_size_t, [_params, POINTER(c_char), c_size_t]),
     "asperity_params_set_units": (c_int32, [_params, c_double, c_double]),
     "asperity_params_read": (c_int32, [_params, c_char_p]),

@@ -201,90 +201,120 @@ def analyse(
     """
     load = _checks.positive("load", load)
     degree(detrend)
+    case = _Case(load, coverage, ({} if pair is None else dict(of_pair(pair))) | {"coverage": coverage} | dict(surface))
     # What the map cannot be blamed for is refused at once, of a plain surface.
-    given = {} if pair is None else dict(of_pair(pair))
-    given |= {"coverage": coverage} | dict(surface)
-    _estimate(given | {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, 1e5, coverage, surface)
-    steps: list[str] = []
-    findings: list[Finding] = []
-
-    def stopped(error: Exception, kind: str = "map", **more: Any) -> Analysis:
-        says = str(error).removeprefix("height_map: ")
-        says, _, remedy = says.partition(": ")
-        last = Finding(kind, says, remedy or "measure a larger or finer map", True)
-        return Analysis(load, coverage=coverage, findings=(*findings, last), steps=tuple(steps), **more)
-
+    case.at(1e5, {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, surface)
     try:
         raw = checked(height_map, dx, dy, missing=True)
         if (wrong := implausible(raw)) is not None:
-            return stopped(Error(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
-        cleaned = _cleaned(raw, detrend, rows, spikes, dust, progress, steps, findings)
+            return case.stopped(Error(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
+        cleaned = _cleaned(case, raw, detrend, rows, spikes, dust, progress)
     except ValueError as error:
-        return stopped(error)
+        return case.stopped(error)
     map_ = cleaned.map
-    area = nominal_area or map_.height_map.size * map_.dx * map_.dy
-    given["nominal_area"] = area
+    extent = map_.height_map.size * map_.dx * map_.dy
+    case.joint["nominal_area"] = nominal_area or extent
     try:
-        if longest is not None:
-            map_ = filter(map_, longest=longest)
-            steps.append(f"L-filter: waves longer than {longest:.3g} m removed")
-
-        def of_moments(left: Summits) -> tuple[Params, float]:
-            return _params(given | moments_of(left), load, coverage)
-
-        found = table(map_, load, None if cutoff is None else [cutoff], of_moments, progress)
+        found = _filtered(case, map_, cutoff, longest, progress)
     except ValueError as error:
-        return stopped(error, cleaned=cleaned)
+        return case.stopped(error, cleaned=cleaned)
     left = found.summits[found.at]
     assert left is not None
-    steps.append(f"S-filter: cutoff {found.cutoff[found.at]:.3g} m, {found.cutoff[found.at] / found.step:.3g} points, {left.count} summits")
-    waves = math.sqrt(map_.height_map.size * map_.dx * map_.dy) / (2 * math.pi * math.sqrt(left.moments.m0 / left.moments.m2))
-    _judged(left, found, waves, cleaned, steps, findings)
+    waves = math.sqrt(extent) / (2 * math.pi * math.sqrt(left.moments.m0 / left.moments.m2))
+    _judged(case, left, found, waves, cleaned)
     bandwidth = left.moments.bandwidth
     taken = bandwidth < _NARROW or (waves < _WAVES and bandwidth < _BROAD) if counted is None else counted
-
-    families = {name: _friction_of(given | counted_of(left, name), load, coverage) for name in FAMILIES}
+    families = {name: case.friction_of(counted_of(left, name)) for name in FAMILIES}
+    known = {"cleaned": cleaned, "cutoffs": found, "summits": left, "families": families, "counted": taken}
     try:
-        number = _estimate(given | (counted_of(left, "gaussian") if taken else moments_of(left)), load, coverage)
+        number = case.at(load, counted_of(left, "gaussian") if taken else moments_of(left))
     except ValueError as error:
-        return stopped(error, "friction", cleaned=cleaned, cutoffs=found, summits=left, families=families)
-    by = "counted summits" if taken else "moments"
-    steps.append(f"by {by}: bandwidth {bandwidth:.3g}, {waves:.2g} waves a side")
-    steps.append("heights: " + ", ".join(f"{name} {mu:.3g}" for name, mu in families.items()))
-    steps.append("contact: elastic-plastic" if _yields(number) else "contact: elastic, with adhesion")
-    spread = _spread(given, load, coverage, left, found, families, taken, float(number))
-    if not any(one.kind == "dust" for one in findings):
-        _judged_heights(left, families, findings)
-    failing = (number.warnings & ~(_SAID if nominal_area is None else _SAID & ~Warnings.FEW_WAVES)).kinds
-    reason = found.reasons[found.at]
-    if found.recommended is None and cutoff is None and reason not in [kind.description for kind in failing]:
-        says, _, remedy = reason.partition(": ")
-        findings.append(Finding("cutoff", f"none is recommended, {says}", remedy or "take another load or map"))
-    for kind in failing:
-        says, _, remedy = kind.description.partition("; ")
-        findings.append(Finding("contact", says, remedy or "take another load"))
-    own = math.hypot(*spread.values())
-    if not math.exp(1.96 * own) < _LOST:
-        findings.append(
-            Finding(
-                "friction",
-                f"the map alone leaves mu within {float(number) * math.exp(-1.96 * own):.2g} to {float(number) * math.exp(1.96 * own):.2g}",
-                "measure friction once, and give measured=(load, coefficient)" if "measured" not in given else "measure a better map",
-                not findings,  # what can be mended comes first
-            )
-        )
-    reach = NormalDist().inv_cdf((1 + coverage) / 2)
-    strength = 0.0 if number.low is None else math.log(number.high / number.low) / 2
-    factor = math.exp(math.hypot(strength, reach * own))
-    value = float(number)
-    return Analysis(
-        load, value, value / factor, value * factor, coverage, spread, tuple(findings), tuple(steps), families, taken, cleaned, found, left,
-        number, _params(given | (counted_of(left, "gaussian") if taken else moments_of(left)), load, coverage)[0],
-    )  # fmt: skip
+        return case.stopped(error, "friction", **known)
+    case.steps += [
+        f"by {'counted summits' if taken else 'moments'}: bandwidth {bandwidth:.3g}, {waves:.2g} waves a side",
+        "heights: " + ", ".join(f"{name} {mu:.3g}" for name, mu in families.items()),
+        "contact: elastic-plastic" if number.params.contact_law == "elastic-plastic" else "contact: elastic, with adhesion",
+    ]
+    spread = _spread(case, left, found, families)
+    if not any(one.kind == "dust" for one in case.findings):
+        _judged_heights(case, left, families)
+    _judged_contact(case, number, found, chosen=cutoff is not None, extended=nominal_area is not None)
+    _judged_friction(case, float(number), math.hypot(*spread.values()))
+    return case.answered(number, spread, **known)
+
+
+@dataclass
+class _Case:
+    """What is asked of a map, and what was done and found so far.
+
+    Attributes:
+        load: [N].
+        coverage: of the band.
+        joint: the keys of a surface file but for the roughness.
+        steps: what was done.
+        findings: what speaks against the map.
+    """
+
+    load: float
+    coverage: float
+    joint: dict[str, Any]
+    steps: list[str] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+
+    def found(self, kind: str, says: str, remedy: str, fatal: bool = False) -> None:
+        """Adds a finding."""
+        self.findings.append(Finding(kind, says, remedy, fatal))
+
+    def at(self, load: float, rough: dict[str, Any], keywords: Iterable[str] = ()) -> Estimate:
+        """The estimate of a roughness at a load; an unknown key is a wrong argument if it is one of the keywords."""
+        try:
+            return estimate(text_of((name, literal(name, value)) for name, value in (self.joint | rough).items()), load, self.coverage)
+        except Error as error:
+            raise without_line(error, keywords) from None
+
+    def friction_of(self, rough: dict[str, Any]) -> float:
+        """NaN where the library has none."""
+        try:
+            return float(self.at(self.load, rough))
+        except ValueError:
+            return math.nan
+
+    def stopped(self, error: Exception, kind: str = "map", **known: Any) -> Analysis:
+        """The answer where no friction can be had."""
+        says, _, remedy = str(error).removeprefix("height_map: ").partition(": ")
+        self.found(kind, says, remedy or "measure a larger or finer map", True)
+        return Analysis(self.load, coverage=self.coverage, findings=tuple(self.findings), steps=tuple(self.steps), **known)
+
+    def answered(self, number: Estimate, spread: dict[str, float], **known: Any) -> Analysis:
+        """The answer, whose band has the spread of the map beside that of the strength."""
+        reach = NormalDist().inv_cdf((1 + self.coverage) / 2)
+        strength = 0.0 if number.low is None else math.log(number.high / number.low) / 2
+        value, factor = float(number), math.exp(math.hypot(strength, reach * math.hypot(*spread.values())))
+        return Analysis(
+            self.load, value, value / factor, value * factor, self.coverage, spread, tuple(self.findings), tuple(self.steps),
+            estimate=number, params=number.params, **known,
+        )  # fmt: skip
+
+
+def _filtered(case: _Case, map_: HeightMap, cutoff: float | None, longest: float | None, progress: Progress) -> Cutoffs:
+    """The map within its cutoffs, with what friction is at each of the shorter one."""
+    if longest is not None:
+        map_ = filter(map_, longest=longest)
+        case.steps.append(f"L-filter: waves longer than {longest:.3g} m removed")
+
+    def of_moments(left: Summits) -> tuple[Params, float]:
+        number = case.at(case.load, moments_of(left))
+        return number.params, float(number)
+
+    found = table(map_, case.load, None if cutoff is None else [cutoff], of_moments, progress)
+    at, left = found.cutoff[found.at], found.summits[found.at]
+    assert left is not None
+    case.steps.append(f"S-filter: cutoff {at:.3g} m, {at / found.step:.3g} points, {left.count} summits")
+    return found
 
 
 def _cleaned(
-    raw: HeightMap, detrend: int, rows: bool | None, spikes: bool, dust: bool, progress: Progress, steps: list[str], findings: list[Finding]
+    case: _Case, raw: HeightMap, detrend: int, rows: bool | None, spikes: bool, dust: bool, progress: Progress
 ) -> Cleaned:
     """The map without form, offsets, spikes and holes."""
 
@@ -299,11 +329,11 @@ def _cleaned(
         if "too many for spikes" not in str(error):
             raise
         says = str(error).removeprefix("height_map: ").partition(":")[0]
-        findings.append(Finding("spikes", says, "if the surface is like that, give spikes=False; if not, measure again"))
+        case.found("spikes", says, "if the surface is like that, give spikes=False; if not, measure again")
         found = cleaned(False)
     level = found.map.height_map
     ny, nx = level.shape
-    steps.append(f"form: polynomial of degree {detrend} removed from {ny} x {nx} points")
+    case.steps.append(f"form: polynomial of degree {detrend} removed from {ny} x {nx} points")
     m0 = float(np.var(level))
     for higher in range(detrend + 1, min(detrend + _FORM_DEGREE, MOST_DEGREE, min(level.shape) - 2) + 1):
         rest = without_polynomial(level, higher)
@@ -311,69 +341,88 @@ def _cleaned(
             height = float(np.ptp(level - rest))
             share = 1 - float(np.var(rest)) / m0
             says = f"a polynomial of degree {higher}, {height:.2g} m high, has {share:.1%} of the mean square of the heights"
-            findings.append(Finding("form", says, f"give detrend={higher}"))
+            case.found("form", says, f"give detrend={higher}")
             break
     if found.offsets:
-        steps.append(f"rows: lines aligned, offsets of {found.offsets:.2g} m; if these are grooves give rows=False")
+        case.steps.append(f"rows: lines aligned, offsets of {found.offsets:.2g} m; if these are grooves give rows=False")
     elif rows is False and offsets(level) is not None:
-        findings.append(Finding("rows", "lines of the scan are offset from each other", "give rows=True, unless these are grooves"))
-    steps.append(f"spikes: {found.spikes} replaced" if spikes else "spikes: left")
+        case.found("rows", "lines of the scan are offset from each other", "give rows=True, unless these are grooves")
+    case.steps.append(f"spikes: {found.spikes} replaced" if spikes else "spikes: left")
     if not spikes and (count := int(spikes_of(level).sum())):
-        findings.append(Finding("spikes", f"{count} points stand out like spikes of an instrument", "give spikes=True"))
-    steps.append(f"missing: {found.missing} points filled")
+        case.found("spikes", f"{count} points stand out like spikes of an instrument", "give spikes=True")
+    case.steps.append(f"missing: {found.missing} points filled")
     if found.missing > _MISSING * level.size and holes(found.filled):
         part = found.missing / level.size
-        findings.append(Finding("missing", f"{part:.0%} of the points are missing, in holes", "crop the map to what was measured"))
+        case.found("missing", f"{part:.0%} of the points are missing, in holes", "crop the map to what was measured")
     if dust:
-        steps.append(f"dust: {found.particles} particles replaced")
+        case.steps.append(f"dust: {found.particles} particles replaced")
     elif spikes and (count := particles(level)[1]) > 0:
         says = f"places higher than 8 times what is usual in the map, {count} of them, carry the load"
-        findings.append(Finding("dust", says, "if they are dust, give dust=True; if not, measure friction once"))
+        case.found("dust", says, "if they are dust, give dust=True; if not, measure friction once")
     if found.steps is not None:
-        steps.append(f"steps: heights are in steps of {found.steps.step:.2g} m, {found.steps.equal:.0%} of neighbours have one height")
+        case.steps.append(f"steps: heights are in steps of {found.steps.step:.2g} m, {found.steps.equal:.0%} of neighbours have one height")
         if found.steps.equal > _EQUAL:
             says = f"heights are in steps of {found.steps.step:.2g} m, coarser than the surface"
-            findings[:] = [one for one in findings if one.kind != "spikes"]  # the edges of steps
-            findings.append(Finding("steps", says, "measure with a finer range of heights"))
+            case.findings[:] = [one for one in case.findings if one.kind != "spikes"]  # the edges of steps
+            case.found("steps", says, "measure with a finer range of heights")
     return found
 
 
-def _judged(left: Summits, found: Cutoffs, waves: float, cleaned: Cleaned, steps: list[str], findings: list[Finding]) -> None:
+def _judged(case: _Case, left: Summits, found: Cutoffs, waves: float, cleaned: Cleaned) -> None:
     """What speaks against a filtered map."""
-    steps.append(f"isotropy: {left.isotropy:.2f}; Sq {left.rms_height} m, Sdq {left.rms_slope}")
+    case.steps.append(f"isotropy: {left.isotropy:.2f}; Sq {left.rms_height} m, Sdq {left.rms_slope}")
     cutoff = float(found.cutoff[found.at])
     deviation = _map_warnings.noise(_map_warnings.differences(cleaned.map.height_map))
     if deviation is not None:
-        steps.append(f"noise: of {deviation:.2g} m before the filter")
+        case.steps.append(f"noise: of {deviation:.2g} m before the filter")
         part = noise_slope(deviation, cutoff, left.dx, left.dy) / left.iso.Sdq**2
         if part > _NOISE:
             longer = cutoff * (part / _NOISE) ** 0.25
             says = f"of {deviation:.2g} m, has {min(part, 1.0):.0%} of the mean square slope after the filter"
-            findings.append(Finding("noise", says, f"give cutoff={longer:.2g}, or average several scans"))
+            case.found("noise", says, f"give cutoff={longer:.2g}, or average several scans")
     if left.isotropy < _map_warnings.ISOTROPIC:
         says = f"isotropy {left.isotropy:.2f}: the surface has grooves, and the model one radius for a summit"
-        findings.append(Finding("direction", says, "compare with counted=True, and measure friction once in the direction of sliding"))
+        case.found("direction", says, "compare with counted=True, and measure friction once in the direction of sliding")
     if waves < _WAVES:
-        findings.append(Finding("waves", f"only {waves:.2g} mean waves a side: one place is not like another", "measure a larger map"))
+        case.found("waves", f"only {waves:.2g} mean waves a side: one place is not like another", "measure a larger map")
     if left.moments.bandwidth > _BANDWIDTH:
         says = f"bandwidth {left.moments.bandwidth:.4g}, where boundary elements reach {_BANDWIDTH:g}"
         about = 20 * cutoff
-        findings.append(Finding("bandwidth", says, f"give longest={about:.2g} if waves longer than the contact do not matter, or detrend=2"))
+        case.found("bandwidth", says, f"give longest={about:.2g} if waves longer than the contact do not matter, or detrend=2")
 
 
-def _judged_heights(left: Summits, families: dict[str, float], findings: list[Finding]) -> None:
+def _judged_heights(case: _Case, left: Summits, families: dict[str, float]) -> None:
     """Whether the heights of the summits are of a family."""
     known = [mu for mu in families.values() if math.isfinite(mu)]
     if len(known) > 1 and max(known) < _FAMILY * min(known):
         return
     among = f"mu is {', '.join(f'{mu:.2g} ({name})' for name, mu in families.items())}"
     says = f"summits are not Gaussian, skew {left.skew.value:.2g}, kurtosis {left.kurtosis.value:.3g}, and {among}"
-    findings.append(Finding("heights", says, "measure friction once, and give measured=(load, coefficient); or look for dust and scratches"))
+    case.found("heights", says, "measure friction once, and give measured=(load, coefficient); or look for dust and scratches")
 
 
-def _spread(
-    given: dict[str, Any], load: float, coverage: float, left: Summits, found: Cutoffs, families: dict[str, float], taken: bool, mu: float
-) -> dict[str, float]:
+def _judged_contact(case: _Case, number: Estimate, found: Cutoffs, *, chosen: bool, extended: bool) -> None:
+    """What the model lacks, of a cutoff that was chosen or not, and an area that was given or is the map's."""
+    failing = (number.warnings & ~(_SAID & ~Warnings.FEW_WAVES if extended else _SAID)).kinds
+    reason = found.reasons[found.at]
+    if found.recommended is None and not chosen and reason not in [kind.description for kind in failing]:
+        says, _, remedy = reason.partition(": ")
+        case.found("cutoff", f"none is recommended, {says}", remedy or "take another load or map")
+    for kind in failing:
+        says, _, remedy = kind.description.partition("; ")
+        case.found("contact", says, remedy or "take another load")
+
+
+def _judged_friction(case: _Case, mu: float, deviation: float) -> None:
+    """Whether the map tells friction at all, with its standard deviation of ln(mu)."""
+    reach = math.exp(1.96 * deviation)
+    if not reach < _LOST:
+        remedy = "measure a better map" if "measured" in case.joint else "measure friction once, and give measured=(load, coefficient)"
+        # What can be mended comes first.
+        case.found("friction", f"the map alone leaves mu within {mu / reach:.2g} to {mu * reach:.2g}", remedy, not case.findings)
+
+
+def _spread(case: _Case, left: Summits, found: Cutoffs, families: dict[str, float]) -> dict[str, float]:
     """Standard deviations of ln(mu): rectangular over cutoffs and families."""
     moments = moments_of(left)
     parts = []
@@ -385,7 +434,7 @@ def _spread(
             "m2": moments["m2"] * (1 + slope) ** 2,
             "m4": moments["m4"] * (1 + slope) ** 4 / (1 + height) ** 2,
         }
-        parts.append(math.log(_friction_of(given | other, load, coverage) / found.friction[found.at]))
+        parts.append(math.log(case.friction_of(other) / found.friction[found.at]))
     known = [one for one in families.values() if math.isfinite(one) and one > 0]
     low, high = found.spread
     return {
@@ -393,32 +442,3 @@ def _spread(
         "cutoffs": math.log(high / low) / math.sqrt(12),
         "heights": math.log(max(known) / min(known)) / math.sqrt(12) if known else 0.5,
     }
-
-
-def _estimate(given: dict[str, Any], load: float, coverage: float, keywords: Iterable[str] = ()) -> Estimate:
-    try:
-        return estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
-    except Error as error:
-        raise without_line(error, keywords) from None
-
-
-def _friction_of(given: dict[str, Any], load: float, coverage: float) -> float:
-    """NaN where the library has none."""
-    try:
-        return float(_estimate(given, load, coverage))
-    except ValueError:
-        return math.nan
-
-
-def _yields(number: Estimate) -> bool:
-    return any(one.startswith("asperities yield") for one in number.rests_on)
-
-
-def _params(given: dict[str, Any], load: float, coverage: float) -> tuple[Params, float]:
-    """The surface, with the contact law and the calibration that the estimate takes, and friction."""
-    number = _estimate(given, load, coverage)
-    kept = {name: value for name, value in given.items() if name != "coverage"}
-    if _yields(number):
-        kept |= {"contact_law": "elastic-plastic", "work_of_adhesion": 0.0}
-    params = Params.from_text(text_of((name, literal(name, value)) for name, value in kept.items()))
-    return params, float(number)

@@ -26,6 +26,9 @@ from .results import Warnings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from typing_extensions import Unpack
+
+    from .params import OfTopography
 
 Array = npt.NDArray[np.float64]
 
@@ -130,7 +133,7 @@ def cutoffs(
     *,
     cutoff: npt.ArrayLike | None = None,
     progress: Progress = None,
-    **contact: Any,
+    **contact: Unpack[OfTopography],
 ) -> Cutoffs:
     """Filters a map with several cutoffs and computes the friction of what each leaves, at one load.
 

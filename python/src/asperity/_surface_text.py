@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import Error
-from .params import Bodies, Contact, Params
+from .params import Bodies, Contact, Params, Process
 
 Numbers = Union[float, Sequence[float], npt.NDArray[Any]]
 
@@ -42,7 +42,7 @@ class Roughness(TypedDict, total=False):
     Ssk: float
     Sku: float
     summits: Literal["moments", "mccool"]
-    process: Literal["superfinished", "lapped", "honed", "ground", "turned", "bored", "milled"]
+    process: Process
 
 
 class Surface(Joint, Roughness, total=False):

@@ -18,6 +18,7 @@ from ._band_figure import drawn
 from ._labelled import like
 from ._library import LIBRARY, text_of
 from .errors import Error, Status, check
+from .params import Params
 from .results import Warnings
 
 if TYPE_CHECKING:
@@ -51,13 +52,19 @@ class Estimate:
         high: upper end; None with it.
         coverage: the probability that the coefficient lies between `low` and `high`; None with them.
         force: F [N], like `value`.
+        contacts: how many summits touch, by the mean of the model, like `value`. Below 20 one specimen is not like the mean: see the next
+            two. NaN, like them, if loads are pressures.
+        specimen_force: mean friction force of single specimens [N], like `value`. For less than one contact that of one summit alone:
+            specimens have it once or twice. NaN where it is not known. The band is without the scatter of specimens.
+        specimen_scatter: its standard deviation from specimen to specimen over this mean, like `value`; NaN for less than one contact, or
+            where it is not known.
         shares: "strength", "roughness" and "measurement" to the share of the variance of ln(F/P) that each causes, like
             `value`: what would narrow the band.
         strength: what the strength of the interface rests on: "default", "table" (of interfaces), "given" or "measured".
         misfit: how far the measured points are off the law, root mean square in their errors; above 2 the law cannot follow
             their trend.
         warnings: what of the model fails between the lightest and the heaviest load > 0.
-        surface: the text that the library read.
+        unit: of the loads, "N"; "Pa" if no nominal area was given: loads are nominal pressures then, and forces shear stresses.
     """
 
     value: Any
@@ -65,19 +72,33 @@ class Estimate:
     high: Any
     coverage: float | None
     force: Any
+    contacts: Any
+    specimen_force: Any
+    specimen_scatter: Any
     shares: dict[str, Any]
     strength: str
     misfit: float
     warnings: Warnings
-    surface: str
+    unit: str
+    _text: str
     _loads: Array = field(default_factory=lambda: np.empty(0))
 
     @cached_property
     def text(self) -> str:
         """The estimate for people, as the library writes it: coefficients, what they rest on, what would narrow the band."""
         loads = self._loads if self._loads.size <= _WRITTEN else self._loads[[0, -1]]
-        text = self.surface.encode()
+        text = self._text.encode()
         return text_of(LIBRARY.asperity_estimate_text, text, len(text), loads.size, loads.ctypes.data_as(_header._double)).rstrip()
+
+    @cached_property
+    def params(self) -> Params:
+        """The surfaces as the estimate takes them, with its contact law and strength: `Model(estimate.params)` has its friction."""
+        return Params.from_estimate(self._text)
+
+    @property
+    def surface(self) -> str:
+        """A surface file of `params`."""
+        return self.params.to_text()
 
     def plot(self, file: str | os.PathLike[str] | None = None, *, axes: Axes | None = None) -> Figure:
         """Draws the coefficient with its band over the load, marks the loads asked for and the measured points, and writes the figure
@@ -97,13 +118,13 @@ class Estimate:
         at, value = self._loads[np.ravel(shown)], np.ravel(np.asarray(self.value))[np.ravel(shown)]
         if not at.size:
             raise Error("load: must be > 0 to be drawn, since the axis of loads is logarithmic", Status.INVALID_LOAD)
-        measured = _measured(self.surface)
+        measured = _measured(self._text)
         every = np.concatenate([at, measured[:, 0]])
         reach = _AROUND if every.min() == every.max() else 1.0
         line = np.geomspace(every.min() / reach, every.max() * reach, _DRAWN)
-        found = estimate(self.surface, line, self.coverage or 0.95)
+        found = estimate(self._text, line, self.coverage or 0.95)
         label = "\n".join((f"{100 * (self.coverage or 0.0):g} % band", *self.rests_on))
-        return drawn(file, axes, "N", line, found.value, found.low, found.high, label, (at, value), measured)
+        return drawn(file, axes, self.unit, line, found.value, found.low, found.high, label, (at, value), measured)
 
     @property
     def rests_on(self) -> tuple[str, ...]:
@@ -160,10 +181,14 @@ def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
         None if known else column("high"),
         None if known else coverage,
         column("friction_force"),
+        column("contacts"),
+        column("specimen_force"),
+        column("specimen_scatter"),
         {name: column(f"{name}_share") for name in ("strength", "roughness", "measurement")},
         _SOURCES[found[0].strength_source],
         found[0].misfit,
         Warnings(found[0].warnings),
+        "Pa" if found[0].is_of_pressures else "N",
         surface,
         flat,
     )

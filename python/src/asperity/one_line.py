@@ -28,7 +28,7 @@ def friction(
     pair: str | Pair,
     *,
     load: Any,
-    nominal_area: float = 1.0,
+    nominal_area: float | None = None,
     coverage: float = 0.95,
     **surface: Unpack[Surface],
 ) -> Estimate:
@@ -39,8 +39,8 @@ def friction(
     0.194 (0.167 to 0.221)
 
     `print(estimate)` says what the number rests on and what would narrow its band. It is the call `asperity_estimate_at_loads` of
-    the library, of the surface file that the arguments make (docs/solvers.md): `estimate.surface` is its text. For more
-    than the coefficient make `Params` and a `Model`.
+    the library, of the surface file that the arguments make (docs/solvers.md). For more than the coefficient make a model of the same
+    surfaces: `Model(estimate.params)`.
 
     Three things widen the band, which is log-normal:
 
@@ -57,7 +57,7 @@ def friction(
         pair: a name in `asperity.materials.PAIRS`, as "steel/steel", in either order; or two names in `MATERIALS`, as
             "SiC/SiC", with a `work_of_adhesion`.
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
-        nominal_area: [m^2]; without it loads are those of a square metre: nominal pressures [Pa].
+        nominal_area: [m^2]; without it loads are nominal pressures [Pa].
         coverage: probability of the band, between 0 and 1.
         **surface: the keys of surface files. Of the roughness: `Ra` or `Rq` with `RSm`, `Rdq` or a `process` ("superfinished",
             "lapped", "honed", "ground", "turned", "bored", "milled"); a `process` alone; `Sq` with `Sdq`; `m0` and `m2`; or
@@ -74,7 +74,8 @@ def friction(
     Warns:
         ValidityWarning: an assumption of the model that fails at one of the loads > 0.
     """
-    given = dict(of_pair(pair)) | {"nominal_area": nominal_area, "coverage": coverage} | dict(surface)
+    area = {} if nominal_area is None else {"nominal_area": nominal_area}
+    given = dict(of_pair(pair)) | area | {"coverage": coverage} | dict(surface)
     try:
         found = estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
     except Error as error:

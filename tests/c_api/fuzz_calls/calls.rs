@@ -893,6 +893,12 @@ impl<'a> Calls<'a> {
         let length: usize =
             call!(self, what(), asperity_estimate_text(text_at, text.len(), 2_usize, loads_at, no_buffer, none));
         assert_eq!(length > 0, status == OK, "{}", what());
+        let mut params = asperity_params::unset();
+        let at: *mut asperity_params = &mut params;
+        let of_estimate = call!(self, what(), asperity_params_set_estimate(at, text_at, text.len()));
+        assert!(of_estimate == OK || status != OK, "{}: {}", what(), message());
+        let taken = bytes(&params) != bytes(&asperity_params::unset());
+        assert_eq!(taken, of_estimate == OK, "{}: refused, yet changed", what());
     }
 
     /// Materials, pairs and interfaces: one that has a name is found by it, and any bytes are a name that is refused or found.
