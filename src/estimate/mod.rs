@@ -283,6 +283,12 @@ impl Estimate {
         self.described.is_of_pressures
     }
 
+    /// The summits in contact at a load, where they are too few for one specimen to be like the mean of the model.
+    fn few_contacts_at(&self, load: f64) -> Option<f64> {
+        let state = self.cases[0].model.state_at_load(load).ok()?;
+        (state.warnings & WARNING_FEW != 0 && !self.is_of_pressures()).then_some(state.contacting)
+    }
+
     /// Of loads and of forces.
     fn unit(&self) -> &'static str {
         match self.is_of_pressures() {

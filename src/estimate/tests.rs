@@ -206,6 +206,11 @@ fn few_contacts_are_counted_and_told() {
     let rough = answer(&format!("work_of_adhesion = 1e-4\n{text}"), 0.0);
     assert!(rough.friction_force == 0.0 && rough.friction_coefficient == f64::INFINITY, "{rough:?}");
     assert!(rough.specimen_force > 1e-10 && rough.specimen_force < found[3].specimen_force, "{rough:?}");
+    // A point measured on few summits is asked for.
+    let measured = |load: f64| written(&format!("{SILICON}measured = [{load}, 0.4]\n{SMOOTH}"), &[1e-2]);
+    assert!(!measured(1e-2).contains("check"), "{}", measured(1e-2));
+    let few = measured(3e-7);
+    assert!(few.contains(" summits touch at the measured 3e-7 N: the point is of one specimen"), "{few}");
     // One summit is itself, and metal that yields does not adhere.
     let tip = "pair = \"Si/Si\"\nheight_std = 3e-13\nsummit_radius = 30e-9\nasperity_count = 1\n";
     let found = answer(tip, 1e-8);
@@ -330,7 +335,7 @@ fn a_trend_that_the_law_cannot_follow_is_told() {
     assert!(written(&rising, &[30.0]).contains("off the law, which cannot follow their trend"));
     let falling = format!("{STEEL}measured = [[1, 0.2], [30, 0.18], [1000, 0.16]]\n{ROUGH}");
     let (found, _) = estimate(&falling, &[30.0]);
-    assert!(found.misfit < 1.0 && !written(&falling, &[30.0]).contains("check"), "{}", found.misfit);
+    assert!(found.misfit < 1.0 && !written(&falling, &[30.0]).contains("off the law"), "{}", found.misfit);
     // A point more is a narrower band, in whichever order they come.
     let one = answer(&format!("{STEEL}measured = [1000, 0.16]\n{ROUGH}"), 1000.0);
     let two = answer(&format!("{STEEL}measured = [[1000, 0.16], [1000, 0.16]]\n{ROUGH}"), 1000.0);

@@ -162,6 +162,16 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
             Figures(estimate.misfit)
         )?;
     }
+    for point in points {
+        if let Some(contacts) = estimate.few_contacts_at(point.load) {
+            let [load, contacts] = [point.load, contacts].map(Figures);
+            writeln!(
+                out,
+                "check: {contacts} summits touch at the measured {load} N: the point is of one specimen, and is taken for the mean of \
+                 all; measure where 20 or more touch, at a heavier load or on a larger area"
+            )?;
+        }
+    }
     Ok(())
 }
 
