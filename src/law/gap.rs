@@ -124,7 +124,7 @@ impl Gap {
     /// Whether the surfaces are apart at a gap.
     #[inline]
     pub fn is_open(&self, gap: f64) -> bool {
-        -self.table.pull_off - gap < self.least
+        -self.table.pull_off - gap < self.least()
     }
 
     /// The least x of a gap at which the surfaces are not apart.
