@@ -4,7 +4,7 @@ How many bytes the shared library may have.
 
 usage: packaging/size.py      checks the library of `cargo build --release`
 
-Of a released library for x86-64, of some 1040 kB on 2026-11-27, 350 kB are the physics and the making of its tables, 180 kB the gaps
+Of a released library for x86-64, of some 1085 kB on 2026-11-27, 350 kB are the physics and the making of its tables, 180 kB the gaps
 between mean planes, the contacts that remember and the estimate of a text, 120 kB the C interface with the vectors for two kinds of
 processors, 70 kB the reader of surface files, 120 kB Rust's standard library (numbers as text, panics), the rest tables for unwinding,
 addresses and texts. Smaller code by the compiler (opt-level "s") would save a tenth, and a model would take half as long again to make.
