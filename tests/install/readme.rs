@@ -89,3 +89,14 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     let (slider, rest) = slider.split_once("```").expect("its end");
     prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
 }
+
+/// The message that docs/c.md shows of a wrong unit is that of the library.
+#[test]
+fn a_message_on_a_page_is_the_librarys() {
+    let text =
+        "pair = \"Si/Si\"\nwork_of_adhesion = 63\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_count = 1e5\n";
+    let params = asperity::Params::from_toml(text).map(|params| asperity::Model::new(&params));
+    let error = params.and_then(|model| model).map(|_| ()).expect_err("refused").to_string();
+    let message = &error[error.find("work_of_adhesion").expect("its name")..];
+    assert!(page("docs/c.md").contains(&format!("`{message}`")), "{message}");
+}
