@@ -330,15 +330,17 @@ mod tests {
 
     /// Rounding makes peaks of a constant, each of which would cost dozens of states.
     #[test]
-    fn what_is_far_below_its_bound_is_not_searched() {
-        let states = std::cell::Cell::new(0);
-        let at = |d: f64| {
-            states.set(states.get() + 1);
-            let noise = f64::EPSILON * f64::from((d.to_bits() ^ d.to_bits() >> 20) as u8);
-            Ok(Measures([0.9 + noise; WARNINGS]))
-        };
-        assert_eq!(warnings_between(-3.0, 5.0, at), Ok(0));
-        assert_eq!(states.get(), separations(-3.0, 5.0).len());
+    fn what_is_far_below_its_bound_or_known_to_exceed_it_is_not_searched() {
+        for (level, warnings) in [(0.9, 0), (2.0, ALL)] {
+            let states = std::cell::Cell::new(0);
+            let at = |d: f64| {
+                states.set(states.get() + 1);
+                let noise = f64::EPSILON * f64::from((d.to_bits() ^ d.to_bits() >> 20) as u8);
+                Ok(Measures([level * (1.0 + noise); WARNINGS]))
+            };
+            assert_eq!(warnings_between(-3.0, 5.0, at), Ok(warnings));
+            assert_eq!(states.get(), separations(-3.0, 5.0).len(), "{level}");
+        }
     }
 
     #[test]
