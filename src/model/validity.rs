@@ -313,6 +313,9 @@ mod tests {
         for (height, found) in [(1.0 + 1e-9, 1 << 2), (1.0 - 1e-9, 0)] {
             for peak in [-3e5, -0.3217, 0.0004, 4.0561, 7.7999] {
                 let scale = 1.0 + f64::abs(peak);
+                // So far from the peak it is 1.
+                let half = scale * f64::sqrt(f64::max(height - 1.0, 0.0));
+                let [from, to] = [peak - half, (peak + half).min(7.8)];
                 let at = |d: f64| {
                     let steep = height - ((d - peak) / scale).powi(2);
                     let mut measures = Measures([0.0; WARNINGS]);
@@ -322,8 +325,9 @@ mod tests {
                 assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
                 let extent = extent_of(1 << 2, -1e6, 7.8, at).expect("an extent");
                 assert_eq!(extent.is_some(), found != 0, "{peak}");
-                let (near, far) = extent.unwrap_or((peak, peak));
-                assert!((near - peak).abs().max((far - peak).abs()) < 1e-3 * scale, "{near} to {far}, not {peak}");
+                let (near, far) = extent.unwrap_or((from, to));
+                let off = (near - from).abs().max((far - to).abs());
+                assert!(off < 1e-6 * scale, "{near} to {far}, not {peak}: {off:e}");
             }
         }
     }
