@@ -491,6 +491,7 @@ mod tests {
         ] {
             assert_eq!(matches!(outcome, Err(Error::OutOfRange { .. })), refused, "{outcome:?}");
         }
+        assert!(model.friction_at_load(load).is_finite() && model.friction_force_at_load(load).is_finite());
         assert!(model.load_at_gap(-separation).is_finite() && model.load_at_gap((-separation).below()).is_nan());
     }
 
@@ -613,6 +614,8 @@ mod tests {
             assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
             let again = model.state_at_load(state.load).expect("a state");
             assert!(near(again.gap, separation, 1e-10), "{}", again.gap);
+            assert!(near(again.tangential_stiffness, model.tangential_stiffness_at_load(state.load), 1e-9));
+            assert!(near(again.contact_radius_sum, model.contact_radius_sum_at_load(state.load), 1e-9));
             let (force, slope) = model.friction_force_and_slope(state.load);
             assert!(near(force, state.friction_force, 1e-9) && near(slope, state.dforce_dload, 1e-7), "{force}");
         }
