@@ -160,3 +160,14 @@ impl Params {
         Ok(Calibrated { seen, misfit, tells_pressure })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coefficients_are_taken_up_to_twenty() {
+        assert_eq!(Params::measured_force(3.0, LARGEST_COEFFICIENT), Ok(60.0));
+        assert!(Params::measured_force(3.0, 20.000_000_1).is_err() && Params::measured_force(3.0, 0.0).is_err());
+    }
+}

@@ -201,6 +201,23 @@ mod tests {
         assert!((nearest(&points, None).1 / (0.99 * 0.5) - 1.0).abs() < 1e-6, "{}", nearest(&points, None).1);
     }
 
+    /// The most probable one; how sure it is where all of the force is of strength.
+    #[test]
+    fn a_slice_has_the_least_cost() {
+        let points = [seen(1.0, 0.5, 2.0, 0.1), seen(3.0, 3.0, 5.0, 0.2)];
+        for (prior, of_prior) in [(Prior::NONE, 0.0), (Prior { mean: -1.0, precision: 30.0 }, 30.0)] {
+            for kappa in [0.0, 0.3] {
+                let found = slice(&points, prior, kappa);
+                let cost = |step: f64| cost(&points, prior, found.mean + step, kappa);
+                assert!(cost(1e-5) > cost(0.0) && cost(-1e-5) > cost(0.0), "{kappa}, {of_prior}");
+                assert!((found.log_weight - (0.5 * log(found.variance) - cost(0.0))).abs() < 1e-12);
+            }
+            let variance = slice(&points, prior, 0.0).variance;
+            assert!((variance * (of_prior + 100.0 + 25.0) - 1.0).abs() < 1e-12, "{variance}");
+        }
+        assert_eq!(slice(&[], Prior { mean: -1.0, precision: 4.0 }, 0.1).mean, -1.0);
+    }
+
     /// Of no points half the square of what is off, in the deviations that it has without them.
     #[test]
     fn what_is_known_without_points_costs() {
