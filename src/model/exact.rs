@@ -603,11 +603,19 @@ mod tests {
         let mut params = paper.in_units(5.0, 0.3);
         params.effective_shear_modulus *= 1.4;
         let model = Model::new(&params).expect("a model");
+        let one = Model::new(&Params { asperity_count: 1.0, ..params.clone() }).expect("a model");
         let near = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
         for separation in [-0.5, 0.3, 1.1] {
             let at = |separation: f64| model.state_at_gap(separation).expect("a state");
             let (state, before, after) = (at(separation), at(separation - 1e-5), at(separation + 1e-5));
             assert!(near(state.gap, separation, 1e-14), "{}", state.gap);
+            let of_one = one.state_at_gap(separation).expect("a state");
+            let [all, one] =
+                [state, of_one].map(|s| [s.load, s.contacting, s.attracted, s.attraction_load, s.real_area]);
+            assert!(
+                all.iter().zip(one).all(|(all, one)| one != 0.0 && near(*all, 11.0 * one, 1e-14)),
+                "{all:?}, {one:?}"
+            );
             let step = after.gap - before.gap;
             assert!(near(state.dload_dgap, (after.load - before.load) / step, 1e-7), "{state:?}");
             let slope = (after.friction_force - before.friction_force) / (after.load - before.load);
