@@ -94,6 +94,12 @@ fn the_measured_coefficient_is_that_of_the_model_and_is_kept() {
         assert_eq!(unsafe { asperity_params_get_value(&params, name.as_ptr(), &mut value) }, OK, "{}", message());
         assert!((value / expected - 1.0).abs() < 1e-15, "{name:?}: {value}");
     }
+    // A force that was measured at zero load has no coefficient.
+    let (at_zero, mut value) = (asperity_params { calibration_load: 0.0, ..params }, 0.0);
+    let name = c"calibration_friction_coefficient".as_ptr();
+    // SAFETY: initialised parameters, and a name that ends.
+    assert_eq!(unsafe { asperity_params_get_value(&at_zero, name, &mut value) }, OK, "{}", message());
+    assert!(value.is_nan(), "{value}");
     // Again with the same point: not a bit changes.
     let before = params;
     // SAFETY: initialised parameters.
