@@ -37,6 +37,7 @@ use crate::asperity::slip::Slip;
 use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
 use crate::groups::Groups;
+use crate::numerics::root::{LAST_STEP, MOST_STEPS};
 use break_away::Edge;
 use crowding::Crowding;
 use node_table::NodeTable;
@@ -45,12 +46,6 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use sums::Summit;
 use walk::{Progress, Visitor, Walk};
-
-/// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
-/// solution to rounding.
-const LAST_STEP: f64 = 1e-13;
-/// Newton's method takes some three steps.
-const MOST_STEPS: u32 = 20;
 
 /// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
 const RADII: usize = 5;

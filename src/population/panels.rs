@@ -9,6 +9,7 @@ use super::{Point, Population};
 use crate::distribution::panel::SHORTEST;
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
+use crate::numerics::root::MOST_STEPS;
 
 /// A panel in height is no longer than this many times the distance to break-away, where the law of contact is singular.
 const HEIGHT_RATIO: f64 = 2.5;
@@ -33,8 +34,6 @@ const ONSET_RATIO: f64 = 1.0;
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
 const REMNANT: f64 = 1e-3;
-/// The end of a panel takes some three steps to find.
-const MOST_STEPS: u32 = 60;
 
 /// The variable in which a panel is laid.
 #[derive(Debug, Clone, Copy, PartialEq)]
