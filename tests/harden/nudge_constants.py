@@ -92,7 +92,7 @@ def main() -> int:
     tests = sys.argv[2:] or [f"{folder}::" for folder in FOLDERS]
     copy = TARGET / "nudged"
     labels = build(copy)
-    environment = {**os.environ, "CARGO_TARGET_DIR": str(TARGET)}
+    environment = {**os.environ, "CARGO_TARGET_DIR": str(TARGET / "nudged-build")}
     command = ["cargo", "test", "--profile", "mutants", "--locked", "--lib", "--no-run"]
     built = subprocess.run(command, cwd=copy, env=environment, text=True, stderr=subprocess.PIPE)
     if built.returncode != 0:
