@@ -10,6 +10,7 @@ pub use pull_off::PullOff;
 
 use crate::elementary::{exp, log};
 use crate::error::Error;
+use crate::numerics::root::MOST_STEPS;
 use crate::population::{Population, Sums};
 use fall::Fall;
 use pull_off::End;
@@ -18,10 +19,9 @@ use pull_off::End;
 const CLOSEST: f64 = -1e90;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
-/// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
-const MOST_STEPS: u32 = 1000;
-/// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
-const SMALLEST_LOG_LOAD: f64 = -690.0;
+/// ln of the smallest load that is a number to all digits, times what may be smaller: lighter ones have its coefficient of friction,
+/// and a pull-off load that is smaller cannot be told from none.
+const SMALLEST_LOG_LOAD: f64 = -640.0;
 
 /// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
 #[derive(Debug, Clone)]
