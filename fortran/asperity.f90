@@ -1316,7 +1316,7 @@ module asperity
   public :: asperity_params_read, asperity_params_set_text, asperity_params_text
   public :: asperity_estimate_at_loads, asperity_estimate_text, asperity_params_set_estimate
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
-  public :: asperity_warning_text
+  public :: asperity_warning_text, asperity_stop
 
   abstract interface
     function batch_function(model, n, load, value, slope) result(status) bind(c)
@@ -1647,7 +1647,7 @@ contains
   !     call asperity_check(asperity_params_set_skew(params, -0.5_c_double))
   subroutine asperity_check(status)
     integer(c_int32_t), intent(in) :: status
-    if (status /= ASPERITY_OK) call stop_with(asperity_error_message())
+    if (status /= ASPERITY_OK) call asperity_stop(asperity_error_message())
   end subroutine asperity_check
 
   ! This thread's last message; empty if there was none.
@@ -2080,7 +2080,7 @@ contains
     integer(c_size_t), intent(in), value :: n
     type(c_ptr), intent(in), value :: load, value, slope
     integer(c_int32_t) :: status
-    if (c_associated(slope)) call stop_with('friction_model: the stiffness has no slope')
+    if (c_associated(slope)) call asperity_stop('friction_model: the stiffness has no slope')
     status = asperity_tangential_stiffness_at_loads(model, n, load, value)
   end function stiffnesses
 
@@ -2232,13 +2232,13 @@ contains
 
   subroutine require_same_shape(load, slope)
     integer, intent(in) :: load(:), slope(:)
-    if (any(load /= slope)) call stop_with('friction_model: slope must have the shape of load')
+    if (any(load /= slope)) call asperity_stop('friction_model: slope must have the shape of load')
   end subroutine require_same_shape
 
   subroutine require_shape(name, found, expected)
     character(*), intent(in) :: name
     integer, intent(in) :: found(:), expected(:)
-    if (any(found /= expected)) call stop_with('friction_model: '//name//' must have a state, or two numbers, for each load')
+    if (any(found /= expected)) call asperity_stop('friction_model: '//name//' must have a state, or two numbers, for each load')
   end subroutine require_shape
 
   ! The address of an array; c_null_ptr if it is absent.
@@ -2330,7 +2330,7 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (present(errmsg)) errmsg = message
-    if (.not. present(stat)) call stop_with(message)
+    if (.not. present(stat)) call asperity_stop(message)
     if (present(stat)) stat = int(status)
   end subroutine report_message
 
@@ -2351,7 +2351,8 @@ contains
     counted = PREFIX // trim(number) // message(colon:)
   end function counted_from_one
 
-  subroutine stop_with(message)
+  ! Stops the program with a message and the exit status 1.
+  subroutine asperity_stop(message)
     character(*), intent(in) :: message
     interface
       subroutine c_exit(status) bind(c, name='exit')
@@ -2359,9 +2360,9 @@ contains
         integer(c_int32_t), value :: status
       end subroutine c_exit
     end interface
-    write (error_unit, '(a)') 'asperity: ' // message
+    write (error_unit, '(a)') 'asperity: ' // trim(message)
     call c_exit(1_c_int32_t)  ! and not ERROR STOP, behind which gfortran prints its own state
-  end subroutine stop_with
+  end subroutine asperity_stop
 
   ! A constant C string as a Fortran one.
   function fortran_text(text) result(converted)
