@@ -107,7 +107,7 @@ def bead(text: str, load: float, measured_at: float = 1.0, mu: float = 0.15) -> 
     surface = Params.from_text(text)
 
     def area(load: float) -> float:
-        return pi * ((0.75 * load * 1e-3 / surface.composite_modulus) ** (2 / 3) + 1.63 * surface.height_std * 1e-3)
+        return float(pi * ((0.75 * load * 1e-3 / surface.composite_modulus) ** (2 / 3) + 1.63 * surface.height_std * 1e-3))
 
     lines = f"nominal_area = {area(load)}\nmeasured = [{measured_at * area(load) / area(measured_at)}, {mu}]"
     return estimate(text.replace("nominal_area = 1e-6", lines), load)
