@@ -284,8 +284,8 @@ COMPARISONS = (
         (_exactly("0.2 µN", 1.0), _exactly("0.8 µN", 2.0)),
         _tip_predicted,
         "a tip of radius 0.1 µm; the load includes the attraction",
-        "Load-dependency of friction coefficient between silicon-oxides and diamond under ultra-low contact load, abstract (the copy "
-        "that was read names neither authors nor journal): in air, μ inversely proportional to load below 0.4 µN, about 0.1 above",
+        "Load-dependency of friction coefficient between silicon-oxides and diamond under ultra-low contact load, abstract; "
+        "authors and journal not known: in air, μ inversely proportional to load below 0.4 µN, about 0.1 above",
         "authors not known",
         False,
         "Measured friction is constant below 0.4 µN and proportional to load above; the model has one exponent in between. Above "

@@ -184,7 +184,7 @@ MEASUREMENTS = (
         tip_coefficient,
         "tip radius 20 to 100 nm, w 30 to 144 mJ/m², 10 to 100 nN",
         "quoted",
-        "ratio quoted; the papers were not read",
+        "ratio quoted by others",
         "too high: oxide, water and contamination shear more easily than two clean crystals",
         read=False,
         quoted_ratio=(10.0, 40.0),
