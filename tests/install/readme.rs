@@ -96,7 +96,11 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     }
     assert_eq!(surfaces.len(), 5);
     let ground = surfaces[0].as_str();
-    refuses("start.c", program, &[&["none", "10"], &[ground, "ten"], &[ground, "10x"], &[ground, "nan"], &[ground], &[]]);
+    refuses(
+        "start.c",
+        program,
+        &[&["none", "10"], &[ground, "ten"], &[ground, "10x"], &[ground, "nan"], &[ground], &[]],
+    );
     let slider = maps.split("```c\n").nth(1).expect("the slider");
     let (slider, rest) = slider.split_once("```").expect("its end");
     prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
