@@ -50,15 +50,16 @@ pub fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Error> {
 fn set(text: &str, draft: &mut Draft) -> Outcome<()> {
     let entries = Entries::read(text)?;
     let described = entries.describe(draft, Case::default())?;
-    let Described { mut params, points, interface, .. } = described;
+    let mut params = described.with_law(described.params.clone()).map_err(|error| entries.problem(error, None))?;
+    let Described { points, interface, .. } = described;
     if let Some(interface) = interface.filter(|interface| interface.shear_strength == 0.0 && points.is_empty()) {
         return Err(entries.problem(Error::NoStrength { interface }, None));
     }
     if !points.is_empty() {
         let calibrated = params.calibrate_points(&points, described.pressure_is_free, None);
         calibrated.map_err(|error| entries.problem(error, entries.measured()))?;
-        draft.params = Params { heights: draft.params.heights.clone(), ..params };
     }
+    draft.params = Params { heights: draft.params.heights.clone(), ..params };
     Ok(())
 }
 
@@ -76,12 +77,28 @@ pub struct Described {
     pub interface: Option<&'static Interface>,
     /// Whether slip stresses or the pressure coefficient are given.
     pub has_strength: bool,
-    /// Whether the contact law, or adhesion of elastic contacts, is chosen.
-    pub has_law: bool,
+    /// Whether summits yield, since a text that is whole leaves open the contact law, and adhesion of elastic contacts.
+    pub yields: bool,
     /// What of the roughness is that of a process.
     pub machined: Option<Machined>,
     /// Whether the text says neither how large the nominal area is nor how many summits there are: it is of 1 m^2 then.
     pub is_of_pressures: bool,
+}
+
+/// Above this plasticity index summits yield (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
+const PLASTIC_INDEX: f64 = 1.0;
+
+impl Described {
+    /// Parameters with the contact law of the text.
+    ///
+    /// # Errors
+    /// Those of [`Params::set_elastic_plastic`].
+    pub fn with_law(&self, mut params: Params) -> Result<Params, Error> {
+        if self.yields {
+            params.set_elastic_plastic(params.hardness)?;
+        }
+        Ok(params)
+    }
 }
 
 /// Reads what a text says, with what it leaves open of the roughness at one of its cases.
@@ -122,6 +139,10 @@ impl Entries<'_> {
         given.interface()?;
         let Given { numbers, interface, machined, .. } = given;
         let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| self.begin(table));
+        // Of parameters that were there before, a text changes what it gives and no more, but where it gives all of them.
+        let mut alone = Draft::default();
+        alone.params.nominal_area = draft.params.nominal_area;
+        let is_whole = numbers.set(&mut alone).is_ok() && alone.params.unset().is_none();
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
         // Of parameters that are not complete no more can be said.
         let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
@@ -131,6 +152,7 @@ impl Entries<'_> {
             }
         }
         let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
+        let has_law = given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0);
         Ok(Described {
             points: self.points(&numbers, params.calibration_error)?,
             pressure_is_free: !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
@@ -138,7 +160,7 @@ impl Entries<'_> {
             bodies: numbers.bodies,
             interface,
             has_strength: given(STRENGTH),
-            has_law: given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0),
+            yields: is_whole && !has_law && params.plasticity_index() > PLASTIC_INDEX,
             machined,
             is_of_pressures: false,
             params,

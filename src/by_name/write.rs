@@ -22,6 +22,8 @@ pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Resul
         let number = field.get(draft);
         let is_written = match field.name {
             "height_distribution" => chooses,
+            // Metal would yield.
+            "contact_law" if draft.params.hardness > 0.0 && draft.params.work_of_adhesion == 0.0 => true,
             // Beside it a skew is taken as it is.
             "weibull_shape" if draft.height_distribution == WEIBULL => true,
             _ => number.to_bits() != field.get(&mut default).to_bits(),

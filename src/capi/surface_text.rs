@@ -72,8 +72,8 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
-/// What it does not give stays as it is. Keys are the names of `asperity_params_set_values`, in SI units, and what
-/// docs/solvers.md lists. `asperity_params_set_estimate` also sets what an estimate of the text chooses.
+/// What it does not give stays as it is, but for the law of a whole surface: metal that yields has the elastic-plastic one, as in an
+/// estimate. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -103,8 +103,8 @@ pub unsafe extern "C" fn asperity_params_set_text(
     })
 }
 
-/// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, with its contact law and strength: models of them have
-/// its friction.
+/// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
+/// interfaces: models of them have its friction.
 ///
 /// @param params          initialised parameters
 /// @param surface,length  as of `asperity_estimate_at_loads`, which returns the same

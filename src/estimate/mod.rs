@@ -19,7 +19,7 @@ use crate::model::calibration::Calibrated;
 use crate::model::points::{slice, slices, Seen, Slice};
 use crate::model::validity::WARNING_FEW;
 use crate::model::Model;
-use crate::params::{ContactLawKind, Params};
+use crate::params::Params;
 pub use strength::Rests;
 use strength::Strength;
 pub use words::write;
@@ -66,10 +66,6 @@ pub struct Estimate {
     tells_pressure: bool,
     /// By how much the points are off the curve, in their errors.
     pub misfit: f64,
-    /// E* (sigma/R)^(1/2)/H of the middle case.
-    plasticity_index: f64,
-    /// Whether the law of summits that yield was chosen for that.
-    yields: bool,
 }
 
 /// One of the surfaces that may be.
@@ -79,9 +75,6 @@ struct Case {
     slices: Vec<(f64, Slice)>,
     probability: f64,
 }
-
-/// Above this plasticity index summits yield.
-const PLASTIC_INDEX: f64 = 1.0;
 
 impl Estimate {
     /// Reads a text and makes the models of its cases, for these loads.
@@ -95,16 +88,10 @@ impl Estimate {
             let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
             return Err(Error::Meaningless(says.into()));
         }
-        let plasticity_index = plasticity_index(&described.params);
-        let yields = plasticity_index > PLASTIC_INDEX && !described.has_law;
         let rests = Rests::of(&described);
         let strength = Strength::new(rests.clone(), &described);
         let prepare = |params: Params| -> Result<Params, Error> {
-            let mut params = params;
-            if yields {
-                params.contact_law = ContactLawKind::ElasticPlastic;
-                params.work_of_adhesion = 0.0;
-            }
+            let mut params = described.with_law(params)?;
             rests.set(&mut params)?;
             Ok(params)
         };
@@ -159,18 +146,7 @@ impl Estimate {
             false => None,
         };
         let cases = weighted(found);
-        Ok(Self {
-            described,
-            strength,
-            cases,
-            pressed,
-            params,
-            reach,
-            tells_pressure,
-            misfit,
-            plasticity_index,
-            yields,
-        })
+        Ok(Self { described, strength, cases, pressed, params, reach, tells_pressure, misfit })
     }
 
     /// Friction at a load.
@@ -379,13 +355,6 @@ fn range(loads: impl Iterator<Item = f64>, adheres: bool) -> [f64; 2] {
         (lightest, heaviest) = (lightest.min(load), heaviest.max(load));
     }
     [lightest.min(heaviest), heaviest]
-}
-
-fn plasticity_index(params: &Params) -> f64 {
-    match params.hardness > 0.0 {
-        true => params.composite_modulus * (params.height_std / params.summit_radius).sqrt() / params.hardness,
-        false => 0.0,
-    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::known::{deviation, DEFAULT_FACTOR, PROCESSES, SLOPE_FACTOR};
 use super::{write, Answer, Estimate};
-use crate::by_name::{describe, Case};
+use crate::by_name::{describe, read, Case, Draft};
 use crate::materials::PAIRS;
 use crate::model::Model;
 use crate::params::{ContactLawKind, Params};
@@ -89,12 +89,15 @@ fn bands_have_the_coverage_that_they_say() {
 /// The parameters that a text makes have the friction of its estimate, with one point or several.
 #[test]
 fn an_estimate_is_the_friction_of_the_parameters() {
-    let law = "contact_law = \"elastic-plastic\"\n";
     for points in ["[1000, 0.16]", "[[1000, 0.16]]", "[[1000, 0.16], [10, 0.18, 0.02]]", "[[1000, 0.16], [1000, 0.18]]"]
     {
-        let text = format!("{STEEL}{law}measured = {points}\n{ROUGH}");
-        let model = Model::new(&Params::from_toml(&text).expect("a surface")).expect("a model");
-        for found in estimate(&text, &[1.0, 10.0, 1e4]).1 {
+        let text = format!("{STEEL}measured = {points}\n{ROUGH}");
+        let params = Params::from_toml(&text).expect("a surface");
+        let (estimate, answers) = estimate(&text, &[1.0, 10.0, 1e4]);
+        assert_near(params.slip.stress_1, estimate.params().slip.stress_1, 1e-7);
+        assert_eq!(params.contact_law, ContactLawKind::ElasticPlastic);
+        let model = Model::new(&params).expect("a model");
+        for found in answers {
             assert_near(found.friction_coefficient, model.friction_at_load(found.load), 1e-7);
         }
     }
@@ -162,8 +165,8 @@ fn the_parameters_of_an_estimate_have_its_friction_its_strength_and_its_law() {
             let (estimate, answers) = estimate(&text, &[0.5, 100.0]);
             let params = Params::from_toml(&estimate.params().to_toml()).expect("a surface");
             assert_eq!(&params, estimate.params(), "{text}");
-            assert_eq!(estimate.yields, params.contact_law == ContactLawKind::ElasticPlastic, "{text}");
-            yielding += u32::from(estimate.yields);
+            assert_eq!(estimate.described.yields, params.contact_law == ContactLawKind::ElasticPlastic, "{text}");
+            yielding += u32::from(estimate.described.yields);
             calibrated += u32::from(params.calibration_friction_force > 0.0);
             let model = Model::new(&params).expect("a model");
             for found in answers {
@@ -278,6 +281,45 @@ fn metal_that_yields_takes_the_law_that_knows_it() {
     assert!(!written(&format!("{SILICON}{SMOOTH}"), &[1e-3]).contains(yields));
 }
 
+/// One text has one law, whoever reads it; of a part of a text the law stays what it was.
+#[test]
+fn parameters_of_a_text_have_the_law_of_its_estimate() {
+    let mut laws = [0, 0];
+    for pair in PAIRS.iter().map(|pair| pair.name.to_str().expect("UTF-8")).filter(|pair| !pair.contains("PDMS")) {
+        for own in ["", "contact_law = \"maugis\"\n", "work_of_adhesion = 0.1\n", "work_of_adhesion = 0\n", "hardness = 0\n"] {
+            for rough in [ROUGH, SMOOTH, "[roughness]\nRa = 2e-6\nRSm = 50e-6\n"] {
+                let text = format!("pair = \"{pair}\"\nnominal_area = 1e-6\n{own}{rough}");
+                let read = Params::from_toml(&text).expect("a surface");
+                let estimate = Estimate::new(text.as_bytes(), &[1.0]).unwrap_or_else(|error| panic!("{error}\n{text}"));
+                // The strength of a row of the table is no measurement of these surfaces.
+                let other = Params {
+                    slip: read.slip,
+                    pressure_coefficient: read.pressure_coefficient,
+                    ..estimate.params().clone()
+                };
+                assert_eq!(read, other, "{text}");
+                assert_eq!(Params::from_toml(&read.to_toml()).expect("a surface"), read, "{text}");
+                laws[usize::from(read.contact_law == ContactLawKind::ElasticPlastic)] += 1;
+            }
+        }
+    }
+    assert!(laws[0] > 50 && laws[1] > 50, "{laws:?}");
+    let bodies = "composite_modulus = 1.1e11\neffective_shear_modulus = 8e10\nwork_of_adhesion = 0\nadhesion_range = 0.25e-9\n\
+                  burgers_vector = 0.25e-9\nhardness = 2e9\nasperity_count = 1e5\n";
+    let law = |text: &str| {
+        let mut draft = Draft::default();
+        draft.set_skew(0.0).expect("heights");
+        for part in text.split("then\n") {
+            read(part.as_bytes(), &mut draft).expect("a surface");
+        }
+        draft.params.contact_law
+    };
+    let steep = "height_std = 1e-6\nsummit_radius = 1e-5\n";
+    assert_eq!(law(&format!("{bodies}{steep}")), ContactLawKind::ElasticPlastic);
+    assert_eq!(law(&format!("{bodies}height_std = 1e-9\nsummit_radius = 1e-5\nthen\n{steep}")), ContactLawKind::Maugis);
+    assert_eq!(law(&format!("{bodies}{steep}contact_law = \"maugis\"\nthen\nhardness = 1e9\n")), ContactLawKind::Maugis);
+}
+
 #[test]
 fn what_is_known_of_a_process_makes_the_band_narrower() {
     let points = "measured = [1000, 0.16]\n";
@@ -305,7 +347,7 @@ fn what_is_known_of_a_process_makes_the_band_narrower() {
 /// Points at loads far apart tell how much of friction goes with pressure; at one load they do not.
 #[test]
 fn several_points_tell_the_pressure_coefficient_where_they_reach_over_loads() {
-    let text = |points: &str| format!("{STEEL}contact_law = \"elastic-plastic\"\nmeasured = {points}\n{ROUGH}");
+    let text = |points: &str| format!("{STEEL}measured = {points}\n{ROUGH}");
     let kappa = |points: &str| Params::from_toml(&text(points)).expect("a surface").pressure_coefficient;
     // Amontons' law, but for what of the strength is left.
     let constant = kappa("[[1000, 0.16], [10, 0.16], [0.1, 0.16]]");
@@ -459,7 +501,7 @@ fn what_cannot_be_read_is_refused_where_it_is() {
 #[test]
 fn the_error_of_several_points_is_that_of_the_curve() {
     let error = |points: &str| {
-        let text = format!("{STEEL}contact_law = \"elastic-plastic\"\nmeasured = {points}\n{ROUGH}");
+        let text = format!("{STEEL}measured = {points}\n{ROUGH}");
         Params::from_toml(&text).expect("a surface").calibration_error
     };
     assert_eq!(error("[[1000, 0.16, 0.03]]"), 0.03);

@@ -48,8 +48,8 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut d
     }
     write_roughness(estimate, out)?;
     write_units(estimate, answers, out)?;
-    if estimate.yields {
-        let index = Figures(estimate.plasticity_index);
+    if estimate.described.yields {
+        let index = Figures(estimate.params.plasticity_index());
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
     }
     if warnings != 0 {
