@@ -33,7 +33,7 @@ pub struct asperity_estimate {
     pub load: f64,
     /// F/P; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap.
     pub friction_coefficient: f64,
-    /// Lower end of the band, which is without the scatter of specimens.
+    /// Lower end of the band, which is without the scatter of specimens, as that is without the doubt of the strength.
     pub low: f64,
     /// Upper end.
     pub high: f64,
@@ -41,7 +41,7 @@ pub struct asperity_estimate {
     pub friction_force: f64,
     /// Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two.
     pub contacts: f64,
-    /// Mean F of single specimens [N], NaN if not known; if contacts < 1 that of one summit, which they have once or twice.
+    /// Mean F of single specimens of this strength [N], NaN if not known; if contacts < 1 that of one summit, had once or twice.
     pub specimen_force: f64,
     /// Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known.
     pub specimen_scatter: f64,
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn asperity_estimate_text(
         reserve::held(|| {
             let mut text = String::new();
             // Writing to a string does not fail.
-            let _ = write(&estimate, &answers, warnings, &mut text);
+            let _ = write(&estimate, bytes(surface, length), &answers, warnings, &mut text);
             whole = write_text(buffer, buffer_length, [text.as_bytes()]);
             Ok(())
         })

@@ -11,7 +11,7 @@ mod normal;
 mod strength;
 mod words;
 
-use crate::by_name::{describe, of_points, Described};
+use crate::by_name::{describe, of_points, Case, Described};
 use crate::elementary::{exp, log};
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
@@ -55,7 +55,7 @@ pub struct Answer {
 pub struct Estimate {
     described: Described,
     strength: Strength,
-    cases: Vec<Case>,
+    cases: Vec<Likely>,
     /// The middle case with a pressure coefficient of 1, where the load does not say what that makes.
     pressed: Option<Model>,
     /// With the strength that the estimate has.
@@ -69,7 +69,7 @@ pub struct Estimate {
 }
 
 /// One of the surfaces that may be.
-struct Case {
+struct Likely {
     model: Model,
     /// What is left open of the strength, with probabilities.
     slices: Vec<(f64, Slice)>,
@@ -82,7 +82,13 @@ impl Estimate {
     /// # Errors
     /// Those of the text, with line and key, and those of models.
     pub fn new(bytes: &[u8], loads: &[f64]) -> Result<Self, Error> {
-        let described = describe(bytes, cases::MIDDLE)?;
+        Self::of(bytes, loads, Case::MIDDLE)
+    }
+
+    /// The same of another most probable surface. Of one of another hardness it is the only one.
+    fn of(bytes: &[u8], loads: &[f64], at: Case) -> Result<Self, Error> {
+        let described = describe(bytes, at)?;
+        let machined = described.machined.as_ref().filter(|_| at.hardness.is_none());
         let reach = normal::reach(described.coverage);
         if described.params.slip.stress_1 == 0.0 && described.params.slip.stress_2 == 0.0 {
             let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
@@ -117,7 +123,7 @@ impl Estimate {
         // A trend that the law cannot follow is not within the errors that were given.
         seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
         let mut found = Vec::new();
-        for (at, probability) in cases::of(described.machined.as_ref()) {
+        for (at, probability) in cases::of(machined) {
             let model = match found.is_empty() {
                 true => middle.clone(),
                 false => without_pressure(&prepare(describe(bytes, at)?.params)?)?,
@@ -249,6 +255,12 @@ impl Estimate {
         Ok(())
     }
 
+    /// The friction coefficient at a load if the bodies were harder or softer; None if that is refused.
+    fn with_hardness(bytes: &[u8], load: f64, hardness: f64) -> Option<f64> {
+        let at = Case { hardness: Some(hardness), ..Case::MIDDLE };
+        Some(Self::of(bytes, &[load], at).ok()?.at_load(load).ok()?.friction_coefficient)
+    }
+
     /// The strength that is estimated, over that of the models.
     fn factor(&self) -> f64 {
         self.params.slip.stress_1 / self.cases[0].model.params().slip.stress_1
@@ -330,7 +342,7 @@ impl Estimate {
 }
 
 /// Gives each case and slice its probability, of the weights of slices and the probabilities before.
-fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Case> {
+fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Likely> {
     let weights = || found.iter().flat_map(|(_, slices, _)| slices).map(|slice| slice.log_weight);
     let largest = weights().fold(f64::NEG_INFINITY, f64::max);
     let of = |slices: &[Slice]| slices.iter().map(|slice| exp(slice.log_weight - largest)).sum::<f64>();
@@ -343,7 +355,7 @@ fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Case> {
             let sum = of(&slices);
             let probability = probability * sum * apart(&slices) / total;
             let slices = slices.into_iter().map(|slice| (exp(slice.log_weight - largest) / sum, slice)).collect();
-            Case { model, slices, probability }
+            Likely { model, slices, probability }
         })
         .collect()
 }

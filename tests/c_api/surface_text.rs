@@ -119,6 +119,14 @@ fn names_of_materials_bring_what_is_known_of_them() {
     refused("\npair = \"Si/Au\"", &format!("line 2: {unknown}"));
     refused("[materials]\nfirst = \"Si\"\nsecond = \"Au\"", &format!("line 3: {unknown}"));
     assert!(surface("work_of_adhesion = 0\npair = \"Si/Au\"").hardness > 1e8);
+    // Moduli of one's own replace those of a pair, all or some.
+    let mut stiff = expected;
+    // SAFETY: an initialised struct.
+    let set_stiff = |stiff: &mut _| unsafe { asperity_params_set_materials(stiff, 493e9, 0.25, 160e9, 0.22) };
+    assert_eq!(set_stiff(&mut stiff), OK);
+    for own in ["E1 = 493e9\nnu1 = 0.25", "E1 = 493e9\nnu1 = 0.25\nE2 = 160e9\nnu2 = 0.22"] {
+        assert_same(&surface(&format!("pair = \"Si/Si\"\n[materials]\n{own}\n")), &stiff, own);
+    }
     // A name for one body, numbers for the other, which is rigid.
     let mut data = asperity_material_data { struct_size: size_of::<asperity_material_data>() as u64, ..empty() };
     // SAFETY: a struct of the size that it says.
@@ -299,7 +307,8 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (format!("height_std = 1e-9\n{CARBON}"), "line 1: height_std: [roughness] sets it already"),
         (format!("bandwidth = 3\n{CARBON}"), "line 1: bandwidth: [roughness] sets it already"),
         (format!("\ncomposite_modulus = 1e11\n{CARBON}"), "line 2: composite_modulus: [materials] sets it already"),
-        (format!("pair = \"Si/Si\"\n{CARBON}"), "line 8: [materials]: pair sets it already"),
+        (format!("pair = \"Si/Si\"\n{}", changed("E1 = 493e9\nnu1 = 0.25", "first = \"DLC\"")), "line 9: [materials] first: pair sets it already"),
+        ("pair = \"Si/Si\"\ncomposite_modulus = 1e11\n".into(), "line 2: composite_modulus: pair sets it already, leave one out; E1, nu1, E2 and nu2 replace the"),
         (format!("calibration_load = 1\n{CARBON}"), "line 1: calibration_load: must be given together with"),
         (changed("E1 = 493e9", "first = \"Stahl\""), "line 9: [materials] nu1: first sets it already"),
         (changed("E1 = 493e9\nnu1 = 0.25", "first = \"Stahl\""), "line 8: [materials] first: Stahl: no material has this name; the nearest is steel"),
