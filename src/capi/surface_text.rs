@@ -72,8 +72,8 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
-/// What it does not give stays as it is, but for the law of a whole surface: metal that yields has the elastic-plastic one, as in an
-/// estimate. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
+/// What it does not give stays as it is. Where it is of a whole surface without a law, asperities of metal that yield have the
+/// elastic-plastic law. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"

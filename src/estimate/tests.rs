@@ -296,7 +296,9 @@ fn metal_that_yields_takes_the_law_that_knows_it() {
 fn parameters_of_a_text_have_the_law_of_its_estimate() {
     let mut laws = [0, 0];
     for pair in PAIRS.iter().map(|pair| pair.name.to_str().expect("UTF-8")).filter(|pair| !pair.contains("PDMS")) {
-        for own in ["", "contact_law = \"maugis\"\n", "work_of_adhesion = 0.1\n", "work_of_adhesion = 0\n", "hardness = 0\n"] {
+        for own in
+            ["", "contact_law = \"maugis\"\n", "work_of_adhesion = 0.1\n", "work_of_adhesion = 0\n", "hardness = 0\n"]
+        {
             for rough in [ROUGH, SMOOTH, "[roughness]\nRa = 2e-6\nRSm = 50e-6\n"] {
                 let text = format!("pair = \"{pair}\"\nnominal_area = 1e-6\n{own}{rough}");
                 let read = Params::from_toml(&text).expect("a surface");
@@ -314,7 +316,8 @@ fn parameters_of_a_text_have_the_law_of_its_estimate() {
         }
     }
     assert!(laws[0] > 50 && laws[1] > 50, "{laws:?}");
-    let bodies = "composite_modulus = 1.1e11\neffective_shear_modulus = 8e10\nwork_of_adhesion = 0\nadhesion_range = 0.25e-9\n\
+    let bodies =
+        "composite_modulus = 1.1e11\neffective_shear_modulus = 8e10\nwork_of_adhesion = 0\nadhesion_range = 0.25e-9\n\
                   burgers_vector = 0.25e-9\nhardness = 2e9\nasperity_count = 1e5\n";
     let law = |text: &str| {
         let mut draft = Draft::default();
@@ -327,7 +330,10 @@ fn parameters_of_a_text_have_the_law_of_its_estimate() {
     let steep = "height_std = 1e-6\nsummit_radius = 1e-5\n";
     assert_eq!(law(&format!("{bodies}{steep}")), ContactLawKind::ElasticPlastic);
     assert_eq!(law(&format!("{bodies}height_std = 1e-9\nsummit_radius = 1e-5\nthen\n{steep}")), ContactLawKind::Maugis);
-    assert_eq!(law(&format!("{bodies}{steep}contact_law = \"maugis\"\nthen\nhardness = 1e9\n")), ContactLawKind::Maugis);
+    assert_eq!(
+        law(&format!("{bodies}{steep}contact_law = \"maugis\"\nthen\nhardness = 1e9\n")),
+        ContactLawKind::Maugis
+    );
 }
 
 #[test]
@@ -431,7 +437,10 @@ fn slips_of_units_that_no_contact_has_are_asked_for() {
     let measured = |points: &str| written(&format!("{SILICON}measured = {points}\n{SMOOTH}"), &[1e-2]);
     let sticky = written(&format!("{SILICON}measured = [1e-6, 6]\n{SMOOTH}"), &[1e-6]);
     assert!(sticky.contains("check: the measured friction coefficient is 6: is it in per cent (0.06)?"), "{sticky}");
-    assert!(!sticky.contains("is it the load") && measured("[0.1, 6]").contains("(0.06)? Or is it the load? A point is [load"));
+    assert!(
+        !sticky.contains("is it the load")
+            && measured("[0.1, 6]").contains("(0.06)? Or is it the load? A point is [load")
+    );
     assert!(!written(&format!("{SILICON}measured = [1e-6, 4]\n{SMOOTH}"), &[1e-6]).contains("per cent"));
     // Load and coefficient swapped, of one point and of several.
     let says = "check: the measured friction coefficient is 0.001, dry surfaces have more: is it the load? A point is [load, coefficient]";
@@ -445,7 +454,9 @@ fn slips_of_units_that_no_contact_has_are_asked_for() {
     }
     // What adheres has friction at light loads; a count is that of an area too, and may be a density.
     let light = |text: &str, load: f64| written(&format!("{text}{SMOOTH}"), &[load]);
-    assert!(!light(SILICON, 1.1e-8).contains("check") && light(SILICON, 0.9e-8).contains("check: the nominal pressure"));
+    assert!(
+        !light(SILICON, 1.1e-8).contains("check") && light(SILICON, 0.9e-8).contains("check: the nominal pressure")
+    );
     let summits = "pair = \"Si/Si\"\nheight_std = 5e-9\nsummit_radius = 1e-6\n";
     let counted = |count: f64| written(&format!("{summits}asperity_count = {count}\n"), &[1e-3]);
     assert!(!counted(1e5).contains("check") && !counted(1.0).contains("check"));
@@ -466,9 +477,8 @@ fn what_is_taken_of_materials_is_told() {
     let soft = format!("hardness = 2e9\n{hard}");
     let with_soft = answer(&soft, 10.0).friction_coefficient;
     let steel = "E = 205 GPa and nu = 0.3 of steel";
-    let hardness = format!(
-        "hardness = 7.5 GPa of steel, AISI 52100 hardened to 60-64 HRC: with 2 GPa mu(10 N) is {with_soft:.2}"
-    );
+    let hardness =
+        format!("hardness = 7.5 GPa of steel, AISI 52100 hardened to 60-64 HRC: with 2 GPa mu(10 N) is {with_soft:.2}");
     assert!((0.175..0.185).contains(&with_soft), "{with_soft}");
     assert_eq!(told(&hard), [steel, &hardness]);
     assert_eq!(told(&soft), [steel]);

@@ -230,7 +230,10 @@ fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut
     let softer = bodies.softer();
     let name = text(softer.name);
     if softer.hardness == 0.0 {
-        return writeln!(out, "rests on: elastic asperities: the hardness of {name} is not known, give it if they yield");
+        return writeln!(
+            out,
+            "rests on: elastic asperities: the hardness of {name} is not known, give it if they yield"
+        );
     }
     let [least, most] = softer.hardness_range;
     let ends = if most > least { [least, most] } else { HARDER.map(|factor| factor * softer.hardness) };

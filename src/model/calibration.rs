@@ -141,7 +141,8 @@ impl Params {
             let allowed = |one: &Seen| bound * one.force + kappa * one.pressed;
             let excess = |(point, one): &(&Point, &Seen)| sign * (log(point.force) - log(allowed(one)));
             let of_all = points.iter().zip(&seen);
-            let (point, one) = of_all.max_by(|one, other| excess(one).total_cmp(&excess(other))).unwrap_or((&points[0], &seen[0]));
+            let (point, one) =
+                of_all.max_by(|one, other| excess(one).total_cmp(&excess(other))).unwrap_or((&points[0], &seen[0]));
             refused(point, reason, allowed(one))
         };
         if factor > most {
