@@ -134,7 +134,7 @@ pub unsafe extern "C" fn asperity_params_set_estimate(
 /// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param length  size of `buffer` [bytes]
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
-///         `asperity_last_error` describes: choices that are none of the constants, or a table that cannot be read
+///         `asperity_last_error` describes: choices that are none, a shape that the heights do not read, or no table
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_text(
     params: *const asperity_params,
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn asperity_params_text(
         let params = asperity_params::read(params)?;
         reserve::held(|| {
             let mut draft = params.whole_draft()?;
-            let is_measured = draft.clone().into_params().is_ok_and(|params| is_of_these_surfaces(&params));
+            let is_measured = is_of_these_surfaces(&draft.clone().into_params()?);
             let mut text = String::new();
             // Writing to a string does not fail.
             let _ = by_name::write(&mut draft, is_measured, &mut text);

@@ -508,6 +508,17 @@ fn what_is_written_reads_back_bit_for_bit() {
     // SAFETY: so much room.
     assert_eq!(unsafe { asperity_params_text(&none, buffer.as_mut_ptr(), 9) }, 0);
     assert!(buffer[0] == 0 && message().starts_with("contact_law = 7"), "{}", message());
+    for (wrong, says) in [
+        (asperity_params { height_distribution: 9, ..carbon }, "height_distribution = 9: must be one of"),
+        (asperity_params { skew: 0.5, ..carbon }, "skew = 0.5: must be 0 unless heights are Johnson's"),
+    ] {
+        // SAFETY: NULL asks for the length.
+        assert_eq!(unsafe { asperity_params_text(&wrong, null_mut(), 0) }, 0);
+        assert!(message().starts_with(says), "{}", message());
+    }
+    let part = asperity_params { calibration_load: 2.0, calibration_friction_force: 0.3, ..asperity_params::unset() };
+    let says = "# The strength was calibrated on surfaces of which composite_modulus is not set here: a friction force of 0.3 at";
+    assert!(written(&part).contains(says), "{}", written(&part));
 }
 
 #[test]
