@@ -223,7 +223,7 @@ MISTAKES: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("Model.curve", {"loads": [-1.0]}, Error, "loads: must be > 0, since their axis is logarithmic"),
     ("Model.friction_at_pressure", {"nominal_area": None}, Error, "nominal_area = 0: must be given, here or in the parameters"),
     ("Model.friction_at_pressure", {"pressure": [1.0, math.inf]}, Error, "element 1: pressure = inf: must be finite"),
-    ("Model.shear_stress_at_pressure", {"pressure": math.nan}, Error, "^pressure = nan: must be finite"),
+    ("Model.shear_stress_at_pressure", {"pressure": math.nan}, Error, "^pressure = NaN: must be finite"),
     ("Model.hysteresis", {"amplitude": 0.0}, Error, "amplitude = 0.0: must be finite and > 0"),
     ("Model.load_at_gap", {"gap": math.nan}, Error, "gap = NaN: must be finite"),
     ("Microslip.step", {"load": [1.0, 2.0, 3.0]}, Error, r"load of shape \(3,\): must have the shape of the contacts, \(2,\)"),

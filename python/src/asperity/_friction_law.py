@@ -555,7 +555,8 @@ class FrictionLaw:
         if wrong.any():
             at = np.unravel_index(int(np.argmax(wrong)), wrong.shape)
             element = f"element {_place(at)}: " if at else ""
-            raise Error(f"{element}pressure = {np.asarray(pressures)[at]}: must be finite", Status.INVALID_LOAD)
+            value = f"{np.asarray(pressures)[at]}".replace("nan", "NaN")
+            raise Error(f"{element}pressure = {value}: must be finite", Status.INVALID_LOAD)
         load = pressures * area
         if not slope:
             return _relabelled(pressure, scaled(call(load), area))
