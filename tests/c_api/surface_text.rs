@@ -308,6 +308,7 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (format!("bandwidth = 3\n{CARBON}"), "line 1: bandwidth: [roughness] sets it already"),
         (format!("\ncomposite_modulus = 1e11\n{CARBON}"), "line 2: composite_modulus: [materials] sets it already"),
         (format!("pair = \"Si/Si\"\n{}", changed("E1 = 493e9\nnu1 = 0.25", "first = \"DLC\"")), "line 9: [materials] first: pair sets it already"),
+        (changed("E1 = 493e9\nnu1 = 0.25\nE2 = 493e9", "E1 = 493\nnu1 = 0.25\nE2 = 493"), "line 8: composite_modulus = 262.9"),
         ("pair = \"Si/Si\"\ncomposite_modulus = 1e11\n".into(), "line 2: composite_modulus: pair sets it already, leave one out; E1, nu1, E2 and nu2 replace the"),
         (format!("calibration_load = 1\n{CARBON}"), "line 1: calibration_load: must be given together with"),
         (changed("E1 = 493e9", "first = \"Stahl\""), "line 9: [materials] nu1: first sets it already"),
