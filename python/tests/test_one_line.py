@@ -249,6 +249,9 @@ def test_an_estimate_is_drawn_with_its_band_its_loads_and_what_was_measured(tmp_
         assert np.interp(math.log(at[0, 0]), np.log(x), y) == pytest.approx(at[0, 1], rel=1e-3)
         assert (tmp_path / "friction.svg").stat().st_size > 0
     (axes,) = friction(**GROUND, Ra=0.8e-6, load=10.0).plot().axes
+    legend = axes.get_legend()
+    lines = [line for text in legend.get_texts() for line in text.get_text().splitlines()] if legend else []
+    assert "E = 205 GPa and nu = 0.3 of steel" in lines and max(map(len, lines)) < 80
     x, _ = np.asarray(axes.lines[0].get_xydata()).T
     assert (x[0], x[-1]) == pytest.approx((1.0, 100.0)) and axes.get_yscale() == "log" and len(axes.lines) == 2
     assert friction(**GROUND, Ra=0.8e-6, load=20.0).plot(axes=axes) is axes.figure
