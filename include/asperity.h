@@ -865,8 +865,7 @@ asperity_status asperity_params_set_estimate(struct asperity_params *params, con
  * @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param length  size of `buffer` [bytes]
  * @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
- *         `asperity_last_error` describes: choices that are none, a shape that the heights do not read, or no table
- */
+ *         `asperity_last_error` describes: choices that are none, a shape that is not of the heights, or no table */
 size_t asperity_params_text(const struct asperity_params *params, char *buffer, size_t length);
 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.

@@ -134,7 +134,7 @@ pub unsafe extern "C" fn asperity_params_set_estimate(
 /// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param length  size of `buffer` [bytes]
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
-///         `asperity_last_error` describes: choices that are none, a shape that the heights do not read, or no table
+///         `asperity_last_error` describes: choices that are none, a shape that is not of the heights, or no table
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_text(
     params: *const asperity_params,

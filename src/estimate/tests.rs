@@ -501,6 +501,10 @@ fn what_is_taken_of_materials_is_told() {
     };
     assert_eq!(bodies, "E = 78 GPa and nu = 0.44 of Au, E = 54 GPa and nu = 0.1 of mica");
     assert!(unknown.starts_with("elastic asperities: the hardness of mica is not known"), "{unknown}");
+    let own = "work_of_adhesion = 0\nadhesion_range = 0.25e-9\nburgers_vector = 0.25e-9\nnominal_area = 1e-4\n";
+    let alone = format!("{own}{ROUGH}[materials]\nE1 = 200e9\nnu1 = 0.29\nE2 = 200e9\nnu2 = 0.29\n");
+    assert_eq!(told(&alone), ["elastic asperities: the hardness is not known, give it if they yield"]);
+    assert_eq!(told(&format!("hardness = 2e9\n{alone}")), [""; 0]);
 }
 
 #[test]

@@ -205,7 +205,13 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
 /// What is taken of the bodies by their names, and what of it makes the answer.
 fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut dyn Write) -> Result {
     let described = &estimate.described;
-    let Some(bodies) = &described.bodies else { return Ok(()) };
+    let write_elastic = |of: &str, out: &mut dyn Write| {
+        writeln!(out, "rests on: elastic asperities: the hardness{of} is not known, give it if they yield")
+    };
+    let Some(bodies) = &described.bodies else {
+        let is_known = described.has_hardness || described.params.hardness > 0.0;
+        return if is_known { Ok(()) } else { write_elastic("", out) };
+    };
     let Bodies { first, second } = *bodies;
     if !described.has_moduli {
         let of = |body: &'static Material| {
@@ -230,10 +236,7 @@ fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut
     let softer = bodies.softer();
     let name = text(softer.name);
     if softer.hardness == 0.0 {
-        return writeln!(
-            out,
-            "rests on: elastic asperities: the hardness of {name} is not known, give it if they yield"
-        );
+        return write_elastic(&format!(" of {name}"), out);
     }
     let [least, most] = softer.hardness_range;
     let ends = if most > least { [least, most] } else { HARDER.map(|factor| factor * softer.hardness) };
