@@ -171,3 +171,72 @@ unsafe impl GlobalAlloc for Allocator {
         moved
     }
 }
+
+#[cfg(all(test, feature = "memory-reserve"))]
+mod tests {
+    use super::*;
+
+    /// What an allocation gets that the system refuses.
+    fn block(size: usize, align: usize) -> (*mut u8, Layout) {
+        let layout = Layout::from_size_align(size, align).expect("a layout");
+        (from_reserve(layout), layout)
+    }
+
+    #[test]
+    fn blocks_do_not_overlap_and_the_last_one_is_there_again() {
+        assert!(block(8, 8).0.is_null(), "there is no reserve");
+        let outer = Reserve::open().expect("memory");
+        let start = RESERVE.get().start as usize;
+        let blocks = [(3, 1), (40, 64), (8, 8), (SIZE - 112, 16)].map(|(size, align)| block(size, align));
+        assert_eq!(blocks.map(|(at, _)| at as usize - start), [0, 64, 104, 112]);
+        assert!(block(1, 1).0.is_null() && blocks.iter().all(|(at, _)| RESERVE.get().has(*at)));
+        assert!(!RESERVE.get().has((start + SIZE) as *mut u8) && !RESERVE.get().has((start - 1) as *mut u8));
+        // SAFETY: each is given back once.
+        let drop = |(at, layout)| unsafe { Allocator.dealloc(at, layout) };
+        drop(blocks[0]); // There are others behind it.
+        assert_eq!((RESERVE.get().used, RESERVE.get().live), (SIZE, 3));
+        drop(blocks[3]);
+        assert_eq!((RESERVE.get().used, RESERVE.get().live), (112, 2));
+        assert!(block(usize::MAX / 2, 1).0.is_null() && block(SIZE - 111, 1).0.is_null());
+        assert_eq!(block(SIZE - 112, 1).0 as usize - start, 112);
+        drop((blocks[3].0, Layout::from_size_align(SIZE - 112, 1).expect("a layout")));
+        blocks[1..3].iter().copied().for_each(drop);
+        assert_eq!(RESERVE.get().live, 0);
+        Reserve::close(outer);
+        assert!(block(8, 8).0.is_null(), "there is no reserve any more");
+    }
+
+    #[test]
+    fn a_block_of_the_reserve_moves_with_its_bytes() {
+        let made = held(|| {
+            let (at, layout) = block(4, 1);
+            // SAFETY: blocks of the size that they are given; the old one is no more in use.
+            unsafe {
+                at.copy_from_nonoverlapping([1, 2, 3, 4].as_ptr(), 4);
+                let longer = Allocator.realloc(at, layout, 1000);
+                assert!(!RESERVE.get().has(longer) && RESERVE.get().live == 0);
+                let bytes = std::slice::from_raw_parts(longer, 4).to_vec();
+                Allocator.dealloc(longer, Layout::from_size_align_unchecked(1000, 1));
+                Ok(bytes)
+            }
+        });
+        assert_eq!(made, Ok(vec![1, 2, 3, 4]));
+    }
+
+    /// What is made is dropped, and nothing of the reserve is in use then; also by a call within a call.
+    #[test]
+    fn what_stays_in_the_reserve_is_a_failure() {
+        let keep = || {
+            let (at, _) = block(8, 8);
+            // SAFETY: a number of the size and alignment of its block.
+            Ok(unsafe {
+                at.cast::<u64>().write(7);
+                Box::from_raw(at.cast::<u64>())
+            })
+        };
+        assert_eq!(held(keep), Err(Failure::out_of_memory()));
+        assert_eq!(held(|| Ok((held(keep), RESERVE.get().live))), Ok((Err(Failure::out_of_memory()), 0)));
+        assert_eq!(held(|| Ok(7)), Ok(7));
+        assert!(RESERVE.get().start.is_null());
+    }
+}

@@ -1,6 +1,6 @@
 //! Where the model holds, as C asks: warnings of a range of loads, and what they mean.
 
-use super::boundary::{self, not_null, reference_mut, write, Failure};
+use super::boundary::{self, not_null, reference_mut, write};
 use super::model::{self, asperity_model};
 use super::reserve;
 use super::status::asperity_status;
@@ -124,10 +124,6 @@ pub unsafe extern "C" fn asperity_warning_loads(
         let model = model::of(model)?;
         not_null(lightest, "lightest")?;
         not_null(heaviest, "heaviest")?;
-        if !validity::is_one(warning) {
-            let says = "must be one of the bits ASPERITY_WARNING_, 1 to 512";
-            return Err(Failure::invalid(format_args!("warning = {warning}: {says}")));
-        }
         let found = reserve::held(|| Ok(model.warning_loads(warning)?))?;
         let (light, heavy) = found.unwrap_or((f64::NAN, f64::NAN));
         write(lightest, 0, light);

@@ -170,3 +170,61 @@ impl Params {
         Ok(Calibrated { seen, misfit, tells_pressure })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Twice the strength, and 0.02 of Hertz' loads.
+    #[test]
+    fn several_points_set_strength_and_pressure_coefficient_and_keep_the_point_in_their_middle() {
+        let before = Params { work_of_adhesion: 0.0, ..Params::paper() };
+        let model = Model::new(&before).expect("a model");
+        let points = [(1.0, 1e-3), (10.0, 2e-3), (1000.0, 2e-3), (1e4, 1e-3)].map(|(load, error)| {
+            let state = model.state_at_load(load).expect("a state");
+            Point { load, force: 2.0 * state.friction_force + 0.02 * state.hertz_load, error }
+        });
+        for known in [None, Some(&model)] {
+            let mut params = before.clone();
+            let found = params.calibrate_points(&points, true, known).expect("a strength");
+            assert!(found.tells_pressure && found.misfit < 0.1 && found.seen.len() == 4, "{found:?}");
+            assert!((params.slip.stress_1 / before.slip.stress_1 - 2.0).abs() < 0.01, "{params:?}");
+            assert!((params.slip.stress_2 / before.slip.stress_2 - 2.0).abs() < 0.01, "{params:?}");
+            assert!((params.pressure_coefficient - 0.02).abs() < 1e-4, "{params:?}");
+            assert!((params.calibration_load / 100.0 - 1.0).abs() < 1e-12);
+            let kept = Model::new(&params).expect("a model").state_at_load(100.0).expect("a state").friction_force;
+            assert!((params.calibration_friction_force / kept - 1.0).abs() < 1e-9, "{params:?}, {kept}");
+            assert!((params.calibration_error / 1e-3 - 0.4_f64.sqrt()).abs() < 1e-9, "{params:?}");
+        }
+        // Far off, and so no more known than they agree; a coefficient that is not free stays.
+        let mut params = Params { pressure_coefficient: 0.01, ..before };
+        let off = points.map(|point| Point { force: point.force * (1.0 + 0.1 * (point.load.log10() % 2.0)), ..point });
+        let found = params.calibrate_points(&off, false, None).expect("a strength");
+        assert!(!found.tells_pressure && found.misfit > 2.0 && params.pressure_coefficient == 0.01, "{found:?}");
+        let error = 1e-3 * 0.4_f64.sqrt() * found.misfit;
+        assert!((params.calibration_error / error - 1.0).abs() < 1e-9, "{params:?}");
+    }
+
+    /// From the force that pressure gives, and what the weakest stress adds, to that of the largest.
+    #[test]
+    fn a_refused_force_is_answered_with_the_bound() {
+        for pressure_coefficient in [0.0, 0.3] {
+            let params = Params { pressure_coefficient, ..Params::paper() };
+            let bound = |force: f64| match params.clone().calibrate_force(10.0, force) {
+                Err(Error::Uncalibrated { number, .. }) => number,
+                other => panic!("{other:?}"),
+            };
+            let is_taken = |force: f64| params.clone().calibrate_force(10.0, force).is_ok();
+            let most = bound(1e9);
+            assert!(is_taken(most * (1.0 - 1e-9)) && !is_taken(most * (1.0 + 1e-9)), "{most}");
+            let least = bound(1e-290);
+            assert!(is_taken(least * (1.0 + 1e-9)) && !is_taken(least * (1.0 - 1e-9)), "{least}");
+        }
+    }
+
+    #[test]
+    fn coefficients_are_taken_up_to_twenty() {
+        assert_eq!(Params::measured_force(3.0, LARGEST_COEFFICIENT), Ok(60.0));
+        assert!(Params::measured_force(3.0, 20.000_000_1).is_err() && Params::measured_force(3.0, 0.0).is_err());
+    }
+}

@@ -224,7 +224,7 @@ impl Model {
     pub fn warning_loads(&self, warning: u64) -> Result<Option<(f64, f64)>, Error> {
         if !is_one(warning) {
             // No bit pattern is too large to be told.
-            return Err(Error::invalid("warning", warning as f64, "must be one of the bits WARNING_, 1 to 256"));
+            return Err(Error::invalid("warning", warning as f64, "must be one bit of the warnings, 1 to 512"));
         }
         let (lightest, heaviest) = self.law.table(Quantity::Friction).range();
         let (farthest, _) = self.equilibrium_at(lightest)?;
@@ -244,7 +244,7 @@ impl Model {
     /// How far what the model assumes fails under a load, at a separation in sigma, with these sums.
     fn measures_of(&self, load: f64, separation: f64, sums: &Sums) -> Result<Measures, Error> {
         // None looks at the largest contact.
-        let contacts = self.contacts(separation, sums, (sums.contacting * self.units.count).min(1.0))?;
+        let contacts = self.contacts(separation, sums, sums.contacting)?;
         Ok(self.measures(&self.state_of(load, separation, sums, &contacts)))
     }
 
@@ -289,10 +289,8 @@ impl Model {
         let of_one = load / self.units.load * self.units.count;
         let at = |overlap: f64| population.one_summit(overlap, separation);
         let bears = |overlap: f64| at(overlap).load > of_one;
-        let (mut loose, mut pressed) = (-1.0, 1.0);
-        while bears(loose) {
-            loose *= 2.0;
-        }
+        // What does not overlap bears none.
+        let (mut loose, mut pressed) = (0.0, 1.0);
         while !bears(pressed) && pressed < FARTHEST_SEPARATION {
             pressed *= 2.0;
         }
@@ -319,7 +317,7 @@ impl Model {
         if !finite(length) {
             return Err(Error::invalid(name, length, "must be finite"));
         }
-        if length.abs() > FARTHEST_SEPARATION * self.units.length {
+        if length.abs() > self.deepest_compression() {
             return Err(Error::out_of_range(name, length, "must be within 1e50 height_std of zero"));
         }
         Ok(length / self.units.length)
@@ -493,6 +491,42 @@ mod tests {
         ] {
             assert_eq!(matches!(outcome, Err(Error::OutOfRange { .. })), refused, "{outcome:?}");
         }
+        assert!(model.friction_at_load(load).is_finite() && model.friction_force_at_load(load).is_finite());
+        assert!(model.load_at_gap(-separation).is_finite() && model.load_at_gap((-separation).below()).is_nan());
+    }
+
+    /// All radii are equal, so that the height does not matter.
+    #[test]
+    fn one_summit_that_bears_a_load_has_the_friction_of_its_overlap() {
+        let params = Params { asperity_count: 11.0, work_of_adhesion: 0.0, ..Params::paper() }.in_units(5.0, 0.3);
+        for adhesion in [0.0, 1e-3 * params.composite_modulus] {
+            let model = Model::new(&Params { work_of_adhesion: adhesion, ..params.clone() }).expect("a model");
+            for overlap in [1e-6, 0.3, 4.0, 1e3] {
+                let summit = model.summit_at_overlap(overlap * model.units.length, 0.0).expect("a summit");
+                let friction = model.one_summit_at_load(summit.load.max(0.0));
+                assert!(
+                    (friction / summit.friction_force - 1.0).abs() < 1e-9 || summit.load < 0.0,
+                    "{overlap}: {friction}"
+                );
+            }
+        }
+    }
+
+    /// The state is one of a heavier load, scaled down.
+    #[test]
+    fn the_lightest_contacts_resist_a_displacement_as_light_ones_do() {
+        let model = Model::new(&Params { work_of_adhesion: 0.0, ..Params::paper() }).expect("a model");
+        for part in [0.0, 1e-9, 0.1, 0.5, 0.9] {
+            let [of_light, of_lightest] = [1e-100, 1e-250].map(|load| {
+                let state = model.state_at_load(load).expect("a state");
+                let slip = part * state.friction_force / state.tangential_stiffness;
+                let (force, stiffness) = model.tangential_at_load(load, slip).expect("a force");
+                [force / state.friction_force, stiffness / state.tangential_stiffness]
+            });
+            for (light, lightest) in of_light.into_iter().zip(of_lightest) {
+                assert!((light - lightest).abs() < 0.05 && lightest <= 1.0, "{part}: {of_light:?}, {of_lightest:?}");
+            }
+        }
     }
 
     /// A pulling load has the capped coefficient on the branch, and none beyond it, where nothing holds the surfaces.
@@ -569,17 +603,27 @@ mod tests {
         let mut params = paper.in_units(5.0, 0.3);
         params.effective_shear_modulus *= 1.4;
         let model = Model::new(&params).expect("a model");
+        let one = Model::new(&Params { asperity_count: 1.0, ..params.clone() }).expect("a model");
         let near = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
         for separation in [-0.5, 0.3, 1.1] {
             let at = |separation: f64| model.state_at_gap(separation).expect("a state");
             let (state, before, after) = (at(separation), at(separation - 1e-5), at(separation + 1e-5));
             assert!(near(state.gap, separation, 1e-14), "{}", state.gap);
+            let of_one = one.state_at_gap(separation).expect("a state");
+            let [all, one] =
+                [state, of_one].map(|s| [s.load, s.contacting, s.attracted, s.attraction_load, s.real_area]);
+            assert!(
+                all.iter().zip(one).all(|(all, one)| one != 0.0 && near(*all, 11.0 * one, 1e-14)),
+                "{all:?}, {one:?}"
+            );
             let step = after.gap - before.gap;
             assert!(near(state.dload_dgap, (after.load - before.load) / step, 1e-7), "{state:?}");
             let slope = (after.friction_force - before.friction_force) / (after.load - before.load);
             assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
             let again = model.state_at_load(state.load).expect("a state");
             assert!(near(again.gap, separation, 1e-10), "{}", again.gap);
+            assert!(near(again.tangential_stiffness, model.tangential_stiffness_at_load(state.load), 1e-9));
+            assert!(near(again.contact_radius_sum, model.contact_radius_sum_at_load(state.load), 1e-9));
             let (force, slope) = model.friction_force_and_slope(state.load);
             assert!(near(force, state.friction_force, 1e-9) && near(slope, state.dforce_dload, 1e-7), "{force}");
         }

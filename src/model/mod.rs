@@ -433,6 +433,24 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_model_between_loads_has_them_in_its_table_and_their_friction() {
+        let params = Params { work_of_adhesion: 1e-2 * Params::paper().composite_modulus, ..Params::paper() };
+        let whole = Model::new(&params).expect("a model");
+        let pull_off = -whole.summary().pull_off_load;
+        assert!(pull_off > 0.0);
+        for loads in [[-0.5, 0.5], [0.0, 3.0], [1.0, 10.0]].map(|loads| loads.map(|load| load * pull_off)) {
+            let part = Model::between(&params, loads).expect("a model");
+            let summary = part.summary();
+            assert!(summary.min_table_load <= loads[0] && summary.max_table_load >= loads[1], "{loads:?}: {summary:?}");
+            assert!(summary.max_table_load < 4.0 * loads[1], "{loads:?}: {summary:?}");
+            for load in loads {
+                let [part, whole] = [&part, &whole].map(|model| model.friction_force_at_load(load));
+                assert!((part / whole - 1.0).abs() < 1e-8, "{load}: {part}, not {whole}");
+            }
+        }
+    }
+
+    #[test]
     fn slopes_saturate_where_they_would_overflow() {
         for (a, b, quotient) in [
             (3.0, 2.0, 1.5),

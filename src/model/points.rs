@@ -191,6 +191,40 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_coefficient_is_looked_for_up_to_where_it_alone_is_too_much() {
+        let points = [seen(1.0, 2.0, 6.0, 0.3), seen(1.0, 0.0, 1.0, 0.1), seen(1.0, 5.0, 10.0, 0.2)];
+        assert!((most(&points, 0.0) - 2.0).abs() < 1e-12 && (most(&points, 4.0) - 2.0 * exp(0.8)).abs() < 1e-12);
+        assert_eq!(most(&points[1..2], 4.0), LARGEST);
+        // Friction by pressure alone, and no strength is left.
+        let points = [seen(1e-9, 1.0, 0.5, 1e-3), seen(1e-9, 20.0, 10.0, 1e-3)];
+        assert!((nearest(&points, None).1 / (0.99 * 0.5) - 1.0).abs() < 1e-6, "{}", nearest(&points, None).1);
+    }
+
+    /// The most probable one; how sure it is where all of the force is of strength.
+    #[test]
+    fn a_slice_has_the_least_cost() {
+        let points = [seen(1.0, 0.5, 2.0, 0.1), seen(3.0, 3.0, 5.0, 0.2)];
+        for (prior, of_prior) in [(Prior::NONE, 0.0), (Prior { mean: -1.0, precision: 30.0 }, 30.0)] {
+            for kappa in [0.0, 0.3] {
+                let found = slice(&points, prior, kappa);
+                let cost = |step: f64| cost(&points, prior, found.mean + step, kappa);
+                assert!(cost(1e-5) > cost(0.0) && cost(-1e-5) > cost(0.0), "{kappa}, {of_prior}");
+                assert!((found.log_weight - (0.5 * log(found.variance) - cost(0.0))).abs() < 1e-12);
+            }
+            let variance = slice(&points, prior, 0.0).variance;
+            assert!((variance * (of_prior + 100.0 + 25.0) - 1.0).abs() < 1e-12, "{variance}");
+        }
+        assert_eq!(slice(&[], Prior { mean: -1.0, precision: 4.0 }, 0.1).mean, -1.0);
+    }
+
+    /// Of no points half the square of what is off, in the deviations that it has without them.
+    #[test]
+    fn what_is_known_without_points_costs() {
+        let prior = Prior { mean: 1.0, precision: 4.0 };
+        assert!((cost(&[], prior, 1.5, 2.0 * PRESSURE_DEVIATION) - 0.5 * (1.0 + 4.0)).abs() < 1e-12);
+    }
+
     /// Off by one and by two errors: over one point that is left sqrt(5), over none nothing.
     #[test]
     fn a_misfit_is_over_the_points_that_are_left() {

@@ -313,6 +313,9 @@ mod tests {
         for (height, found) in [(1.0 + 1e-9, 1 << 2), (1.0 - 1e-9, 0)] {
             for peak in [-3e5, -0.3217, 0.0004, 4.0561, 7.7999] {
                 let scale = 1.0 + f64::abs(peak);
+                // So far from the peak it is 1.
+                let half = scale * f64::sqrt(f64::max(height - 1.0, 0.0));
+                let [from, to] = [peak - half, (peak + half).min(7.8)];
                 let at = |d: f64| {
                     let steep = height - ((d - peak) / scale).powi(2);
                     let mut measures = Measures([0.0; WARNINGS]);
@@ -322,23 +325,26 @@ mod tests {
                 assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
                 let extent = extent_of(1 << 2, -1e6, 7.8, at).expect("an extent");
                 assert_eq!(extent.is_some(), found != 0, "{peak}");
-                let (near, far) = extent.unwrap_or((peak, peak));
-                assert!((near - peak).abs().max((far - peak).abs()) < 1e-3 * scale, "{near} to {far}, not {peak}");
+                let (near, far) = extent.unwrap_or((from, to));
+                let off = (near - from).abs().max((far - to).abs());
+                assert!(off < 1e-6 * scale, "{near} to {far}, not {peak}: {off:e}");
             }
         }
     }
 
     /// Rounding makes peaks of a constant, each of which would cost dozens of states.
     #[test]
-    fn what_is_far_below_its_bound_is_not_searched() {
-        let states = std::cell::Cell::new(0);
-        let at = |d: f64| {
-            states.set(states.get() + 1);
-            let noise = f64::EPSILON * f64::from((d.to_bits() ^ d.to_bits() >> 20) as u8);
-            Ok(Measures([0.9 + noise; WARNINGS]))
-        };
-        assert_eq!(warnings_between(-3.0, 5.0, at), Ok(0));
-        assert_eq!(states.get(), separations(-3.0, 5.0).len());
+    fn what_is_far_below_its_bound_or_known_to_exceed_it_is_not_searched() {
+        for (level, warnings) in [(0.9, 0), (2.0, ALL)] {
+            let states = std::cell::Cell::new(0);
+            let at = |d: f64| {
+                states.set(states.get() + 1);
+                let noise = f64::EPSILON * f64::from((d.to_bits() ^ d.to_bits() >> 20) as u8);
+                Ok(Measures([level * (1.0 + noise); WARNINGS]))
+            };
+            assert_eq!(warnings_between(-3.0, 5.0, at), Ok(warnings));
+            assert_eq!(states.get(), separations(-3.0, 5.0).len(), "{level}");
+        }
     }
 
     #[test]

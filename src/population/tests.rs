@@ -160,10 +160,10 @@ fn a_population_knows_what_it_is_made_of() {
     let two_maxima = of(&surface(WEAK, table(), [0.0, 1.0]));
     assert!(equal.has_single_minimum() && !varying.has_single_minimum() && !two_maxima.has_single_minimum());
     assert_eq!(varying.radius_scale(), 0.25);
-    assert!(equal.nodes.is_some() && equal.deep.is_some());
+    assert!(equal.nodes.is_some());
     let kinks = ([1.0; RADII], [2.0; KINKS]);
     let bare = equal.with_kinks(kinks.0, kinks.1);
-    assert!(bare.nodes.is_none() && bare.deep.is_none());
+    assert!(bare.nodes.is_none());
     assert_eq!((bare.radius_kinks, bare.kinks_of_contact), kinks);
 }
 

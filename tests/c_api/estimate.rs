@@ -208,3 +208,28 @@ fn the_text_has_the_numbers() {
     }
     assert!(text.contains("\nto narrow it: the mean width of the elements of the profile: RSm ("), "{text}");
 }
+
+/// Elements are as far apart as the first says.
+#[test]
+fn elements_of_other_sizes_are_filled_as_far_as_both_know_them() {
+    const BEFORE: u64 = 0x5eed_5eed_5eed_5eed;
+    let of_size = |size: usize| {
+        let mut words = vec![BEFORE; size / 4];
+        words[0] = size as u64;
+        let (text, loads) = (GROUND.as_ptr().cast(), [10.0, 20.0]);
+        // SAFETY: a text of its length, two loads, two elements of this size.
+        let status =
+            unsafe { asperity_estimate_at_loads(text, GROUND.len(), 2, loads.as_ptr(), words.as_mut_ptr().cast()) };
+        assert_eq!(status, OK, "{size}: {}", message());
+        [words[..size / 8].to_vec(), words[size / 8..].to_vec()]
+    };
+    let whole = size_of::<asperity_estimate>();
+    let expected = of_size(whole);
+    for size in [16, whole - 8, whole + 8, 4096] {
+        for (found, expected) in of_size(size).iter().zip(&expected) {
+            let known = size.min(whole) / 8;
+            assert_eq!((found[0], &found[1..known]), (size as u64, &expected[1..known]), "{size}");
+            assert!(found[known..].iter().all(|&word| word == BEFORE), "{size}");
+        }
+    }
+}

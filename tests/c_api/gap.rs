@@ -106,6 +106,31 @@ fn the_first_gap_that_is_not_in_order_is_named() {
     }
 }
 
+/// Many at a time are answered otherwise than one.
+#[test]
+fn a_batch_parts_where_one_contact_does() {
+    for handle in models() {
+        let mut table = asperity_table::empty();
+        let mut load = [0.0; 16];
+        let mut at = |gap: f64, n| {
+            // SAFETY: arrays of 16 elements.
+            let status =
+                unsafe { asperity_loads_at_gaps(handle.0, n, [gap; 16].as_ptr(), load.as_mut_ptr(), null_mut()) };
+            (status, load[0])
+        };
+        // SAFETY: a struct of its size.
+        assert_eq!(unsafe { asperity_load_table_of(handle.0, &mut table) }, ASPERITY_OK);
+        let first_row = f64::from_bits(table.base << table.shift);
+        let mut parted = [0; 2];
+        for part in [-1.0, -1e-9, 0.0, 1e-300, 1e-9, 0.3, 0.999, 1.0, 1.001, 2.0] {
+            let gap = -(table.pull_off_load + part * first_row);
+            assert_eq!(at(gap, 16), at(gap, 1), "{part} of the first row");
+            parted[usize::from(at(gap, 1).0 == ASPERITY_SEPARATED)] += 1;
+        }
+        assert!(parted.iter().all(|&count| count > 1), "{parted:?}");
+    }
+}
+
 #[test]
 fn null_is_refused_or_nan() {
     let handle = Handle::new(&asperity_params::initial());

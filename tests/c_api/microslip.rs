@@ -278,6 +278,24 @@ fn anything_finite_gives_finite_numbers_within_the_strength() {
     }
 }
 
+/// Whether the square of a number of a state overflows or not.
+#[test]
+fn what_is_displaced_too_far_is_displaced_as_far_as_can_be() {
+    for handle in handles() {
+        for place in [0, 5, 11] {
+            let [far, farther, farthest] = [1e150, 1e200, f64::MAX].map(|displacement| {
+                let mut state = [0.0; STATE];
+                state[place] = displacement;
+                let (status, out) = step(&handle, 1.0, [0.0; 2], &mut state);
+                assert_eq!(status, OK, "{}", message());
+                (out.force, out.stiffness, state)
+            });
+            assert_eq!((far, farther), (farther, farthest), "{place}");
+            assert!(far.2[place].abs() < 1e145, "{place}: {:e}", far.2[place]);
+        }
+    }
+}
+
 /// A path that is turned as a whole, or a state that is turned on the way.
 #[test]
 fn a_state_turns_with_the_contact() {

@@ -75,12 +75,15 @@ fn the_first_contact_that_is_not_in_order_is_named() {
     let handles = handles(3);
     let models = of(&handles);
     let (n, at) = (2000, 1500);
-    let call = |which: &[u32], load: &[f64]| {
+    // With slopes contacts are sorted by model, without they are not.
+    let mut slopes = vec![7.0; n];
+    let mut call = |which: &[u32], load: &[f64], with_slopes: bool| {
         let mut force = vec![7.0; n];
+        let slopes = if with_slopes { slopes.as_mut_ptr() } else { null_mut() };
         // SAFETY: arrays of n elements.
         let status = unsafe {
             let (models, which, load) = (models.as_ptr(), which.as_ptr(), load.as_ptr());
-            asperity_friction_force_at_loads_of(models, 3, n, which, load, force.as_mut_ptr(), null_mut())
+            asperity_friction_force_at_loads_of(models, 3, n, which, load, force.as_mut_ptr(), slopes)
         };
         (status, force, message())
     };
@@ -96,10 +99,12 @@ fn the_first_contact_that_is_not_in_order_is_named() {
         let (mut which, mut loads) = (which.clone(), loads.clone());
         // Later ones of other models are not what is reported.
         (which[at], loads[at], which[1700], loads[1600]) = (index, load, 5, f64::NAN);
-        let (found, force, message) = call(&which, &loads);
-        assert!(found == status && message.contains(says), "{found}: {message}");
-        assert!(force[at].is_nan() != (status == SEPARATED) && force[1600].is_nan() && force[1700].is_nan());
-        assert!(force[1999] > 0.0);
+        for with_slopes in [false, true] {
+            let (found, force, message) = call(&which, &loads, with_slopes);
+            assert!(found == status && message.contains(says), "{found}: {message}");
+            assert!(force[at].is_nan() != (status == SEPARATED) && force[1600].is_nan() && force[1700].is_nan());
+            assert!(force[1999] > 0.0);
+        }
     }
 }
 

@@ -471,6 +471,9 @@ fn one_contact(handle: &Handle) {
         table.struct_size = size_of::<asperity_table>() as u64;
         assert_eq!(asperity_load_table_of(handle.0, &mut table), OK);
         assert!(table.row_count > 0 && !table.rows.is_null());
+        let heaviest = table.pull_off_load + f64::from_bits((table.base + table.row_count) << table.shift);
+        assert_eq!(table.heavy_force, asperity_load_at_gap(handle.0, -heaviest));
+        assert!(table.heavy_force > pressed);
         // The rows are by minus the gap.
         assert_eq!(
             (table.zero_force, table.zero_slope),

@@ -2,7 +2,7 @@
 
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 /// Value and slope of a call that takes a place for the slope.
 fn both(call: impl FnOnce(*mut f64) -> f64) -> (f64, f64) {
@@ -165,6 +165,24 @@ fn a_batch_of_slip_forces_has_the_bits_of_the_calls_for_one() {
             assert_same(&rate, &expected[0], "in place of the slip rate");
             assert_same(&load, &expected[2], "in place of the load");
         }
+    }
+}
+
+#[test]
+fn inputs_that_are_null_are_refused_and_outputs_are_skipped() {
+    let handle = Handle::new(&asperity_params::initial());
+    let (model, one, none, no) = (handle.0, &1.0, null(), null_mut());
+    let mut out = 7.0;
+    // SAFETY: arrays of one element or of none.
+    unsafe {
+        for (n, status) in [(0, OK), (1, NULL_POINTER)] {
+            assert_eq!(asperity_friction_at_pressures(model, n, none, 1.0, &mut out, no), status);
+            assert_eq!(asperity_shear_stresses_at_pressures(model, n, none, 1.0, &mut out, no), status);
+            assert_eq!(asperity_slip_forces(model, n, none, one, 1.0, &mut out, no, no), status);
+            assert_eq!(asperity_slip_forces(model, n, one, none, 1.0, &mut out, no, no), status);
+            assert_eq!(out, 7.0);
+        }
+        assert_eq!(asperity_slip_forces(model, 1, one, one, 1.0, no, no, no), OK);
     }
 }
 

@@ -144,6 +144,12 @@ fn a_measurement_that_cannot_be_meant_is_refused() {
 fn a_strength_that_nobody_measured_is_told_also_of_one_summit_and_with_other_slip_radii() {
     let uncalibrated = |params: &asperity_params| warnings(params, 1.0) & ASPERITY_WARNING_UNCALIBRATED != 0;
     assert!(uncalibrated(&steel()) && uncalibrated(&asperity_params::initial()));
+    // At all loads of the table, to its ends.
+    let (handle, [mut lightest, mut heaviest]) = (Handle::new(&steel()), [0.0; 2]);
+    let (from, to) = (&mut lightest, &mut heaviest);
+    // SAFETY: a model, and two places.
+    assert_eq!(unsafe { asperity_warning_loads(handle.0, ASPERITY_WARNING_UNCALIBRATED, from, to) }, OK);
+    assert_eq!((lightest, heaviest), (handle.summary().min_table_load, handle.summary().max_table_load));
     let tip = asperity_params { asperity_count: 1.0, nominal_area: 0.0, ..steel() };
     assert!(uncalibrated(&tip));
     assert!(uncalibrated(&asperity_params { slip_radius_1: 20.0, slip_radius_2: 1e5, ..steel() }));
@@ -164,7 +170,10 @@ fn a_struct_of_another_size_is_refused() {
     for (other, told) in [
         (0, "call asperity_params_init first"),
         (144, "call asperity_params_init first"),
+        (size + 4, "call asperity_params_init first"),
         (size + 8, "the header is newer than the library"),
+        (2 * size - 8, "the header is newer than the library"),
+        (2 * size, "call asperity_params_init first"),
         (u64::MAX, "call asperity_params_init first"),
     ] {
         params.struct_size = other;

@@ -98,7 +98,23 @@ fn materials_and_moments_are_those_of_the_setters() {
     lines.reverse();
     let braces = "materials = { E2 = 493e9, nu2 = 0.25, E1 = 493e9, nu1 = 0.25 }\nroughness = {m0=9.604e-17,m4=3.3736e11,m2=1.8e-3}\n";
     assert_same(&surface(&format!("{braces}{}", lines.join("\n"))), &expected, "braces");
-    // What a text does not give stays.
+    // What a text does not give stays, the caller's table too.
+    let table = expected.table(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
+    let mut params = table;
+    assert_eq!(set(&mut params, b"hardness = 1e9"), OK);
+    assert_eq!(bytes(&params), bytes(&asperity_params { hardness: 1e9, ..table }));
+    // A table that is not there is no failure if other heights are chosen.
+    for (table_height, table_density, table_length) in [
+        (null(), table.table_density, 3),
+        (table.table_height, null(), 3),
+        (table.table_height, table.table_density, 2),
+    ] {
+        reset_message();
+        let before = message();
+        let mut params = asperity_params { table_height, table_density, table_length, ..table };
+        assert_eq!(set(&mut params, b"heights = \"gaussian\""), OK);
+        assert_eq!(message(), before);
+    }
     let mut params = expected;
     assert_eq!(set(&mut params, b"hardness = 1e9\nslip_onset = 'whole'"), OK);
     assert_same(&params, &asperity_params { hardness: 1e9, slip_onset: ASPERITY_SLIP_WHOLE, ..expected }, "others");
@@ -637,6 +653,7 @@ fn a_file_is_read_and_named() {
     refused(&folder, ": must be a file with a surface");
     refused(&folder.join("none.toml"), ": ");
     refused(&folder.join("x".repeat(200)).join("none.toml"), "none.toml: ");
+    assert!(message().starts_with("none.toml: "), "the end of a long path: {}", message());
     std::fs::remove_dir_all(&folder).expect("the folder");
     if cfg!(unix) {
         refused(Path::new("/dev/zero"), "/dev/zero: must be a file with a surface");

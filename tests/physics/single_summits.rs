@@ -2,14 +2,30 @@
 
 use crate::common::assert_near;
 use crate::common::surfaces::model;
-use asperity::{Error, Params};
+use asperity::{Error, HeightFamily, Params};
 use std::f64::consts::PI;
 
-/// Without adhesion; with attraction out of contact; with a fold, where contact breaks at a > 0; with radii that vary.
-fn surfaces() -> [Params; 4] {
+/// Of uniform heights, in standard deviations.
+const HIGHEST: f64 = 1.732_050_807_568_877_2;
+
+/// Without adhesion; with attraction out of contact; with a fold, where contact breaks at a > 0; with radii that vary; those with
+/// as many summits at all heights.
+fn surfaces() -> [Params; 5] {
     let paper = Params { asperity_count: 40.0, burgers_vector: 0.8, ..Params::paper() };
     let adhesion = |times: f64| Params { work_of_adhesion: times * paper.work_of_adhesion, ..paper.clone() };
-    [adhesion(0.0), adhesion(1.0), adhesion(10.0), Params { radius_amplitude: -0.6, radius_rate: 0.8, ..adhesion(0.3) }]
+    let varying = Params { radius_amplitude: -0.6, radius_rate: 0.8, ..adhesion(0.3) };
+    let heights = HeightFamily::Tabulated { height: [0.0, 1.0, 2.0].into(), density: [1.0; 3].into() };
+    [adhesion(0.0), adhesion(1.0), adhesion(10.0), varying.clone(), Params { heights, ..varying }]
+}
+
+/// The density of heights in standard deviations from their mean.
+fn density(params: &Params, z: f64) -> f64 {
+    let of_uniform = if z.abs() < HIGHEST { 0.5 / HIGHEST } else { 0.0 };
+    if params.heights == HeightFamily::Gaussian {
+        (-0.5 * z * z).exp() / (2.0 * PI).sqrt()
+    } else {
+        of_uniform
+    }
 }
 
 #[test]
@@ -17,12 +33,12 @@ fn single_summits_add_up_to_the_sums_over_all() {
     const STEPS: usize = 200_000;
     for (i, params) in surfaces().iter().enumerate() {
         let model = model(params);
-        for d in [-0.5, 1.0, 2.5] {
+        for d in [-0.5, 1.0, if params.heights == HeightFamily::Gaussian { 2.5 } else { 0.0 }] {
             let step = 16.0 / STEPS as f64;
             let (mut sums, mut magnitude) = ([0.0; 4], 0.0);
             for k in 0..STEPS {
                 let z = -8.0 + (k as f64 + 0.5) * step;
-                let weight = step * (-0.5 * z * z).exp() / (2.0 * PI).sqrt() * params.asperity_count;
+                let weight = step * density(params, z) * params.asperity_count;
                 let one =
                     model.summit_at_overlap((z - d) * params.height_std, z * params.height_std).expect("a summit");
                 let radius = one.contact_radius;

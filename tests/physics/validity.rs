@@ -392,6 +392,6 @@ fn loads_are_told_of_one_known_warning_alone() {
     let model = model(&in_order());
     for warning in [0, 3, 1024, 1 << 63, u64::MAX] {
         let told = model.warning_loads(warning).expect_err("no warning").to_string();
-        assert!(told.starts_with("warning = ") && told.contains("must be one of the bits WARNING_"), "{told}");
+        assert!(told.starts_with("warning = ") && told.contains("must be one bit of the warnings"), "{told}");
     }
 }
