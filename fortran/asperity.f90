@@ -2356,8 +2356,8 @@ contains
     call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
   end subroutine asperity_params_set_text
 
-  ! Sets all parameters as asperity_estimate_at_loads takes them for a text, with its contact law and strength: models
-  ! of them have its friction
+  ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
+  ! table of interfaces: models of them have its friction
   subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
     type(asperity_params), intent(inout) :: params  ! initialised parameters
     character(*), intent(in) :: surface             ! as of asperity_estimate_at_loads, which returns the same
