@@ -95,8 +95,8 @@ module asperity
     real(c_double) :: friction_force                ! F [N]
     real(c_double) :: contacts                      ! Summits in contact, by the mean of the model; NaN if loads are
                                                     ! pressures, as the next two
-    real(c_double) :: specimen_force                ! Mean F of single specimens [N], NaN if not known; if contacts < 1
-                                                    ! that of one summit, which they have once or twice
+    real(c_double) :: specimen_force                ! Mean F of single specimens with this strength [N], NaN if not
+                                                    ! known; if contacts < 1 of one summit, had once or twice
     real(c_double) :: specimen_scatter              ! Its standard deviation over it, from specimen to specimen; NaN if
                                                     ! contacts < 1, or if not known
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
@@ -610,8 +610,8 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_text_c
     end function asperity_params_set_text_c
 
-    ! Sets all parameters as asperity_estimate_at_loads takes them for a text, with its contact law and strength: models
-    ! of them have its friction
+    ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
+    ! table of interfaces: models of them have its friction
     function asperity_params_set_estimate_c(params, surface, length) bind(c, name='asperity_params_set_estimate')
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
@@ -2356,8 +2356,8 @@ contains
     call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
   end subroutine asperity_params_set_text
 
-  ! Sets all parameters as asperity_estimate_at_loads takes them for a text, with its contact law and strength: models
-  ! of them have its friction
+  ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
+  ! table of interfaces: models of them have its friction
   subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
     type(asperity_params), intent(inout) :: params  ! initialised parameters
     character(*), intent(in) :: surface             ! as of asperity_estimate_at_loads, which returns the same
