@@ -223,6 +223,16 @@ mod tests {
     }
 
     #[test]
+    fn there_is_a_stress_to_scale() {
+        let of = |stress_1: f64, stress_2: f64| {
+            let slip = crate::asperity::slip::SlipConstants { stress_1, stress_2, ..Default::default() };
+            Params { slip, pressure_coefficient: 0.1, ..Params::paper() }.calibrate_force(10.0, 5.0)
+        };
+        assert!(matches!(of(0.0, 0.0), Err(Error::Uncalibrated { reason: Reason::NoStress, .. })));
+        assert!(matches!(of(0.0, 0.02), Err(Error::InvalidParameter { .. })) && of(0.02, 0.02).is_ok());
+    }
+
+    #[test]
     fn coefficients_are_taken_up_to_twenty() {
         assert_eq!(Params::measured_force(3.0, LARGEST_COEFFICIENT), Ok(60.0));
         assert!(Params::measured_force(3.0, 20.000_000_1).is_err() && Params::measured_force(3.0, 0.0).is_err());

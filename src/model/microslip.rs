@@ -76,7 +76,7 @@ impl Model {
             return Ok(MicroslipStep::new(&levels.step_of_none(increment, state)));
         }
         let increment = within(increment, farthest);
-        if !finite(size) || size > farthest {
+        if size > farthest {
             state[..REACH].iter_mut().for_each(|x| *x = x.clamp(-farthest, farthest));
         }
         let cut = levels.cut::<V, DETAILS>(increment, state);

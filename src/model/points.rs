@@ -222,7 +222,13 @@ mod tests {
     #[test]
     fn what_is_known_without_points_costs() {
         let prior = Prior { mean: 1.0, precision: 4.0 };
-        assert!((cost(&[], prior, 1.5, 2.0 * PRESSURE_DEVIATION) - 0.5 * (1.0 + 4.0)).abs() < 1e-12);
+        assert!((cost(&[], prior, 1.5, 3.0 * PRESSURE_DEVIATION) - 0.5 * (1.0 + 9.0)).abs() < 1e-12);
+        // The first and the last of many count half.
+        let all = slices(&[seen(1.0, 0.5, 2.0, 0.1)], prior);
+        for end in [all[0], all[all.len() - 1]] {
+            let whole = slice(&[seen(1.0, 0.5, 2.0, 0.1)], prior, end.kappa);
+            assert!((whole.log_weight - end.log_weight - log(2.0)).abs() < 1e-12, "{end:?}");
+        }
     }
 
     /// Off by one and by two errors: over one point that is left sqrt(5), over none nothing.
@@ -233,5 +239,7 @@ mod tests {
         assert_eq!(misfit(&points, 0.0, 0.1, true), 0.0);
         assert!((misfit(&points, 0.0, 0.1, false) - 5_f64.sqrt()).abs() < 1e-12);
         assert_eq!(misfit(&points[..1], 0.0, 0.0, false), 0.0);
+        let all = [points[0], points[1], seen(1.0, 0.0, exp(0.1), 0.1)];
+        assert!((misfit(&all, 0.0, 0.0, false) - 3_f64.sqrt()).abs() < 1e-12);
     }
 }

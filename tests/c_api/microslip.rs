@@ -284,7 +284,9 @@ fn what_is_displaced_too_far_is_displaced_as_far_as_can_be() {
     for handle in handles() {
         for place in [0, 5, 11] {
             let [far, farther, farthest] = [1e150, 1e200, f64::MAX].map(|displacement| {
-                let mut state = [0.0; STATE];
+                let (strength, stiffness) = strength_and_stiffness(&handle, 1.0);
+                let (mut state, far) = ([0.0; STATE], 10.0 * strength / stiffness);
+                step(&handle, 1.0, [0.6 * far, 0.8 * far], &mut state);
                 state[place] = displacement;
                 let (status, out) = step(&handle, 1.0, [0.0; 2], &mut state);
                 assert_eq!(status, OK, "{}", message());
