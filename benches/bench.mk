@@ -12,7 +12,7 @@ bench:
 	    -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity -lgsl -lgslcblas -lm -pthread
 	CXX="$(CXX)" benches/report.sh $(bench_program)
 
-# Speed and memory of studies of many surfaces, as tables for docs/studies.md; half an hour on two idle cores.
+# Speed and memory of studies of many surfaces, as tables for docs/dev/performance.md; half an hour on two idle cores.
 .PHONY: bench-studies
 bench-studies:
 	cargo build --release --locked

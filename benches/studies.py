@@ -1,7 +1,7 @@
 """Speed and memory of studies, against a plain loop of `Model`; and of models made by threads in C.
 
 usage: benches/studies.py CREATION_THREADS [SURFACES ...]
-CREATION_THREADS is the program of benches/creation_threads.c. Prints tables of Markdown for docs/studies.md, the last of
+CREATION_THREADS is the program of benches/creation_threads.c. Prints tables of Markdown for docs/dev/performance.md, the last of
 studies with so many surfaces each (1000 10000 100000). Each row is measured in a process of its own.
 """
 

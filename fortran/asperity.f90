@@ -95,8 +95,8 @@ module asperity
     real(c_double) :: friction_force                ! F [N]
     real(c_double) :: contacts                      ! Summits in contact, by the mean of the model; NaN if loads are
                                                     ! pressures, as the next two
-    real(c_double) :: specimen_force                ! Mean F of single specimens [N], NaN if not known; if contacts < 1
-                                                    ! that of one summit, which they have once or twice
+    real(c_double) :: specimen_force                ! Mean F of single specimens with this strength [N], NaN if not
+                                                    ! known; if contacts < 1 of one summit, had once or twice
     real(c_double) :: specimen_scatter              ! Its standard deviation over it, from specimen to specimen; NaN if
                                                     ! contacts < 1, or if not known
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
@@ -516,12 +516,12 @@ module asperity
     end function asperity_params_name
 
     ! Looks a material up by its name, "steel" or "SiO2", and fills its data
-    function asperity_material(name, material) bind(c)
+    function asperity_material_c(name, material) bind(c, name='asperity_material')
       import
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_material_name
       type(asperity_material_data), intent(inout) :: material ! receives the data
-      integer(c_int32_t) :: asperity_material
-    end function asperity_material
+      integer(c_int32_t) :: asperity_material_c
+    end function asperity_material_c
 
     ! Returns the name of a material by its index
     function asperity_material_name(index) bind(c)
@@ -531,12 +531,12 @@ module asperity
     end function asperity_material_name
 
     ! Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data
-    function asperity_pair(name, pair) bind(c)
+    function asperity_pair_c(name, pair) bind(c, name='asperity_pair')
       import
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_pair_name
       type(asperity_pair_data), intent(inout) :: pair ! receives the data
-      integer(c_int32_t) :: asperity_pair
-    end function asperity_pair
+      integer(c_int32_t) :: asperity_pair_c
+    end function asperity_pair_c
 
     ! Returns the name of a pair by its index
     function asperity_pair_name(index) bind(c)
@@ -546,21 +546,21 @@ module asperity
     end function asperity_pair_name
 
     ! Sets what is known of two materials in contact, in SI units; you set the roughness
-    function asperity_params_set_pair(params, name) bind(c)
+    function asperity_params_set_pair_c(params, name) bind(c, name='asperity_params_set_pair')
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: two of asperity_material_name
                                                     ! with a slash between
-      integer(c_int32_t) :: asperity_params_set_pair
-    end function asperity_params_set_pair
+      integer(c_int32_t) :: asperity_params_set_pair_c
+    end function asperity_params_set_pair_c
 
     ! Looks an interface up by its name, "MoS2 film in dry air", and fills its data
-    function asperity_interface(name, data) bind(c)
+    function asperity_interface_c(name, data) bind(c, name='asperity_interface')
       import
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name
       type(asperity_interface_data), intent(inout) :: data ! receives the data
-      integer(c_int32_t) :: asperity_interface
-    end function asperity_interface
+      integer(c_int32_t) :: asperity_interface_c
+    end function asperity_interface_c
 
     ! Returns the name of an interface by its index
     function asperity_interface_name(index) bind(c)
@@ -570,12 +570,12 @@ module asperity
     end function asperity_interface_name
 
     ! Sets the strength of the interface to one that was measured on other specimens, in SI units
-    function asperity_params_set_interface(params, name) bind(c)
+    function asperity_params_set_interface_c(params, name) bind(c, name='asperity_params_set_interface')
       import
       type(asperity_params), intent(inout) :: params ! parameters whose bodies are set
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name
-      integer(c_int32_t) :: asperity_params_set_interface
-    end function asperity_params_set_interface
+      integer(c_int32_t) :: asperity_params_set_interface_c
+    end function asperity_params_set_interface_c
 
     ! Sets the strength of the interface from one measured point: scales slip_stress_1 and slip_stress_2 by one factor,
     ! so that the friction coefficient at this load is the measured one
@@ -610,8 +610,8 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_text_c
     end function asperity_params_set_text_c
 
-    ! Sets all parameters as asperity_estimate_at_loads takes them for a text, with its contact law and strength: models
-    ! of them have its friction
+    ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
+    ! table of interfaces: models of them have its friction
     function asperity_params_set_estimate_c(params, surface, length) bind(c, name='asperity_params_set_estimate')
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
@@ -645,7 +645,7 @@ module asperity
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
       type(c_ptr), intent(in), value :: path        ! characters, the last c_null_char: of the file: as the system has
-                                                    ! it, on Windows UTF-8; NUL-terminated
+                                                    ! it, on Windows UTF-8
       integer(c_int32_t) :: asperity_params_read_c
     end function asperity_params_read_c
 
@@ -1121,8 +1121,9 @@ module asperity
   public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
   public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
   public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
-  public :: asperity_params_calibrate_force, asperity_params_set_units, asperity_create, asperity_set_params
-  public :: asperity_free, asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
+  public :: asperity_params_calibrate_force, asperity_params_set_text, asperity_params_set_estimate
+  public :: asperity_params_set_units, asperity_params_read, asperity_create, asperity_set_params, asperity_free
+  public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
   public :: asperity_friction_force_and_slope_at_load, asperity_friction_at_pressure, asperity_shear_stress_at_pressure
   public :: asperity_slip_force, asperity_friction_at_pressures, asperity_shear_stresses_at_pressures
@@ -1310,13 +1311,10 @@ module asperity
 
   public :: asperity_params_init, asperity_get_params
   public :: asperity_params_set, asperity_params_get, asperity_params_name_text
-  public :: asperity_material_of, asperity_pair_of, asperity_material_name_text, asperity_pair_name_text
-  public :: asperity_interface_of, asperity_interface_name_text
-  public :: asperity_params_use_pair, asperity_params_use_interface
-  public :: asperity_params_read, asperity_params_set_text, asperity_params_text
-  public :: asperity_estimate_at_loads, asperity_estimate_text, asperity_params_set_estimate
+  public :: asperity_material_name_text, asperity_pair_name_text, asperity_interface_name_text
+  public :: asperity_params_text, asperity_estimate_at_loads, asperity_estimate_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
-  public :: asperity_warning_text
+  public :: asperity_warning_text, asperity_stop
 
   abstract interface
     function batch_function(model, n, load, value, slope) result(status) bind(c)
@@ -1371,40 +1369,6 @@ contains
     params%asperity_count = asperity_count
     call report(status, stat, errmsg)
   end function asperity_params_of
-
-  ! Sets what a surface file gives, whose keys docs/solvers.md has: call asperity_params_read(params, 'film.toml'). In SI
-  ! units, unless asperity_params_set_units follows; what the file does not give stays as it is.
-  subroutine asperity_params_read(params, path, stat, errmsg)
-    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
-    character(*), intent(in) :: path
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg       ! 'film.toml: line 3: slip_onset = ...'
-    character(kind=c_char), target :: text(len(path) + 1)
-    text = c_string(path, size(text))
-    call report(asperity_params_read_c(params, c_loc(text)), stat, errmsg)
-  end subroutine asperity_params_read
-
-  ! The same from the text of a surface file, whose lines end in new_line('a').
-  subroutine asperity_params_set_text(params, text, stat, errmsg)
-    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
-    character(*), intent(in) :: text
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: characters(len(text) + 1)
-    characters = c_string(text, size(characters))
-    call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
-  end subroutine asperity_params_set_text
-
-  ! All parameters as asperity_estimate_at_loads takes them for a text.
-  subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
-    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
-    character(*), intent(in) :: surface                   ! as of asperity_params_set_text
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: text(len(surface) + 1)
-    text = c_string(surface, size(text))
-    call report(asperity_params_set_estimate_c(params, c_loc(text), len_trim(surface, kind=c_size_t)), stat, errmsg)
-  end subroutine asperity_params_set_estimate
 
   ! The text of a surface file, of which asperity_params_set_text makes these parameters.
   function asperity_params_text(params, stat, errmsg) result(text)
@@ -1520,68 +1484,6 @@ contains
     text = listed(asperity_params_name, index)
   end function asperity_params_name_text
 
-  ! A material by its name, one of asperity_material_name_text: material = asperity_material_of('steel').
-  function asperity_material_of(name, stat, errmsg) result(material)
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(asperity_material_data) :: material              ! zeros on failure
-    character(kind=c_char), target :: text(len(name) + 1)
-    text = c_string(name, size(text))
-    material = asperity_material_data(young=0, young_low=0, young_high=0, poisson=0, hardness=0, hardness_low=0, &
-                                      hardness_high=0, burgers_vector=0)
-    call report(asperity_material(c_loc(text), material), stat, errmsg)
-  end function asperity_material_of
-
-  ! A pair of materials by its name, one of asperity_pair_name_text, in either order.
-  function asperity_pair_of(name, stat, errmsg) result(pair)
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(asperity_pair_data) :: pair                      ! zeros on failure
-    character(kind=c_char), target :: text(len(name) + 1)
-    text = c_string(name, size(text))
-    pair = asperity_pair_data(work_of_adhesion=0, work_of_adhesion_low=0, work_of_adhesion_high=0, hamaker=0, &
-                              slip_stress_1=0)
-    call report(asperity_pair(c_loc(text), pair), stat, errmsg)
-  end function asperity_pair_of
-
-  ! Sets all that is known of two materials, in SI units, all but the roughness: call asperity_params_use_pair(params,
-  ! 'steel/steel'). What is not known is left to set.
-  subroutine asperity_params_use_pair(params, name, stat, errmsg)
-    type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: text(len(name) + 1)
-    text = c_string(name, size(text))
-    call report(asperity_params_set_pair(params, c_loc(text)), stat, errmsg)
-  end subroutine asperity_params_use_pair
-
-  ! An interface by its name, one of asperity_interface_name_text: what was measured of its strength.
-  function asperity_interface_of(name, stat, errmsg) result(found)
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(asperity_interface_data) :: found                ! zeros on failure
-    character(kind=c_char), target :: text(len(name) + 1)
-    text = c_string(name, size(text))
-    found = asperity_interface_data(shear_strength=0, pressure_coefficient=0, friction_coefficient=0, load=0)
-    call report(asperity_interface(c_loc(text), found), stat, errmsg)
-  end function asperity_interface_of
-
-  ! Sets the measured strength of an interface, in SI units, of bodies that are set: call
-  ! asperity_params_use_interface(params, 'MoS2 film in dry air').
-  subroutine asperity_params_use_interface(params, name, stat, errmsg)
-    type(asperity_params), intent(inout) :: params        ! whose bodies are set; untouched on failure
-    character(*), intent(in) :: name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: text(len(name) + 1)
-    text = c_string(name, size(text))
-    call report(asperity_params_set_interface(params, c_loc(text)), stat, errmsg)
-  end subroutine asperity_params_use_interface
-
   ! The names of the materials; empty after the last.
   function asperity_material_name_text(index) result(text)
     integer, intent(in) :: index                          ! from 1
@@ -1647,7 +1549,7 @@ contains
   !     call asperity_check(asperity_params_set_skew(params, -0.5_c_double))
   subroutine asperity_check(status)
     integer(c_int32_t), intent(in) :: status
-    if (status /= ASPERITY_OK) call stop_with(asperity_error_message())
+    if (status /= ASPERITY_OK) call asperity_stop(asperity_error_message())
   end subroutine asperity_check
 
   ! This thread's last message; empty if there was none.
@@ -2080,7 +1982,7 @@ contains
     integer(c_size_t), intent(in), value :: n
     type(c_ptr), intent(in), value :: load, value, slope
     integer(c_int32_t) :: status
-    if (c_associated(slope)) call stop_with('friction_model: the stiffness has no slope')
+    if (c_associated(slope)) call asperity_stop('friction_model: the stiffness has no slope')
     status = asperity_tangential_stiffness_at_loads(model, n, load, value)
   end function stiffnesses
 
@@ -2232,13 +2134,13 @@ contains
 
   subroutine require_same_shape(load, slope)
     integer, intent(in) :: load(:), slope(:)
-    if (any(load /= slope)) call stop_with('friction_model: slope must have the shape of load')
+    if (any(load /= slope)) call asperity_stop('friction_model: slope must have the shape of load')
   end subroutine require_same_shape
 
   subroutine require_shape(name, found, expected)
     character(*), intent(in) :: name
     integer, intent(in) :: found(:), expected(:)
-    if (any(found /= expected)) call stop_with('friction_model: '//name//' must have a state, or two numbers, for each load')
+    if (any(found /= expected)) call asperity_stop('friction_model: '//name//' must have a state, or two numbers, for each load')
   end subroutine require_shape
 
   ! The address of an array; c_null_ptr if it is absent.
@@ -2330,7 +2232,7 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     if (present(errmsg)) errmsg = message
-    if (.not. present(stat)) call stop_with(message)
+    if (.not. present(stat)) call asperity_stop(message)
     if (present(stat)) stat = int(status)
   end subroutine report_message
 
@@ -2351,7 +2253,8 @@ contains
     counted = PREFIX // trim(number) // message(colon:)
   end function counted_from_one
 
-  subroutine stop_with(message)
+  ! Stops the program with a message and the exit status 1.
+  subroutine asperity_stop(message)
     character(*), intent(in) :: message
     interface
       subroutine c_exit(status) bind(c, name='exit')
@@ -2359,9 +2262,9 @@ contains
         integer(c_int32_t), value :: status
       end subroutine c_exit
     end interface
-    write (error_unit, '(a)') 'asperity: ' // message
+    write (error_unit, '(a)') 'asperity: ' // trim(message)
     call c_exit(1_c_int32_t)  ! and not ERROR STOP, behind which gfortran prints its own state
-  end subroutine stop_with
+  end subroutine asperity_stop
 
   ! A constant C string as a Fortran one.
   function fortran_text(text) result(converted)
@@ -2385,5 +2288,97 @@ contains
       text(i:i) = characters(i)
     end do
   end function joined
+
+  ! ---- generated by packaging/declarations: texts ----
+  ! Looks a material up by its name, "steel" or "SiO2", and fills its data
+  subroutine asperity_material(name, material, stat, errmsg)
+    character(*), intent(in) :: name                ! one of asperity_material_name
+    type(asperity_material_data), intent(inout) :: material ! receives the data
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(name) + 1)
+    characters = c_string(name, size(characters))
+    call report(asperity_material_c(c_loc(characters), material), stat, errmsg)
+  end subroutine asperity_material
+
+  ! Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data
+  subroutine asperity_pair(name, pair, stat, errmsg)
+    character(*), intent(in) :: name                ! one of asperity_pair_name
+    type(asperity_pair_data), intent(inout) :: pair ! receives the data
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(name) + 1)
+    characters = c_string(name, size(characters))
+    call report(asperity_pair_c(c_loc(characters), pair), stat, errmsg)
+  end subroutine asperity_pair
+
+  ! Sets what is known of two materials in contact, in SI units; you set the roughness
+  subroutine asperity_params_set_pair(params, name, stat, errmsg)
+    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    character(*), intent(in) :: name                ! two of asperity_material_name with a slash between
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(name) + 1)
+    characters = c_string(name, size(characters))
+    call report(asperity_params_set_pair_c(params, c_loc(characters)), stat, errmsg)
+  end subroutine asperity_params_set_pair
+
+  ! Looks an interface up by its name, "MoS2 film in dry air", and fills its data
+  subroutine asperity_interface(name, data, stat, errmsg)
+    character(*), intent(in) :: name                ! one of asperity_interface_name
+    type(asperity_interface_data), intent(inout) :: data ! receives the data
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(name) + 1)
+    characters = c_string(name, size(characters))
+    call report(asperity_interface_c(c_loc(characters), data), stat, errmsg)
+  end subroutine asperity_interface
+
+  ! Sets the strength of the interface to one that was measured on other specimens, in SI units
+  subroutine asperity_params_set_interface(params, name, stat, errmsg)
+    type(asperity_params), intent(inout) :: params  ! parameters whose bodies are set
+    character(*), intent(in) :: name                ! one of asperity_interface_name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(name) + 1)
+    characters = c_string(name, size(characters))
+    call report(asperity_params_set_interface_c(params, c_loc(characters)), stat, errmsg)
+  end subroutine asperity_params_set_interface
+
+  ! Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused
+  subroutine asperity_params_set_text(params, text, stat, errmsg)
+    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    character(*), intent(in) :: text                ! UTF-8, with or without a byte order mark; lines end in LF or CRLF
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(text) + 1)
+    characters = c_string(text, size(characters))
+    call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
+  end subroutine asperity_params_set_text
+
+  ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
+  ! table of interfaces: models of them have its friction
+  subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
+    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    character(*), intent(in) :: surface             ! as of asperity_estimate_at_loads, which returns the same
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(surface) + 1)
+    characters = c_string(surface, size(characters))
+    call report(asperity_params_set_estimate_c(params, c_loc(characters), len_trim(surface, kind=c_size_t)), stat, errmsg)
+  end subroutine asperity_params_set_estimate
+
+  ! Sets parameters from a surface file, as asperity_params_set_text does from its text
+  subroutine asperity_params_read(params, path, stat, errmsg)
+    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    character(*), intent(in) :: path                ! of the file: as the system has it, on Windows UTF-8
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(kind=c_char), target :: characters(len(path) + 1)
+    characters = c_string(path, size(characters))
+    call report(asperity_params_read_c(params, c_loc(characters)), stat, errmsg)
+  end subroutine asperity_params_read
+
+  ! end of texts
 
 end module asperity

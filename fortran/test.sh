@@ -95,7 +95,7 @@ echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print
 awk -v out="$build/start" -v build="$build" '
     /^```/ { kind = kind == "" ? substr($0, 4) : ""
              if (kind == "toml") file = out "-" ++n ".toml"
-             if (kind == "text") file = out "-" n ".txt"
+             if (kind == "text") file = out "-" n (texts[n]++ ? "-band" : "") ".txt"
              if (kind == "fortran") file = out ".f90"
              if (split(kind, word, " ") == 2) { file = build "/" word[2]; n = "grain" }
              next }
@@ -106,6 +106,15 @@ for surface in "$build"/start-[1-4].toml; do
     answer=${surface%toml}txt
     "$build/start" "$surface" "$(sed -n 's/^mu(\([^ ]*\) N).*/\1/p' "$answer")" | diff "$answer" -
 done
+refuses() {
+    local said status=0
+    said=$("$build/start" "$1" "$2" 2>&1) || status=$?
+    [ "$status" = 1 ] && [[ "$said" =~ ^asperity:\ [^$'\n']*"$3"$ ]] || { echo "FAIL: start $1 $2: status $status, $said" >&2; exit 1; }
+}
+refuses "$build/start-1.toml" ten 'usage: friction SURFACE LOAD'
+refuses "$build/start-1.toml" '' 'usage: friction SURFACE LOAD'
+refuses "$build/none.toml" 10 'No such file or directory'
+refuses "$build/start-1.toml" 0,5 'usage: friction SURFACE LOAD'
 # shellcheck disable=SC2086
 compile "$build/grain.f90" "$build/asperity.o" $link -o "$build/grain"
 (cd "$build" && ./grain | diff start-grain.txt -)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the law costs in each host: the time of its run with the law over that with a constant coefficient. Prints the
-# median of some runs of the host's program, with the least and the greatest: rows for the table of docs/solvers.md.
+# median of some runs of the host's program, with the least and the greatest: rows for the table of docs/dev/reliability.md.
 #
 # usage: hosts/costs.sh [HOST...]        all that tell a cost when none is named; RUNS=5
 set -euo pipefail

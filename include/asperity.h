@@ -159,7 +159,7 @@ typedef struct asperity_estimate {
   /** Upper end. */ double high;
   /** F [N]. */ double friction_force;
   /** Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two. */ double contacts;
-  /** Mean F of single specimens [N], NaN if not known; if contacts < 1 that of one summit, which they have once or twice.
+  /** Mean F of single specimens with this strength [N], NaN if not known; if contacts < 1 of one summit, had once or twice.
    */
   double specimen_force;
   /** Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known. */
@@ -509,8 +509,8 @@ extern "C" {
  *
  * The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
  * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
- * `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
- * the elastic-plastic law, unless the text has a law. It takes tens of milliseconds, and up to one for each load.
+ * `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Give `hardness` if the metal is not as hard
+ * as that of the table. It takes tens of milliseconds, and up to one for each load.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -830,8 +830,8 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
 
 /** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
  *
- * What it does not give stays as it is. Keys are the names of `asperity_params_set_values`, in SI units, and what
- * docs/solvers.md lists. `asperity_params_set_estimate` also sets what an estimate of the text chooses.
+ * What it does not give stays as it is. Where it is of a whole surface without a law, asperities of metal that yield have the
+ * elastic-plastic law. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -849,8 +849,8 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
  *         `ASPERITY_OUT_OF_MEMORY`; with a measured friction also what `asperity_params_calibrate_force` returns */
 asperity_status asperity_params_set_text(struct asperity_params *params, const char *text, size_t length);
 
-/** Sets all parameters as `asperity_estimate_at_loads` takes them for a text, with its contact law and strength: models of them have
- * its friction.
+/** Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
+ * interfaces: models of them have its friction.
  *
  * @param params          initialised parameters
  * @param surface,length  as of `asperity_estimate_at_loads`, which returns the same */
@@ -865,7 +865,7 @@ asperity_status asperity_params_set_estimate(struct asperity_params *params, con
  * @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
  * @param length  size of `buffer` [bytes]
  * @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
- *         `asperity_last_error` describes: choices that are none of the constants, or a table that cannot be read */
+ *         `asperity_last_error` describes: choices that are none, a shape that is not of the heights, or no table */
 size_t asperity_params_text(const struct asperity_params *params, char *buffer, size_t length);
 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.

@@ -273,7 +273,8 @@ impl std::fmt::Display for Calibrate<'_> {
         }
         write!(
             f,
-            " ({conditions}): for surfaces like these calibrate with a friction force of {friction_coefficient} times the load"
+            " ({conditions}): for surfaces like these calibrate with a friction force of {friction_coefficient} times the load, \
+             or make an estimate, which takes it"
         )
     }
 }

@@ -28,7 +28,7 @@ program friction_curve
   type(friction_model) :: model
   integer :: i
 
-  if (asperity_params_init(params) /= ASPERITY_OK) error stop
+  call asperity_check(asperity_params_init(params))
   call asperity_params_set_text(params, surface)
   call model%create(params)
   call asperity_estimate_at_loads(surface, loads, found)

@@ -161,30 +161,28 @@ contains
   end subroutine skewed_heights
 
   subroutine materials
-    character(kind=c_char), target :: steel(6) = ['s', 't', 'e', 'e', 'l', c_null_char]
-    character(kind=c_char), target :: both(6) = ['S', 'i', '/', 'S', 'i', c_null_char]
     type(asperity_material_data) :: material
     type(asperity_pair_data) :: pair
     type(asperity_params) :: p, expected
     character(200) :: message
     integer :: i, status
-    call asperity_check(asperity_material(c_loc(steel), material))
+    call asperity_material('steel', material)
     call check_close('steel', material%young, 205e9_c_double, 1e-15_c_double)
     call check('its name and source', c_associated(material%name) .and. c_associated(material%reference))
-    call asperity_check(asperity_pair(c_loc(both), pair))
+    call asperity_pair('Si/Si', pair)
     call check_close('Si/Si', pair%work_of_adhesion, 0.063_c_double, 1e-15_c_double)
     call check('the C functions list them', c_associated(asperity_material_name(0_c_size_t)) .and. &
                c_associated(asperity_pair_name(0_c_size_t)))
     i = 1
     do while (asperity_material_name_text(i) /= '')
-      material = asperity_material_of(asperity_material_name_text(i))
+      call asperity_material(asperity_material_name_text(i), material)
       call check('every material is found', material%young > 0 .and. material%poisson > 0)
       i = i + 1
     end do
     call check('there are some thirty', i > 30 .and. asperity_material_name_text(0) == '')
     i = 1
     do while (asperity_pair_name_text(i) /= '')
-      pair = asperity_pair_of(asperity_pair_name_text(i))
+      call asperity_pair(asperity_pair_name_text(i), pair)
       call check('every pair is found', pair%work_of_adhesion > 0)
       i = i + 1
     end do
@@ -193,58 +191,59 @@ contains
     p = paper_case()
     expected = p
     call asperity_check(asperity_params_set_materials(expected, 54e9_c_double, 0.1_c_double, 78e9_c_double, 0.44_c_double))
-    call asperity_params_use_pair(p, 'Au/mica')
+    call asperity_params_set_pair(p, 'Au/mica')
     call check_close('a pair sets the bodies', p%composite_modulus, expected%composite_modulus, 1e-15_c_double)
     call check_close('... the work of adhesion', p%work_of_adhesion, 0.172_c_double, 1e-15_c_double)
     call check_close('... the longer Burgers vector', p%burgers_vector, 0.52e-9_c_double, 1e-15_c_double)
     call check_close('... a measured slip stress', p%slip_stress_1, 0.0108_c_double, 1e-15_c_double)
     call check('... no hardness where one is not known', identical(p%hardness, 0.0_c_double))
-    call asperity_check(asperity_params_set_pair(p, c_loc(both)))
-    call check_close('the C function too', p%burgers_vector, 0.384e-9_c_double, 1e-15_c_double)
+    call asperity_params_set_pair(p, 'Si/Si  ')
+    call check_close('blanks behind a name are none of it', p%burgers_vector, 0.384e-9_c_double, 1e-15_c_double)
     call check_close('... with the hardness', p%hardness, 12e9_c_double, 1e-15_c_double)
 
-    material = asperity_material_of('stel', status, message)
-    call check('an unknown material', status == ASPERITY_INVALID_PARAMETER .and. identical(material%young, 0.0_c_double) &
+    material%young = 7
+    pair%hamaker = 7
+    call asperity_material('stel', material, status, message)
+    call check('an unknown material', status == ASPERITY_INVALID_PARAMETER .and. identical(material%young, 7.0_c_double) &
                .and. message == 'stel: no material has this name; the nearest is steel')
-    pair = asperity_pair_of('steel', status, message)
-    call check('an unknown pair', status == ASPERITY_INVALID_PARAMETER .and. identical(pair%hamaker, 0.0_c_double))
-    call asperity_params_use_pair(p, 'PDMS/PDMS', status, message)
+    call asperity_pair('steel', pair, status, message)
+    call check('an unknown pair', status == ASPERITY_INVALID_PARAMETER .and. identical(pair%hamaker, 7.0_c_double))
+    call asperity_params_set_pair(p, 'PDMS/PDMS', status, message)
     call check('a body without a Burgers vector leaves it to set', status == ASPERITY_OK .and. ieee_is_nan(p%burgers_vector))
   end subroutine materials
 
   subroutine interfaces
-    character(kind=c_char), target :: layers(16) = ['g', 'r', 'a', 'p', 'h', 'i', 't', 'e', ' ', 'l', 'a', 'y', 'e', 'r', 's', &
-                                                    c_null_char]
     type(asperity_interface_data) :: found
     type(asperity_params) :: p
     character(400) :: message
     integer :: i, status
-    call asperity_check(asperity_interface(c_loc(layers), found))
+    call asperity_interface('graphite layers', found)
     call check_close('layers of graphite', found%shear_strength, 140e6_c_double, 1e-15_c_double)
     call check('their texts', c_associated(found%name) .and. c_associated(found%conditions) .and. &
                c_associated(found%source) .and. c_associated(found%reference))
     call check('the C function lists them', c_associated(asperity_interface_name(0_c_size_t)))
     i = 1
     do while (asperity_interface_name_text(i) /= '')
-      found = asperity_interface_of(asperity_interface_name_text(i))
+      call asperity_interface(asperity_interface_name_text(i), found)
       call check('every interface has a number', found%shear_strength > 0 .or. found%friction_coefficient > 0)
       i = i + 1
     end do
     call check('there are twenty and more', i > 20 .and. asperity_interface_name_text(0) == '')
 
     p = paper_case()
-    call asperity_params_use_pair(p, 'steel/steel')
-    call asperity_params_use_interface(p, 'MoS2 film in dry air')
+    call asperity_params_set_pair(p, 'steel/steel')
+    call asperity_params_set_interface(p, 'MoS2 film in dry air')
     call check_close('a strength', p%slip_stress_1 * p%effective_shear_modulus, 24.8e6_c_double, 1e-15_c_double)
     call check('... of all sizes', identical(p%slip_stress_2, p%slip_stress_1))
     call check_close('... that grows with pressure', p%pressure_coefficient, 0.001_c_double, 1e-15_c_double)
-    call asperity_check(asperity_params_set_interface(p, c_loc(layers)))
-    call check('the C function too, and no kappa is 0', identical(p%pressure_coefficient, 0.0_c_double))
-    call asperity_params_use_interface(p, 'steel/steel dry', status, message)
+    call asperity_params_set_interface(p, 'graphite layers')
+    call check('no kappa is 0', identical(p%pressure_coefficient, 0.0_c_double))
+    call asperity_params_set_interface(p, 'steel/steel dry', status, message)
     call check('a friction coefficient is no strength', status == ASPERITY_INVALID_PARAMETER .and. &
                index(message, 'only a friction coefficient of 0.57 at 12 N') > 0)
-    found = asperity_interface_of('graphite', status, message)
-    call check('an unknown interface', status == ASPERITY_INVALID_PARAMETER .and. identical(found%load, 0.0_c_double) &
+    found%load = 7
+    call asperity_interface('graphite', found, status, message)
+    call check('an unknown interface', status == ASPERITY_INVALID_PARAMETER .and. identical(found%load, 7.0_c_double) &
                .and. index(message, 'graphite: no interface has this name; the nearest is ') == 1)
   end subroutine interfaces
 
@@ -309,7 +308,7 @@ contains
     character(300) :: path, message
     integer :: unit, stat
     call asperity_check(asperity_params_init(expected))
-    call asperity_params_use_pair(expected, 'steel/steel')
+    call asperity_params_set_pair(expected, 'steel/steel')
     call asperity_check(asperity_params_set_elastic_plastic(expected, expected%hardness))
     call asperity_check(asperity_params_set_spectral_moments(expected, 1e-12_c_double, 0.02_c_double, 4e9_c_double, &
                                                              1e-4_c_double))
@@ -427,7 +426,7 @@ contains
     call asperity_params_set(kept, [character(32) :: 'calibration_load', 'calibration_friction_coefficient'], [LOAD, MU])
     call check('... and so do the names', identical(kept%slip_stress_1, p%slip_stress_1))
     kept%effective_shear_modulus = 80e9_c_double
-    call asperity_params_use_interface(kept, 'MoS2 film in dry air')
+    call asperity_params_set_interface(kept, 'MoS2 film in dry air')
     call check('a strength by name forgets the measurement', identical(kept%calibration_load, 0.0_c_double) .and. &
                identical(kept%calibration_friction_force, 0.0_c_double))
 

@@ -195,7 +195,7 @@ contains
     call law%create(p, stat, errmsg)
     call check_text('no modulus', errmsg, 'composite_modulus: must be set; two materials set it, ' // &
                     'by their names or by E1, nu1, E2 and nu2')
-    call asperity_params_use_pair(p, 'Si/Si')
+    call asperity_params_set_pair(p, 'Si/Si')
     p%height_std = 5e-9_c_double
     p%summit_radius = 1e-6_c_double
     call law%create(p, stat, errmsg)
@@ -594,7 +594,7 @@ contains
     type(friction_model) :: law
     type(asperity_params) :: p
     call asperity_check(asperity_params_init(p))
-    call asperity_params_use_pair(p, 'steel/steel')
+    call asperity_params_set_pair(p, 'steel/steel')
     call asperity_check(asperity_params_set_spectral_moments(p, m0, m2, 0.0_c_double, 1e-4_c_double))
     call asperity_check(asperity_params_set_elastic_plastic(p, p%hardness))
     call law%create(p)
@@ -608,7 +608,7 @@ contains
     type(asperity_summary) :: of_metres, of_millimetres
     real(c_double), parameter :: LOAD = 10
     call asperity_check(asperity_params_init(p))
-    call asperity_params_use_pair(p, 'steel/steel')
+    call asperity_params_set_pair(p, 'steel/steel')
     p%height_std = 0.4e-6_c_double
     p%summit_radius = 20e-6_c_double
     p%asperity_count = 5e5_c_double

@@ -17,7 +17,7 @@ program stops
     call law%create(params)
   case ('forgotten')
     call asperity_check(asperity_params_init(params))
-    call asperity_params_use_pair(params, 'Si/Si')
+    call asperity_params_set_pair(params, 'Si/Si')
     params%height_std = 5e-9_c_double
     params%summit_radius = 1e-6_c_double
     call law%create(params)

@@ -136,15 +136,19 @@ export class Chart {
     ctx.font = `${12 * ratio}px ${FONT}`;
     ctx.textAlign = "left";
     ctx.textBaseline = "top";
-    edges.reverse().forEach(({ warning, x }, row) => {
-      const text = SHORT[warning.name] ?? warning.name;
-      const room = ctx.measureText(text).width + 10 * ratio;
+    let y = top + 6 * ratio;
+    for (const { warning, x } of edges.reverse()) {
+      const margin = 5 * ratio;
+      const seen = Math.min(x[1], left + width) - Math.max(x[0], left);
+      const lines = wrapped(ctx, SHORT[warning.name] ?? warning.name, seen - margin);
+      const room = Math.max(...lines.map((line) => ctx.measureText(line).width)) + 2 * margin;
       const at = Math.max(left, Math.min(x[0], left + width - room));
-      const y = top + (6 + 17 * row) * ratio;
       ctx.fillStyle = "#555";
-      ctx.fillText(text, at + 5 * ratio, y);
-      ctx.fillRect(x[0], y + 14 * ratio, x[1] - x[0], ratio);
-    });
+      lines.forEach((line, row) => ctx.fillText(line, at + margin, y + 14 * row * ratio));
+      y += 14 * lines.length * ratio;
+      ctx.fillRect(x[0], y, x[1] - x[0], ratio);
+      y += 3 * ratio;
+    }
     ctx.restore();
   }
 
@@ -234,6 +238,18 @@ export class Chart {
     const { min, max } = plot.scales.x;
     this.onPoint(Math.min(Math.max(plot.posToVal(left, "x"), min), max));
   }
+}
+
+/** A text in lines as wide as the room, or as one word. */
+function wrapped(ctx, text, room) {
+  const [words, lines] = [text.split(" "), []];
+  const width = Math.max(room, ...words.map((word) => ctx.measureText(word).width));
+  for (const word of words) {
+    const longer = `${lines.at(-1)} ${word}`;
+    if (lines.length && ctx.measureText(longer).width <= width) lines[lines.length - 1] = longer;
+    else lines.push(word);
+  }
+  return lines;
 }
 
 const AXIS = {

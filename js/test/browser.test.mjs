@@ -394,8 +394,10 @@ for (const width of [1280, 390]) test(`${SHADED}, ${width} pixels wide`, async (
     await page.evaluate(() => {
       globalThis.written = [];
       globalThis.drawText ??= CanvasRenderingContext2D.prototype.fillText;
+      globalThis.ends = {};
       CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
         globalThis.written.push(text);
+        globalThis.ends[text] = place[0] + this.measureText(text).width;
         return globalThis.drawText.call(this, text, ...place);
       };
     });
@@ -410,13 +412,16 @@ for (const width of [1280, 390]) test(`${SHADED}, ${width} pixels wide`, async (
         const place = [area.left - all.left + part * area.width, area.top - all.top + 0.23 * area.height];
         return [...canvas.getContext("2d").getImageData(...place.map((x) => Math.round(x * scale)), 1, 1).data].join(" ");
       });
-      return { written: globalThis.written, colors };
+      // How far the words of the shaded part reach, as parts of the width.
+      const reach = ["fewer than 20 contacts", "contacts"].map((text) => (globalThis.ends[text] / scale + all.left - area.left) / area.width);
+      return { written: globalThis.written.join(" "), colors, reach: Math.max(...reach.filter((part) => part > 0)) };
     }, parts);
   };
   const span = new Model(areal(contact("Si", "Si"), start, 1e-8)).warningLoads(16);
   const end = Math.log(span[1] / 1e-5) / Math.log(1e4);
   assert.ok(end > 0.05 && end < 0.9, `${end}`);
-  const { written, colors } = await chart([end - 0.03, end + 0.03]);
+  const { written, colors, reach } = await chart([end - 0.03, end + 0.03]);
+  assert.ok(reach > 0.05 && reach < end + 0.03, `${reach} beyond ${end}`);
   assert.deepEqual(colors, ["222 222 222 255", "0 0 0 0"]);
   // It is seen through the band, here off the lines of the grid.
   const [ground, beside] = (await chart([end - 0.03, end + 0.03])).colors.map((color) => color.split(" ").map(Number));

@@ -23,7 +23,7 @@ from header import parse
 WHOLE = {"python/src/asperity/_header.py": python.module, "js/src/header.js": javascript.module}
 FORTRAN, PYTHON = "fortran/asperity.f90", "python/src/asperity"
 PARTS = {
-    FORTRAN: ("interface",),
+    FORTRAN: ("interface", "texts"),
     "include/asperity.hpp": ("enumerations", "parameters"),
     f"{PYTHON}/params.py": ("options", "fields"),
     f"{PYTHON}/results.py": ("warnings", "state", "summary"),
@@ -49,6 +49,7 @@ def written(header, root):
         text = read(root / path)
         parts = {
             "interface": lambda: fortran.declarations(header, PART.sub("", text)),
+            "texts": lambda: fortran.texts(header),
             "enumerations": lambda: cpp.enumerations(header),
             "parameters": lambda: cpp.accessors(header),
             "options": lambda: python.options(header),

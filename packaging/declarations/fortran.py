@@ -20,7 +20,8 @@ COLUMN = 52  # at which comments begin
 
 def declarations(header, module):
     """The lines between the marks of the module, whose other functions hide those of C that have their names."""
-    wrappers = set(re.findall(r"^  (?:function|subroutine) (asperity_\w+)\(", module, re.MULTILINE))
+    own = set(re.findall(r"^  (?:function|subroutine) (asperity_\w+)\(", module, re.MULTILINE))
+    wrappers = own | {function.name for function in header.functions if takes_a_text(function, header)}
     yield "  ! ---- The C interface: constants ----"
     for constant in header.constants:
         yield from constant_lines(constant)
@@ -32,8 +33,35 @@ def declarations(header, module):
     yield from ("", "  interface")
     yield from (line for function in header.functions for line in function_lines(function, header, wrappers))
     yield from ("  end interface", "")
-    names = ", ".join(function.name for function in header.functions if function.name not in wrappers)
+    names = ", ".join(function.name for function in header.functions if function.name not in own)
     yield from (line.removesuffix(",") for line in wrapped(names, "  public :: "))
+
+
+def takes_a_text(function, header):
+    """Whether it is a call with one text beside structs, which a Fortran text can stand for."""
+    kinds = [one.type.removesuffix(" *") for one in function.arguments if one.type != "size_t"]
+    return function.result == "asperity_status" and kinds.count("const char") == 1 and set(kinds) <= {"const char", *header.structs}
+
+
+def texts(header):
+    """Subroutines with the names of the C functions that take a text."""
+    for function in header.functions:
+        if not takes_a_text(function, header):
+            continue
+        listed = [one for one in function.arguments if one.type != "size_t"]
+        (given,) = (one.name for one in listed if one.type == "const char *")
+        passed = {given: "c_loc(characters)", "length": f"len_trim({given}, kind=c_size_t)"}
+        yield from wrapped(text(first_sentence(function.doc)), "  ! ")
+        yield f"  subroutine {function.name}({', '.join(one.name for one in listed)}, stat, errmsg)"
+        for one in listed:
+            kind = "character(*), intent(in)" if one.name == given else argument_type(one, header)
+            yield from commented(f"    {kind} :: {one.name}", one.doc, COLUMN)
+        yield "    integer, intent(out), optional :: stat"
+        yield "    character(*), intent(inout), optional :: errmsg"
+        yield f"    character(kind=c_char), target :: characters(len({given}) + 1)"
+        yield f"    characters = c_string({given}, size(characters))"
+        yield f"    call report({function.name}_c({', '.join(passed.get(one.name, one.name) for one in function.arguments)}), stat, errmsg)"
+        yield from (f"  end subroutine {function.name}", "")
 
 
 def constant_lines(constant):
@@ -129,6 +157,6 @@ def commented(code, doc, column):
 def text(doc):
     """A comment without what holds for C alone."""
     doc = re.sub(r"(; |, |^)must not be NULL(?: unless [^;,]*)?(?=[;,]|$)", "", doc).strip("; ")
-    doc = doc.replace("`", "").replace("INFINITY", "infinity").replace("NULL", "c_null_ptr")
+    doc = doc.replace("; NUL-terminated", "").replace("`", "").replace("INFINITY", "infinity").replace("NULL", "c_null_ptr")
     doc = doc.removeprefix("Bit of warnings: ")
     return doc if doc.endswith("..") or ". " in doc.replace("i.e. ", "") else doc.removesuffix(".")

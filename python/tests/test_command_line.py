@@ -144,6 +144,10 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve steel/steel", 1, "asperity: height_std: must be set"),
         ("curve --hardness hard", 1, 'asperity: hardness = "hard": must be a number'),
         ("curve --surface nowhere.toml", 1, "nowhere.toml"),
+        ("curve nowhere.toml", 1, "asperity: nowhere.toml: No such file"),
+        ("curve a.toml --surface b.toml", 2, "b.toml: the surface is already a.toml"),
+        ("curve --surface b.toml a.toml", 2, "a.toml: the surface is already b.toml"),
+        ("curve a.toml --skew 1", 2, "--surface is the whole surface: leave out --skew"),
         ("curve --count 1", 2, "--count 1: must be 2 or more"),
         ("curve --lowest 0", 2, "--lowest 0: must be finite and > 0"),
         ("curve --lowest nan", 2, "--lowest nan: must be finite and > 0"),
@@ -204,6 +208,13 @@ def test_friction_is_told_with_its_band(tmp_path: Path, root: Path) -> None:
     assert done.stdout.startswith("mu(10 N) = 0.194, 95 % band 0.167 to 0.221\nmu(1000 N) = 0.16, ")
     file = root / "tests" / "examples" / "ground.toml"
     assert "rests on: pressure coefficient" in asperity(f"friction --surface {file} --load 10").stdout
+    # A curve of the same surface has the same law.
+    for surface in (ground, f"--surface {file}"):
+        curve = table(asperity(f"curve {surface} --figure - --lowest 10 --highest 1000 --count 2").stdout)
+        lines = asperity(f"friction {surface} --load 10 1000").stdout.splitlines()
+        for row, line in zip(curve, lines):
+            assert line.startswith(f"mu({row[0]:g} N) = {row[1]:.3g}, 95 % band"), (row, line)
+    assert asperity(f"friction {file} --load 10").stdout == asperity(f"friction --surface {file} --load 10").stdout
     # What is refused is named, with the line of a file.
     assert "asperity: [roughness] process = \"grund\": must be one of" in asperity(f"friction {ground.replace('ground', 'grund')} --load 1").stderr
     wrong = tmp_path / "wrong.toml"

@@ -17,6 +17,7 @@ import xarray
 from asperity import Error, Model, Params, ValidityWarning, Warnings, materials, pads, uncertainty
 from asperity._library import LIBRARY
 from asperity.estimate import estimate
+from asperity.uncertainty import ALL_ELSE
 
 LOADS = np.geomspace(1.0, 100.0, 7)
 
@@ -62,7 +63,7 @@ def test_a_curve_has_loads_and_warns_by_itself(model: Model) -> None:
     unit = model.params.composite_modulus
     assert curve.load.size == 61 and curve.low is None and not curve.warnings
     assert (curve.load[0], curve.load[-1]) == pytest.approx((1e-4 * unit, 1e2 * unit))
-    assert repr(curve).startswith("<Curve: friction coefficient ") and repr(curve).endswith("; strength of the interface: as given>")
+    assert repr(curve).startswith("<Curve: friction coefficient ") and repr(curve).endswith(f"; strength of the interface: as given; {ALL_ELSE}>")
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
@@ -76,7 +77,7 @@ def test_a_curve_has_a_band_where_nobody_measured_the_strength(tmp_path: Path) -
     assert curve.high == pytest.approx(10 * curve.friction_coefficient, rel=1e-9)
     assert curve.low == pytest.approx(curve.friction_coefficient / 10, rel=1e-9)
     assert (known.high < 1.5 * known.friction_coefficient).all()
-    assert repr(curve).endswith("; 95 % band; strength of the interface: not measured, a factor 10 either way>")
+    assert repr(curve).endswith("; 95 % band; strength of the interface: not measured, a factor 10 either way; all else: taken as known>")
     (axes,) = curve.plot(tmp_path / "curve.svg").axes
     assert axes.get_yscale() == "log"
     (polygon,) = ElementTree.fromstring(html[html.index("<svg") :]).iter("{http://www.w3.org/2000/svg}polygon")
@@ -85,7 +86,7 @@ def test_a_curve_has_a_band_where_nobody_measured_the_strength(tmp_path: Path) -
 
     with Model(rough.calibrated(1e6, 0.3, error=0.1)) as model:
         measured = model.curve(loads)
-    assert measured.high is not None and measured.rests_on == ("strength of the interface: measured at 1e+06 [force] to 10 %",)
+    assert measured.high is not None and measured.rests_on == ("strength of the interface: measured at 1e+06 [force] to 10 %", ALL_ELSE)
     assert measured.high == pytest.approx(math.exp(0.1 * 1.96) * measured.friction_coefficient, rel=0.01)
 
 
@@ -105,7 +106,7 @@ def test_a_curve_is_drawn_with_its_band_and_units(model: Model, tmp_path: Path) 
     assert np.array_equal(axes.lines[0].get_xydata(), np.column_stack([LOADS, curve.friction_coefficient]))
     legend = axes.get_legend()
     assert len(axes.collections) == 1 and legend is not None
-    assert [text.get_text() for text in legend.get_texts()] == ["95 % band\nstrength of the interface: as given\nw: 20 %"]
+    assert [text.get_text() for text in legend.get_texts()] == [f"95 % band\nstrength of the interface: as given\nw: 20 %\n{ALL_ELSE}"]
     again = tmp_path / "again.svg"
     curve.plot(again)
     assert again.read_bytes() == (tmp_path / "curve.svg").read_bytes()
@@ -209,7 +210,7 @@ def test_the_area_is_that_of_the_parameters_or_asked_for(params: Params, model: 
     for area in (0.0, -1.0, math.nan, math.inf, 1e61):
         with pytest.raises(Error, match="nominal_area = .*: must be from 1e-60 to 1e60"):
             model.friction_at_pressure(2.0, area)
-    with pytest.raises(Error, match="element 1: load = NaN"):
+    with pytest.raises(Error, match="element 1: pressure = NaN"):
         model.friction_at_pressure([1.0, math.nan], 1.0)
 
 

@@ -141,6 +141,11 @@ OWN_WORDS = {"path", "dtype", "shape", "progress", "first", "second"}
 # The function, what is changed in its right arguments, the exception, and the words of its message.
 MISTAKES: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("friction", {"pair": "steel/wood"}, Error, "wood: no material has this name"),
+    ("friction", {"pair": None}, Error, "composite_modulus: must be set; two materials set it, by their names or by E1, nu1, E2 and nu2"),
+    ("friction", {"composite_modulus": 1e11}, Error, "leave one out; E1, nu1, E2 and nu2 replace the moduli of a pair"),
+    ("friction", {"E1": 210, "E2": 210}, Error, "composite_modulus = .* is it, or E1 or E2, in MPa or GPa"),
+    ("friction", {"E1": 210e3, "E2": 210e3}, Error, "is the modulus, or E1 or E2, in MPa or GPa, or hardness in another unit"),
+    ("friction", {"measured": [(1000, 0.16), (10, 15)]}, Error, "friction_force = 150 at load = 10: must be at most"),
     ("friction", {"coverage": 95}, Error, r"coverage = 95: must be between 0 and 1: is it in per cent\?"),
     ("friction", {"load": math.nan}, Error, "load = NaN: must be finite"),
     ("friction", {"measured": (0.3, 1e-5)}, Error, "measured: point 1: coefficient = 1e-5: most are .*: are the two swapped"),
@@ -217,7 +222,8 @@ MISTAKES: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("Model.warn", {"heaviest": math.nan}, Error, "heaviest = NaN: must be finite"),
     ("Model.curve", {"loads": [-1.0]}, Error, "loads: must be > 0, since their axis is logarithmic"),
     ("Model.friction_at_pressure", {"nominal_area": None}, Error, "nominal_area = 0: must be given, here or in the parameters"),
-    ("Model.shear_stress_at_pressure", {"pressure": math.nan}, Error, "= NaN: must be finite"),
+    ("Model.friction_at_pressure", {"pressure": [1.0, math.inf]}, Error, "element 1: pressure = inf: must be finite"),
+    ("Model.shear_stress_at_pressure", {"pressure": math.nan}, Error, "^pressure = NaN: must be finite"),
     ("Model.hysteresis", {"amplitude": 0.0}, Error, "amplitude = 0.0: must be finite and > 0"),
     ("Model.load_at_gap", {"gap": math.nan}, Error, "gap = NaN: must be finite"),
     ("Microslip.step", {"load": [1.0, 2.0, 3.0]}, Error, r"load of shape \(3,\): must have the shape of the contacts, \(2,\)"),

@@ -99,6 +99,24 @@ def model_friction(params: Params) -> float:
     return found
 
 
+def test_moduli_of_ones_own_replace_those_of_a_pair_or_stand_alone() -> None:
+    rough: dict[str, Any] = {"Ra": 0.8e-6, "process": "ground", "nominal_area": 1e-4, "measured": (1000, 0.16), "load": [10.0, 100.0]}
+    steel = friction("steel/steel", **rough)
+    alike: dict[str, Any] = {"E1": 205e9, "nu1": 0.3, "E2": 205e9, "nu2": 0.3}
+    assert (friction("steel/steel", **rough, **alike).value == steel.value).all()
+    soft = friction("steel/steel", **rough, E1=100e9, E2=100e9, hardness=2e9)
+    assert soft.params.composite_modulus == pytest.approx(100e9 / 0.91 / 2) and (soft.value != steel.value).all()
+    assert not [line for line in soft.rests_on if line.startswith(("E = ", "hardness = "))]
+    known = {name: value for name, value in PAIRS["steel/steel"].contact.items() if name in ("burgers_vector", "adhesion_range", "hardness")}
+    alone = friction(**rough, **alike, **known, work_of_adhesion=0.0)
+    assert alone.value == pytest.approx(steel.value, rel=1e-12) and alone.params.contact_law == "elastic-plastic"
+    moduli = {name: getattr(steel.params, name) for name in ("composite_modulus", "effective_shear_modulus")}
+    assert friction(**rough, **moduli, **known, work_of_adhesion=0.0).value == pytest.approx(steel.value, rel=1e-12)
+    # The same text has the same law, whoever reads it.
+    params = Params.from_text(steel._text)
+    assert params.contact_law == steel.params.contact_law and Model(params).friction_at_load(10.0) == pytest.approx(steel.value[0], rel=1e-7)
+
+
 def test_two_bodies_without_a_pair_need_a_work_of_adhesion() -> None:
     with pytest.raises(Error, match="work_of_adhesion: none is known for SiC/WC: give that of your surfaces, 0 for none"):
         friction("SiC/WC", **ROUGH, load=1e5)
@@ -231,6 +249,9 @@ def test_an_estimate_is_drawn_with_its_band_its_loads_and_what_was_measured(tmp_
         assert np.interp(math.log(at[0, 0]), np.log(x), y) == pytest.approx(at[0, 1], rel=1e-3)
         assert (tmp_path / "friction.svg").stat().st_size > 0
     (axes,) = friction(**GROUND, Ra=0.8e-6, load=10.0).plot().axes
+    legend = axes.get_legend()
+    lines = [line for text in legend.get_texts() for line in text.get_text().splitlines()] if legend else []
+    assert "E = 205 GPa and nu = 0.3 of steel" in lines and max(map(len, lines)) < 80
     x, _ = np.asarray(axes.lines[0].get_xydata()).T
     assert (x[0], x[-1]) == pytest.approx((1.0, 100.0)) and axes.get_yscale() == "log" and len(axes.lines) == 2
     assert friction(**GROUND, Ra=0.8e-6, load=20.0).plot(axes=axes) is axes.figure

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from asperity import Model, Params
+from asperity.estimate import Estimate, estimate
 from asperity.materials import PAIRS
 
 STEEL = PAIRS["steel/steel"].contact
@@ -82,8 +83,8 @@ def errors() -> dict[float, np.ndarray]:
 def test_the_area_of_the_page_is_within_two_per_cent_of_friction(root: Path, errors: dict[float, np.ndarray]) -> None:
     text = (root / "docs" / "start.md").read_text(encoding="utf-8")
     assert "A = π (a² + 1.5 Sq R)" in text
-    (friction,) = re.findall(r"glass beads of 4 mm \| (\S+) at 0.1 N", text)  # The table at the top.
-    assert f"0.10 N: mu = {friction}, " in text
+    ((friction, band),) = re.findall(r"glass beads of 4 mm \| (\S+) \((.*)\) at 0.01 N", text)  # The table at the top.
+    assert f"0.01 N: mu = {friction}, " in text and f"mu(0.01 N) = {friction}, 95 % band {band}\n" in text
     assert max(np.abs(rows[:, 1]).max() for rows in errors.values()) < 2
     assert np.abs(errors[30.0][:, 0]).max() > 25
 
@@ -94,6 +95,52 @@ def test_the_table_of_the_page_is_what_the_rings_give(root: Path, errors: dict[f
     for ends, roughness in zip(shown, ROUGHNESSES):
         found = errors[roughness][:, 0]
         assert [ends[0], ends[-1]] == pytest.approx([found.min(), found.max()], abs=0.51)
+
+
+def glass(root: Path) -> str:
+    (surface,) = re.findall(r"```toml grain.toml\n(.*?)```", (root / "docs" / "start.md").read_text("utf-8"), re.DOTALL)
+    return str(surface)
+
+
+def bead(text: str, load: float, measured_at: float = 1.0, mu: float = 0.15) -> Estimate:
+    """What the page computes of the two glass beads of its surface file."""
+    surface = Params.from_text(text)
+
+    def area(load: float) -> float:
+        return float(pi * ((0.75 * load * 1e-3 / surface.composite_modulus) ** (2 / 3) + 1.63 * surface.height_std * 1e-3))
+
+    lines = f"nominal_area = {area(load)}\nmeasured = [{measured_at * area(load) / area(measured_at)}, {mu}]"
+    return estimate(text.replace("nominal_area = 1e-6", lines), load)
+
+
+def test_the_slope_of_a_grain_matters_as_the_page_says(root: Path) -> None:
+    """For friction little, for the number of contacts much: with half and twice the slope, and other roughnesses and laws."""
+    surface, page = glass(root), " ".join((root / "docs" / "start.md").read_text(encoding="utf-8").split())
+    shown = re.findall(r"here μ at 0.01 N is (\S+) and (\S+) instead of (\S+)\. .*? is (\S+) and (\S+) instead of (\S+)\. ", page)
+    found = [bead(surface.replace("0.2, 0.2", f"{slope}, {slope}"), 0.01) for slope in (0.1, 0.4, 0.2)]
+    numbers = [f"{one.value:.3f}" for one in found] + [f"{one.contacts:.1f}" for one in found]
+    assert shown == [tuple(numbers)]
+    for height in ("0.02e-6", "0.5e-6"):
+        for law in ("elastic-plastic", "maugis"):
+            other = surface.replace("0.1e-6", height).replace("elastic-plastic", law)
+            flat, steep, middle = (bead(other.replace("0.2, 0.2", f"{s}, {s}"), 0.01).value for s in (0.1, 0.4, 0.2))
+            assert 1 < flat / middle < 1.12 and 0.93 < steep / middle < 1
+
+
+def test_the_band_of_a_grain_counts_the_contacts_on_its_area(root: Path) -> None:
+    """As many as the model has on its nominal area, times the share; its friction is that of the model; the measured point is met."""
+    surface = glass(root)
+    params = Params.from_text(surface)
+    for load in (1e-3, 0.01, 0.1, 1.0):
+        shares = [
+            pi * ((0.75 * at * 1e-3 / params.composite_modulus) ** (2 / 3) + 1.5 * 2**0.5 * 0.1e-6 * 1e-3) / params.nominal_area
+            for at in (load, 1.0)
+        ]
+        model, found = Model(params.calibrated(1.0 / shares[1], 0.15)), bead(surface, load)
+        assert found.value == pytest.approx(model.friction_at_load(load / shares[0]), rel=1e-3)
+        assert found.contacts == pytest.approx(shares[0] * model.state_at_load(load / shares[0]).contacting, rel=2e-3)
+        assert (found.contacts < 20) == ("few contacts" in found.text)
+    assert bead(surface, 1.0).value == pytest.approx(0.15, rel=1e-6)
 
 
 def test_a_smooth_ball_has_hertz_pressure_and_a_rougher_one_less() -> None:

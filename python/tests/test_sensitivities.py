@@ -119,7 +119,7 @@ def test_a_strength_that_nobody_measured_is_known_to_a_factor_of_10(rough: Param
     band = uncertainty(rough, loads=loads)
     assert band.high == pytest.approx(10 * band.value, rel=1e-9) and band.low == pytest.approx(band.value / 10, rel=1e-9)
     assert list(band.parts) == ["slip_stress"] and band.deviation == pytest.approx(math.log(10) / 1.959964, rel=1e-6)
-    assert band.rests_on == ("strength of the interface: not measured, a factor 10 either way",)
+    assert band.rests_on == ("strength of the interface: not measured, a factor 10 either way", "all else: taken as known")
     assert uncertainty(rough, {}, loads).high.tolist() == band.high.tolist()
     with_others = uncertainty(rough, {"sigma": 0.1}, loads)
     assert (with_others.deviation > band.deviation).all() and with_others.rests_on[1] == "sigma: 10 %"
@@ -318,7 +318,7 @@ def test_a_band_is_drawn(given: Params, tmp_path: Path) -> None:
     assert [text.get_text() for text in legend.get_texts()] == ["sigma", "w", "all"]
     legend = figure.axes[0].get_legend()
     assert legend is not None
-    assert [text.get_text() for text in legend.get_texts()] == ["95 %\nstrength of the interface: as given\nsigma: 10 %\nw: 20 %"]
+    assert [text.get_text() for text in legend.get_texts()] == ["95 %\nstrength of the interface: as given\nsigma: 10 %\nw: 20 %\nall else: taken as known"]
     assert (tmp_path / "band.svg").stat().st_size > 1000
 
 

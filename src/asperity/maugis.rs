@@ -9,19 +9,12 @@
 use super::contact::{Contact, ContactLaw, Rates};
 use crate::elementary::{cbrt, sincos};
 use crate::groups::{Groups, GROUPS};
-use crate::numerics::root;
+use crate::numerics::root::{self, LAST_STEP, MOST_STEPS};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// lambda_g^3 above which the overlap has its minimum (the fold) at a > 0: 9 pi/(16 (pi - 1)), from d^2u/dtheta^2 = 0 at
 /// theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
-
-/// A step of Newton's method over s, and the product of two in a row over s^2, after which the next moves the contact to
-/// first order and its derivatives to second.
-const LAST_STEP: f64 = 1e-13;
-const LAST_STEPS: f64 = 1e-13;
-/// Newton's method takes some five steps; more are halvings of a bracket.
-const MOST_STEPS: u32 = 100;
 
 /// The coefficients of eqs (4)-(6), or what powers of a group they are.
 #[derive(Debug, Clone)]
@@ -167,7 +160,7 @@ impl ContactLaw for Maugis {
             let newton = s + missing / contact.by_s.overlap;
             let step = (newton - s).abs();
             // Next to the fold a step may be large after a small one.
-            let converges = step <= last_step && step * last_step <= LAST_STEPS * s * s;
+            let converges = step <= last_step && step * last_step <= LAST_STEP * s * s;
             if converges || step <= LAST_STEP * s {
                 return Contact { overlap, ..contact.moved(newton - s, 0.0).with_rates_beyond(&contact, &before) };
             }

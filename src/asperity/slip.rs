@@ -150,34 +150,26 @@ impl Slip {
     /// The friction force of a contact.
     #[inline]
     pub fn friction(&self, contact: &Contact) -> Friction {
-        let [first, second] = self.kinks();
-        let a = contact.radius;
-        self.friction_in_regime(usize::from(a > first) + usize::from(a >= second), contact)
-    }
-
-    /// The same by the law of one regime, which need not be that of the radius: 0 below the first kink, 1 between the two, 2
-    /// above the second.
-    #[inline]
-    pub fn friction_in_regime(&self, regime: usize, contact: &Contact) -> Friction {
-        let (force, by_radius) = self.stress_force(regime, contact.radius);
+        let (force, by_radius) = self.stress_force(contact.radius);
         let by_hertz_load = self.by_hertz_load;
         Friction { force: force + by_hertz_load * contact.hertz_load, by_radius, by_hertz_load }
     }
 
     /// The shear stress tau over G* at contact radius `a` > 0.
     pub fn stress(&self, a: f64) -> f64 {
-        let [first, second] = self.kinks();
-        self.stress_force(usize::from(a > first) + usize::from(a >= second), a).0 / (PI * a * a)
+        self.stress_force(a).0 / (PI * a * a)
     }
 
     /// pi a^2 tau at contact radius `a`, and its derivative.
     #[inline]
-    fn stress_force(&self, regime: usize, a: f64) -> (f64, f64) {
-        let SlipConstants { radius_1, stress_1, stress_2, .. } = self.constants;
-        let (stress, power) = match regime {
-            0 => (stress_1, 2.0),
-            1 => (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent),
-            _ => (stress_2, 2.0),
+    fn stress_force(&self, a: f64) -> (f64, f64) {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
+        let (stress, power) = if a <= radius_1 {
+            (stress_1, 2.0)
+        } else if a < radius_2 {
+            (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent)
+        } else {
+            (stress_2, 2.0)
         };
         let force_over_a = PI * a * stress;
         (force_over_a * a, power * force_over_a)

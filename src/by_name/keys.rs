@@ -148,10 +148,11 @@ impl<'t> Entries<'t> {
         self.tables.iter().find(|(other, _)| *other == table).map(|(_, at)| *at)
     }
 
-    /// Where a name is given, in whichever table.
+    /// Where a name is given, or what makes it, in whichever table.
     #[inline(never)]
     pub fn place(&self, name: &str) -> Option<usize> {
-        self.list.iter().find(|entry| entry.name == name).map(|entry| entry.at)
+        let is_it = |other: &str| other == name || name == "composite_modulus" && ["E1", "E2"].contains(&other);
+        self.list.iter().find(|entry| is_it(entry.name)).map(|entry| entry.at)
     }
 
     fn line(&self, at: usize) -> usize {

@@ -26,7 +26,7 @@ use crate::params::Params;
 
 impl Params {
     /// The parameters that a text in TOML describes, in SI units: `docs/solvers.md` lists its keys. What it leaves out has its
-    /// default, or is unset.
+    /// default, or is unset; asperities of metal that yield have the elastic-plastic law, unless the text has a law.
     ///
     /// ```
     /// let text = "pair = \"steel/steel\"\nnominal_area = 1e-4\n[roughness]\nRa = 0.8e-6\nRSm = 80e-6\n";
@@ -43,7 +43,7 @@ impl Params {
         draft.into_params()
     }
 
-    /// A text of which [`Params::from_toml`] makes equal parameters. Fields that have their defaults are left out.
+    /// A text of which [`Params::from_toml`] makes equal parameters. Fields that it makes so anyway are left out.
     pub fn to_toml(&self) -> String {
         let mut text = String::new();
         // Writing to a string does not fail.

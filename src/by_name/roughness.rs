@@ -41,12 +41,13 @@ pub struct Roughness {
 pub struct Case {
     pub height: f64,
     pub slope: f64,
+    /// In place of that of the bodies [Pa].
+    pub hardness: Option<f64>,
 }
 
-impl Default for Case {
-    fn default() -> Self {
-        Self { height: 1.0, slope: 1.0 }
-    }
+impl Case {
+    /// What is most probable.
+    pub const MIDDLE: Self = Self { height: 1.0, slope: 1.0, hardness: None };
 }
 
 /// What of a roughness is that of a process, not measured.

@@ -8,6 +8,7 @@ use super::roughness::{Case, Machined, Roughness};
 use super::toml::{text, Outcome, Problem, Value};
 use crate::distribution::tabulated;
 use crate::error::Error;
+use crate::estimate::known::SUMMIT_PRODUCT;
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
 use crate::model::points::Point;
 use crate::params::{HeightFamily, Params};
@@ -18,6 +19,8 @@ use std::sync::Arc;
 const DEFAULT_COVERAGE: f64 = 0.95;
 /// Of more than these a fit is to be made.
 const MOST_POINTS: usize = 64;
+/// Names of bodies, and the numbers in their place.
+const BODIES: [(&str, [&str; 2]); 2] = [("first", ["E1", "nu1"]), ("second", ["E2", "nu2"])];
 /// What the bodies set, but for what may be given beside them.
 const MODULI: &[&str] = &["composite_modulus", "effective_shear_modulus", "tangential_modulus"];
 /// What the roughness sets.
@@ -49,16 +52,17 @@ pub fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Error> {
 
 fn set(text: &str, draft: &mut Draft) -> Outcome<()> {
     let entries = Entries::read(text)?;
-    let described = entries.describe(draft, Case::default())?;
-    let Described { mut params, points, interface, .. } = described;
+    let described = entries.describe(draft, Case::MIDDLE)?;
+    let mut params = described.with_law(described.params.clone()).map_err(|error| entries.problem(error, None))?;
+    let Described { points, interface, .. } = described;
     if let Some(interface) = interface.filter(|interface| interface.shear_strength == 0.0 && points.is_empty()) {
         return Err(entries.problem(Error::NoStrength { interface }, None));
     }
     if !points.is_empty() {
         let calibrated = params.calibrate_points(&points, described.pressure_is_free, None);
         calibrated.map_err(|error| entries.problem(error, entries.measured()))?;
-        draft.params = Params { heights: draft.params.heights.clone(), ..params };
     }
+    draft.params = Params { heights: draft.params.heights.clone(), ..params };
     Ok(())
 }
 
@@ -72,16 +76,45 @@ pub struct Described {
     /// Probability of a band.
     pub coverage: f64,
     pub bodies: Option<Bodies>,
+    /// What is given in place of what is known of the bodies.
+    pub has_moduli: bool,
+    pub has_hardness: bool,
+    pub has_adhesion: bool,
     /// That which is named; of one without a strength the parameters have nothing.
     pub interface: Option<&'static Interface>,
     /// Whether slip stresses or the pressure coefficient are given.
     pub has_strength: bool,
-    /// Whether the contact law, or adhesion of elastic contacts, is chosen.
-    pub has_law: bool,
+    /// Whether summits yield, since a text that is whole leaves open the contact law, and adhesion of elastic contacts.
+    pub yields: bool,
     /// What of the roughness is that of a process.
     pub machined: Option<Machined>,
     /// Whether the text says neither how large the nominal area is nor how many summits there are: it is of 1 m^2 then.
     pub is_of_pressures: bool,
+}
+
+/// Above this plasticity index summits yield (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
+const PLASTIC_INDEX: f64 = 1.0;
+
+impl Described {
+    /// The nominal area, or that of a surface with so many summits.
+    pub fn area(&self) -> f64 {
+        let Params { nominal_area, asperity_count, height_std, summit_radius, .. } = self.params;
+        match nominal_area > 0.0 {
+            true => nominal_area,
+            false => asperity_count * height_std * summit_radius / SUMMIT_PRODUCT,
+        }
+    }
+
+    /// Parameters with the contact law of the text.
+    ///
+    /// # Errors
+    /// Those of [`Params::set_elastic_plastic`].
+    pub fn with_law(&self, mut params: Params) -> Result<Params, Error> {
+        if self.yields {
+            params.set_elastic_plastic(params.hardness)?;
+        }
+        Ok(params)
+    }
 }
 
 /// Reads what a text says, with what it leaves open of the roughness at one of its cases.
@@ -120,8 +153,15 @@ impl Entries<'_> {
         given.heights(draft)?;
         given.roughness(draft, case)?;
         given.interface()?;
-        let Given { numbers, interface, machined, .. } = given;
+        let Given { mut numbers, interface, machined, .. } = given;
         let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| self.begin(table));
+        if let Some(hardness) = case.hardness {
+            numbers.give_named("hardness", hardness);
+        }
+        // Of parameters that were there before, a text changes what it gives and no more, but where it gives all of them.
+        let mut alone = Draft::default();
+        alone.params.nominal_area = draft.params.nominal_area;
+        let is_whole = numbers.set(&mut alone).is_ok() && alone.params.unset().is_none();
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
         // Of parameters that are not complete no more can be said.
         let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
@@ -131,14 +171,18 @@ impl Entries<'_> {
             }
         }
         let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
+        let has_law = given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0);
         Ok(Described {
             points: self.points(&numbers, params.calibration_error)?,
             pressure_is_free: !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
             coverage: self.coverage()?,
             bodies: numbers.bodies,
+            has_moduli: self.of(Table::Materials).any(|entry| matches!(entry.value, Value::Number(_))),
+            has_hardness: given(&["hardness"]),
+            has_adhesion: given(&["work_of_adhesion"]),
             interface,
             has_strength: given(STRENGTH),
-            has_law: given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0),
+            yields: is_whole && !has_law && params.plasticity_index() > PLASTIC_INDEX,
             machined,
             is_of_pressures: false,
             params,
@@ -321,21 +365,29 @@ impl Given<'_> {
     fn bodies(&mut self) -> Outcome<()> {
         let entries = self.entries;
         if let Some((entry, name)) = entries.word(Table::Top, "pair", "a pair of materials")? {
-            if let Some(at) = entries.begin(Table::Materials) {
-                return Err(Problem::new(at, format_args!("[materials]: pair sets it already, leave one out")));
+            let mut own = entries.of(Table::Materials).peekable();
+            let has_own = own.peek().is_some();
+            if let Some(twice) = own.find(|entry| BODIES.iter().any(|(name, _)| *name == entry.name)) {
+                return Err(twice.set_by("pair"));
             }
-            entries.exclude(MODULI, "pair")?;
+            self.exclude_moduli("pair")?;
             let bodies = Bodies::find(name)
                 .ok_or_else(|| Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes()))))?;
+            for ((_, numbers), Material { young, poisson, .. }) in BODIES.iter().zip([bodies.first, bodies.second]) {
+                for (number, known) in numbers.iter().zip([young, poisson]).filter(|_| has_own) {
+                    let given = entries.find(Table::Materials, number).map(Entry::number);
+                    self.numbers.give_named(number, given.unwrap_or(Ok(*known))?);
+                }
+            }
             return self.set_bodies(entry, bodies);
         }
         let Some(begin) = entries.begin(Table::Materials) else { return Ok(()) };
         if entries.of(Table::Materials).next().is_none() {
             return Ok(());
         }
-        entries.exclude(MODULI, "[materials]")?;
+        self.exclude_moduli("[materials]")?;
         let mut named = Vec::new();
-        for (name, numbers) in [("first", ["E1", "nu1"]), ("second", ["E2", "nu2"])] {
+        for (name, numbers) in BODIES {
             let Some((entry, word)) = entries.word(Table::Materials, name, "a material")? else {
                 for number in numbers {
                     let entry = entries.find(Table::Materials, number).ok_or_else(|| {
@@ -363,6 +415,15 @@ impl Given<'_> {
         match named[..] {
             [(_, first), (entry, second)] => self.set_bodies(entry, Bodies { first, second }),
             _ => Ok(()),
+        }
+    }
+
+    fn exclude_moduli(&self, by: &str) -> Outcome<()> {
+        match MODULI.iter().find_map(|name| self.entries.find(Table::Top, name)) {
+            Some(entry) => Err(entry.refused(format_args!(
+                "{by} sets it already, leave one out; E1, nu1, E2 and nu2 replace the moduli of a pair"
+            ))),
+            None => Ok(()),
         }
     }
 

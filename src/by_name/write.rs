@@ -22,6 +22,8 @@ pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Resul
         let number = field.get(draft);
         let is_written = match field.name {
             "height_distribution" => chooses,
+            // Metal would yield.
+            "contact_law" if draft.params.hardness > 0.0 && draft.params.work_of_adhesion == 0.0 => true,
             // Beside it a skew is taken as it is.
             "weibull_shape" if draft.height_distribution == WEIBULL => true,
             _ => number.to_bits() != field.get(&mut default).to_bits(),
@@ -42,12 +44,12 @@ pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Resul
         writeln!(out, "calibration_load = {}", Real(load))?;
         writeln!(out, "calibration_friction_force = {}", Real(force))?;
     } else if force != 0.0 {
-        writeln!(
-            out,
-            "# The strength was calibrated on other surfaces: a friction force of {} at a load of {}.",
-            Real(force),
-            Real(load)
-        )?;
+        let surfaces = match draft.params.unset() {
+            Some(name) => format!("on surfaces of which {name} is not set here"),
+            None => "on other surfaces".to_owned(),
+        };
+        let (force, load) = (Real(force), Real(load));
+        writeln!(out, "# The strength was calibrated {surfaces}: a friction force of {force} at a load of {load}.")?;
     }
     Ok(())
 }

@@ -41,7 +41,7 @@ pub struct asperity_estimate {
     pub friction_force: f64,
     /// Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two.
     pub contacts: f64,
-    /// Mean F of single specimens [N], NaN if not known; if contacts < 1 that of one summit, which they have once or twice.
+    /// Mean F of single specimens with this strength [N], NaN if not known; if contacts < 1 of one summit, had once or twice.
     pub specimen_force: f64,
     /// Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known.
     pub specimen_scatter: f64,
@@ -91,8 +91,8 @@ unsafe fn estimated(
 ///
 /// The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
 /// `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
-/// `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Asperities of metal that yield have
-/// the elastic-plastic law, unless the text has a law. It takes tens of milliseconds, and up to one for each load.
+/// `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Give `hardness` if the metal is not as hard
+/// as that of the table. It takes tens of milliseconds, and up to one for each load.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn asperity_estimate_text(
         reserve::held(|| {
             let mut text = String::new();
             // Writing to a string does not fail.
-            let _ = write(&estimate, &answers, warnings, &mut text);
+            let _ = write(&estimate, bytes(surface, length), &answers, warnings, &mut text);
             whole = write_text(buffer, buffer_length, [text.as_bytes()]);
             Ok(())
         })

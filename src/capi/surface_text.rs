@@ -72,8 +72,8 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
-/// What it does not give stays as it is. Keys are the names of `asperity_params_set_values`, in SI units, and what
-/// docs/solvers.md lists. `asperity_params_set_estimate` also sets what an estimate of the text chooses.
+/// What it does not give stays as it is. Where it is of a whole surface without a law, asperities of metal that yield have the
+/// elastic-plastic law. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -103,8 +103,8 @@ pub unsafe extern "C" fn asperity_params_set_text(
     })
 }
 
-/// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, with its contact law and strength: models of them have
-/// its friction.
+/// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
+/// interfaces: models of them have its friction.
 ///
 /// @param params          initialised parameters
 /// @param surface,length  as of `asperity_estimate_at_loads`, which returns the same
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn asperity_params_set_estimate(
 /// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
 /// @param length  size of `buffer` [bytes]
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
-///         `asperity_last_error` describes: choices that are none of the constants, or a table that cannot be read
+///         `asperity_last_error` describes: choices that are none, a shape that is not of the heights, or no table
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_text(
     params: *const asperity_params,
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn asperity_params_text(
         let params = asperity_params::read(params)?;
         reserve::held(|| {
             let mut draft = params.whole_draft()?;
-            let is_measured = draft.clone().into_params().is_ok_and(|params| is_of_these_surfaces(&params));
+            let is_measured = is_of_these_surfaces(&draft.clone().into_params()?);
             let mut text = String::new();
             // Writing to a string does not fail.
             let _ = by_name::write(&mut draft, is_measured, &mut text);

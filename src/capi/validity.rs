@@ -175,8 +175,8 @@ fn string(warning: u64) -> &'static CStr {
         }
         ASPERITY_WARNING_FEW => {
             c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
-              friction_scatter, and their mean friction exceeds that of the model by friction_bias; use heavier loads \
-              or a larger area (asperity_count)"
+              friction_scatter, and their mean friction exceeds that of the model by friction_bias (in an estimate \
+              specimen_scatter, and their mean is specimen_force); use heavier loads or a larger area (asperity_count)"
         }
         ASPERITY_WARNING_ADHESIVE => {
             c"adhesion presses the surfaces together with more than the load, where models of independent summits are \

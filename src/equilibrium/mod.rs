@@ -3,31 +3,25 @@
 //! Unloading from heavy load follows the load down to its first minimum over separation. Below that minimum nothing holds
 //! the surfaces together; above it each load has one state.
 
+mod fall;
 mod pull_off;
 
 pub use pull_off::PullOff;
 
 use crate::elementary::{exp, log};
 use crate::error::Error;
-use crate::numerics::quadrature::integrate_short;
+use crate::numerics::root::MOST_STEPS;
 use crate::population::{Population, Sums};
+use fall::Fall;
 use pull_off::End;
 
 /// No separation on the branch is smaller, in sigma: the softest summits that flow carry more than the heaviest load there.
 const CLOSEST: f64 = -1e90;
-/// Near pull-off the load minus the pull-off load is integrated from its slope: the difference of two loads has lost too many
-/// digits. No farther from it than where that is this part of the pull-off load,
-const NEAR_PULL_OFF: f64 = 1e-4;
-/// and from where it agrees with the difference so well, rounding apart.
-const AGREEMENT: f64 = 3e-8;
-/// How well a load is known, relative to what presses and what pulls.
-const LOAD_ROUNDING: f64 = 3e-14;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
-/// The lightest loads of a highest summit are found by halving the distance from it, hundreds of times.
-const MOST_STEPS: u32 = 1000;
-/// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
-const SMALLEST_LOG_LOAD: f64 = -690.0;
+/// ln of the smallest load that is a number to all digits, times what may be smaller: lighter ones have its coefficient of friction,
+/// and a pull-off load that is smaller cannot be told from none.
+const SMALLEST_LOG_LOAD: f64 = -640.0;
 
 /// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
 #[derive(Debug, Clone)]
@@ -35,8 +29,8 @@ pub struct Branch {
     population: Population,
     kinks: Vec<f64>,
     end: End,
-    /// From this separation on the load minus the pull-off load is integrated; infinite without a pull-off load.
-    integrated_from: f64,
+    /// The load minus the pull-off load near that, if there is one.
+    fall: Option<Fall>,
 }
 
 /// A state on the branch.
@@ -59,32 +53,18 @@ impl Branch {
     pub fn new(population: Population) -> Result<Self, Error> {
         let end = End::of(&population)?;
         let kinks = population.kinks();
-        Ok(Self { population, kinks, end, integrated_from: f64::INFINITY }.with_end_looked_at())
+        Ok(Self { population, kinks, end, fall: None }.with_fall())
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
-        Ok(Self { end, ..self }.with_end_looked_at())
+        Ok(Self { end, ..self }.with_fall())
     }
 
-    /// The same branch, knowing where the load is integrated from.
-    fn with_end_looked_at(self) -> Self {
-        let Some(pull_off) = self.end.pull_off else { return self };
-        let rounding = LOAD_ROUNDING * (pull_off.sums.hertz_load - pull_off.sums.load_attracted);
-        let mut step = self.population.range_of_adhesion().max(1.0);
-        loop {
-            step *= 0.5;
-            let separation = pull_off.separation - step;
-            let excess = self.population.at_separation(separation).load() - pull_off.load;
-            if excess > NEAR_PULL_OFF * -pull_off.load {
-                continue;
-            }
-            let error = self.fall_of_load(separation, pull_off.separation) - excess;
-            if error.abs() <= AGREEMENT * excess + rounding || excess.is_nan() {
-                return Self { integrated_from: separation, ..self };
-            }
-        }
+    fn with_fall(self) -> Self {
+        let fall = self.end.pull_off.map(|pull_off| Fall::new(&self.population, &self.kinks, &pull_off));
+        Self { fall, ..self }
     }
 
     /// The summits.
@@ -115,28 +95,10 @@ impl Branch {
     /// The state at a separation on the branch.
     pub fn log_excess(&self, separation: f64) -> BranchPoint {
         let sums = self.population.at_separation(separation);
-        let Some(pull_off) = self.end.pull_off else {
-            let load = sums.load();
-            return BranchPoint { log_excess: log(load.max(f64::MIN_POSITIVE)), rate: sums.load_slope / load, sums };
-        };
-        let excess = match separation >= self.integrated_from {
-            true => self.fall_of_load(separation, pull_off.separation),
-            false => sums.load() - pull_off.load,
-        };
+        let fall = self.fall.as_ref().and_then(|fall| fall.from(&self.population, separation));
+        let excess = fall.unwrap_or_else(|| sums.load() - self.pull_off_load());
         // A logarithm as small as can be stands for that of nothing, but not in its slope.
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }
-    }
-
-    /// By how much the load falls from one separation to another so near to it that its slope is smooth between kinks.
-    fn fall_of_load(&self, from: f64, to: f64) -> f64 {
-        let slope = |d: f64| -self.population.at_separation(d).load_slope;
-        let mut fall = 0.0;
-        let mut begin = from;
-        for kink in self.kinks.iter().copied().filter(|&kink| kink > from && kink < to) {
-            fall += integrate_short(begin, kink, slope);
-            begin = kink;
-        }
-        fall + integrate_short(begin, to, slope)
     }
 
     /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by

@@ -11,7 +11,7 @@ mod normal;
 mod strength;
 mod words;
 
-use crate::by_name::{describe, of_points, Described};
+use crate::by_name::{describe, of_points, Case, Described};
 use crate::elementary::{exp, log};
 use crate::error::{Error, LOAD};
 use crate::float_bits::finite;
@@ -19,7 +19,7 @@ use crate::model::calibration::Calibrated;
 use crate::model::points::{slice, slices, Seen, Slice};
 use crate::model::validity::WARNING_FEW;
 use crate::model::Model;
-use crate::params::{ContactLawKind, Params};
+use crate::params::Params;
 pub use strength::Rests;
 use strength::Strength;
 pub use words::write;
@@ -55,7 +55,7 @@ pub struct Answer {
 pub struct Estimate {
     described: Described,
     strength: Strength,
-    cases: Vec<Case>,
+    cases: Vec<Likely>,
     /// The middle case with a pressure coefficient of 1, where the load does not say what that makes.
     pressed: Option<Model>,
     /// With the strength that the estimate has.
@@ -66,22 +66,15 @@ pub struct Estimate {
     tells_pressure: bool,
     /// By how much the points are off the curve, in their errors.
     pub misfit: f64,
-    /// E* (sigma/R)^(1/2)/H of the middle case.
-    plasticity_index: f64,
-    /// Whether the law of summits that yield was chosen for that.
-    yields: bool,
 }
 
 /// One of the surfaces that may be.
-struct Case {
+struct Likely {
     model: Model,
     /// What is left open of the strength, with probabilities.
     slices: Vec<(f64, Slice)>,
     probability: f64,
 }
-
-/// Above this plasticity index summits yield.
-const PLASTIC_INDEX: f64 = 1.0;
 
 impl Estimate {
     /// Reads a text and makes the models of its cases, for these loads.
@@ -89,22 +82,22 @@ impl Estimate {
     /// # Errors
     /// Those of the text, with line and key, and those of models.
     pub fn new(bytes: &[u8], loads: &[f64]) -> Result<Self, Error> {
-        let described = describe(bytes, cases::MIDDLE)?;
+        Self::of(bytes, loads, Case::MIDDLE)
+    }
+
+    /// The same of another most probable surface. Of one of another hardness it is the only one.
+    fn of(bytes: &[u8], loads: &[f64], at: Case) -> Result<Self, Error> {
+        let described = describe(bytes, at)?;
+        let machined = described.machined.as_ref().filter(|_| at.hardness.is_none());
         let reach = normal::reach(described.coverage);
         if described.params.slip.stress_1 == 0.0 && described.params.slip.stress_2 == 0.0 {
             let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
             return Err(Error::Meaningless(says.into()));
         }
-        let plasticity_index = plasticity_index(&described.params);
-        let yields = plasticity_index > PLASTIC_INDEX && !described.has_law;
         let rests = Rests::of(&described);
         let strength = Strength::new(rests.clone(), &described);
         let prepare = |params: Params| -> Result<Params, Error> {
-            let mut params = params;
-            if yields {
-                params.contact_law = ContactLawKind::ElasticPlastic;
-                params.work_of_adhesion = 0.0;
-            }
+            let mut params = described.with_law(params)?;
             rests.set(&mut params)?;
             Ok(params)
         };
@@ -130,7 +123,7 @@ impl Estimate {
         // A trend that the law cannot follow is not within the errors that were given.
         seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
         let mut found = Vec::new();
-        for (at, probability) in cases::of(described.machined.as_ref()) {
+        for (at, probability) in cases::of(machined) {
             let model = match found.is_empty() {
                 true => middle.clone(),
                 false => without_pressure(&prepare(describe(bytes, at)?.params)?)?,
@@ -159,18 +152,7 @@ impl Estimate {
             false => None,
         };
         let cases = weighted(found);
-        Ok(Self {
-            described,
-            strength,
-            cases,
-            pressed,
-            params,
-            reach,
-            tells_pressure,
-            misfit,
-            plasticity_index,
-            yields,
-        })
+        Ok(Self { described, strength, cases, pressed, params, reach, tells_pressure, misfit })
     }
 
     /// Friction at a load.
@@ -273,6 +255,12 @@ impl Estimate {
         Ok(())
     }
 
+    /// The friction coefficient at a load if the bodies were harder or softer; None if that is refused.
+    fn with_hardness(bytes: &[u8], load: f64, hardness: f64) -> Option<f64> {
+        let at = Case { hardness: Some(hardness), ..Case::MIDDLE };
+        Some(Self::of(bytes, &[load], at).ok()?.at_load(load).ok()?.friction_coefficient)
+    }
+
     /// The strength that is estimated, over that of the models.
     fn factor(&self) -> f64 {
         self.params.slip.stress_1 / self.cases[0].model.params().slip.stress_1
@@ -354,7 +342,7 @@ impl Estimate {
 }
 
 /// Gives each case and slice its probability, of the weights of slices and the probabilities before.
-fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Case> {
+fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Likely> {
     let weights = || found.iter().flat_map(|(_, slices, _)| slices).map(|slice| slice.log_weight);
     let largest = weights().fold(f64::NEG_INFINITY, f64::max);
     let of = |slices: &[Slice]| slices.iter().map(|slice| exp(slice.log_weight - largest)).sum::<f64>();
@@ -367,7 +355,7 @@ fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Case> {
             let sum = of(&slices);
             let probability = probability * sum * apart(&slices) / total;
             let slices = slices.into_iter().map(|slice| (exp(slice.log_weight - largest) / sum, slice)).collect();
-            Case { model, slices, probability }
+            Likely { model, slices, probability }
         })
         .collect()
 }
@@ -379,13 +367,6 @@ fn range(loads: impl Iterator<Item = f64>, adheres: bool) -> [f64; 2] {
         (lightest, heaviest) = (lightest.min(load), heaviest.max(load));
     }
     [lightest.min(heaviest), heaviest]
-}
-
-fn plasticity_index(params: &Params) -> f64 {
-    match params.hardness > 0.0 {
-        true => params.composite_modulus * (params.height_std / params.summit_radius).sqrt() / params.hardness,
-        false => 0.0,
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! How strong an interface is before friction is measured on it, and how well that is known.
 
-use super::known::{deviation, DEFAULT_FACTOR, LARGEST_ROW_PRESSURE, ROW_FACTOR, ROW_PRESSURE, SUMMIT_PRODUCT};
+use super::known::{deviation, DEFAULT_FACTOR, LARGEST_ROW_PRESSURE, ROW_FACTOR, ROW_PRESSURE};
 use crate::by_name::Described;
 use crate::elementary::{exp, log};
 use crate::error::Error;
@@ -80,11 +80,7 @@ impl Strength {
             Rests::Given if !is_measured => 0.0,
             Rests::Default | Rests::Given => deviation(DEFAULT_FACTOR),
         };
-        let params = &described.params;
-        let area = match params.nominal_area > 0.0 {
-            true => params.nominal_area,
-            false => params.asperity_count * params.height_std * params.summit_radius / SUMMIT_PRODUCT,
-        };
+        let area = described.area();
         let load = |row: &Interface| match row.load > 0.0 {
             true => row.load.min(LARGEST_ROW_PRESSURE * area),
             false => ROW_PRESSURE * area,

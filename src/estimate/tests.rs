@@ -2,7 +2,7 @@
 
 use super::known::{deviation, DEFAULT_FACTOR, PROCESSES, SLOPE_FACTOR};
 use super::{write, Answer, Estimate};
-use crate::by_name::{describe, Case};
+use crate::by_name::{describe, read, Case, Draft};
 use crate::materials::PAIRS;
 use crate::model::Model;
 use crate::params::{ContactLawKind, Params};
@@ -27,7 +27,7 @@ fn answer(text: &str, load: f64) -> Answer {
 fn written(text: &str, loads: &[f64]) -> String {
     let (estimate, answers) = estimate(text, loads);
     let mut out = String::new();
-    write(&estimate, &answers, estimate.warnings(loads).expect("warnings"), &mut out).expect("a text");
+    write(&estimate, text.as_bytes(), &answers, estimate.warnings(loads).expect("warnings"), &mut out).expect("a text");
     out
 }
 
@@ -66,7 +66,7 @@ fn bands_have_the_coverage_that_they_say() {
     let unmeasured = answer(&text, LOADS[0]);
     let (mut without, mut with) = (0, 0);
     for _ in 0..REPEATS {
-        let case = Case { height: 1.0, slope: (deviation(SLOPE_FACTOR) * normal()).exp() };
+        let case = Case { slope: (deviation(SLOPE_FACTOR) * normal()).exp(), ..Case::MIDDLE };
         let mut params = describe(text.as_bytes(), case).expect("a surface").params;
         params.contact_law = ContactLawKind::ElasticPlastic;
         params.work_of_adhesion = 0.0;
@@ -89,12 +89,15 @@ fn bands_have_the_coverage_that_they_say() {
 /// The parameters that a text makes have the friction of its estimate, with one point or several.
 #[test]
 fn an_estimate_is_the_friction_of_the_parameters() {
-    let law = "contact_law = \"elastic-plastic\"\n";
     for points in ["[1000, 0.16]", "[[1000, 0.16]]", "[[1000, 0.16], [10, 0.18, 0.02]]", "[[1000, 0.16], [1000, 0.18]]"]
     {
-        let text = format!("{STEEL}{law}measured = {points}\n{ROUGH}");
-        let model = Model::new(&Params::from_toml(&text).expect("a surface")).expect("a model");
-        for found in estimate(&text, &[1.0, 10.0, 1e4]).1 {
+        let text = format!("{STEEL}measured = {points}\n{ROUGH}");
+        let params = Params::from_toml(&text).expect("a surface");
+        let (estimate, answers) = estimate(&text, &[1.0, 10.0, 1e4]);
+        assert_near(params.slip.stress_1, estimate.params().slip.stress_1, 1e-7);
+        assert_eq!(params.contact_law, ContactLawKind::ElasticPlastic);
+        let model = Model::new(&params).expect("a model");
+        for found in answers {
             assert_near(found.friction_coefficient, model.friction_at_load(found.load), 1e-7);
         }
     }
@@ -162,8 +165,8 @@ fn the_parameters_of_an_estimate_have_its_friction_its_strength_and_its_law() {
             let (estimate, answers) = estimate(&text, &[0.5, 100.0]);
             let params = Params::from_toml(&estimate.params().to_toml()).expect("a surface");
             assert_eq!(&params, estimate.params(), "{text}");
-            assert_eq!(estimate.yields, params.contact_law == ContactLawKind::ElasticPlastic, "{text}");
-            yielding += u32::from(estimate.yields);
+            assert_eq!(estimate.described.yields, params.contact_law == ContactLawKind::ElasticPlastic, "{text}");
+            yielding += u32::from(estimate.described.yields);
             calibrated += u32::from(params.calibration_friction_force > 0.0);
             let model = Model::new(&params).expect("a model");
             for found in answers {
@@ -202,6 +205,16 @@ fn few_contacts_are_counted_and_told() {
         assert!(shown.contains(says), "{shown}");
     }
     assert_eq!(shown.matches("few contacts: ").count(), 2, "{shown}");
+    // One specimen is as far off as the strength, and its own scatter.
+    let [least, most] = ["band of one ", " to "].map(|before| {
+        let line = shown.lines().find(|line| line.contains("band of one")).expect("a line");
+        let number = line[line.find("band of one").expect("it")..].split(before).nth(1).expect("a number");
+        number.split(' ').next().and_then(|number| number.parse::<f64>().ok()).expect("a number")
+    });
+    let reach = (10.0_f64.ln().powi(2) + (1.959_964 * found[1].specimen_scatter).powi(2)).sqrt();
+    let mean = found[1].specimen_force / found[1].load;
+    assert_near(least, mean * (-reach).exp(), 5e-3);
+    assert_near(most, mean * reach.exp(), 5e-3);
     // Of surfaces so rough that the mean has no number, too.
     let rough = answer(&format!("work_of_adhesion = 1e-4\n{text}"), 0.0);
     assert!(rough.friction_force == 0.0 && rough.friction_coefficient == f64::INFINITY, "{rough:?}");
@@ -278,6 +291,51 @@ fn metal_that_yields_takes_the_law_that_knows_it() {
     assert!(!written(&format!("{SILICON}{SMOOTH}"), &[1e-3]).contains(yields));
 }
 
+/// One text has one law, whoever reads it; of a part of a text the law stays what it was.
+#[test]
+fn parameters_of_a_text_have_the_law_of_its_estimate() {
+    let mut laws = [0, 0];
+    for pair in PAIRS.iter().map(|pair| pair.name.to_str().expect("UTF-8")).filter(|pair| !pair.contains("PDMS")) {
+        for own in
+            ["", "contact_law = \"maugis\"\n", "work_of_adhesion = 0.1\n", "work_of_adhesion = 0\n", "hardness = 0\n"]
+        {
+            for rough in [ROUGH, SMOOTH, "[roughness]\nRa = 2e-6\nRSm = 50e-6\n"] {
+                let text = format!("pair = \"{pair}\"\nnominal_area = 1e-6\n{own}{rough}");
+                let read = Params::from_toml(&text).expect("a surface");
+                let estimate = Estimate::new(text.as_bytes(), &[1.0]).unwrap_or_else(|error| panic!("{error}\n{text}"));
+                // The strength of a row of the table is no measurement of these surfaces.
+                let other = Params {
+                    slip: read.slip,
+                    pressure_coefficient: read.pressure_coefficient,
+                    ..estimate.params().clone()
+                };
+                assert_eq!(read, other, "{text}");
+                assert_eq!(Params::from_toml(&read.to_toml()).expect("a surface"), read, "{text}");
+                laws[usize::from(read.contact_law == ContactLawKind::ElasticPlastic)] += 1;
+            }
+        }
+    }
+    assert!(laws[0] > 50 && laws[1] > 50, "{laws:?}");
+    let bodies =
+        "composite_modulus = 1.1e11\neffective_shear_modulus = 8e10\nwork_of_adhesion = 0\nadhesion_range = 0.25e-9\n\
+                  burgers_vector = 0.25e-9\nhardness = 2e9\nasperity_count = 1e5\n";
+    let law = |text: &str| {
+        let mut draft = Draft::default();
+        draft.set_skew(0.0).expect("heights");
+        for part in text.split("then\n") {
+            read(part.as_bytes(), &mut draft).expect("a surface");
+        }
+        draft.params.contact_law
+    };
+    let steep = "height_std = 1e-6\nsummit_radius = 1e-5\n";
+    assert_eq!(law(&format!("{bodies}{steep}")), ContactLawKind::ElasticPlastic);
+    assert_eq!(law(&format!("{bodies}height_std = 1e-9\nsummit_radius = 1e-5\nthen\n{steep}")), ContactLawKind::Maugis);
+    assert_eq!(
+        law(&format!("{bodies}{steep}contact_law = \"maugis\"\nthen\nhardness = 1e9\n")),
+        ContactLawKind::Maugis
+    );
+}
+
 #[test]
 fn what_is_known_of_a_process_makes_the_band_narrower() {
     let points = "measured = [1000, 0.16]\n";
@@ -305,7 +363,7 @@ fn what_is_known_of_a_process_makes_the_band_narrower() {
 /// Points at loads far apart tell how much of friction goes with pressure; at one load they do not.
 #[test]
 fn several_points_tell_the_pressure_coefficient_where_they_reach_over_loads() {
-    let text = |points: &str| format!("{STEEL}contact_law = \"elastic-plastic\"\nmeasured = {points}\n{ROUGH}");
+    let text = |points: &str| format!("{STEEL}measured = {points}\n{ROUGH}");
     let kappa = |points: &str| Params::from_toml(&text(points)).expect("a surface").pressure_coefficient;
     // Amontons' law, but for what of the strength is left.
     let constant = kappa("[[1000, 0.16], [10, 0.16], [0.1, 0.16]]");
@@ -376,9 +434,77 @@ fn slips_of_units_that_no_contact_has_are_asked_for() {
     assert!(refused(&format!("{STEEL}measured = [1000, 16]\n{ROUGH}"))
         .contains("is the coefficient in per cent (16 for 0.16)"));
     assert!(refused(&format!("{STEEL}measured = [1000, 30]\n{ROUGH}")).contains("or is it in per cent?"));
+    let measured = |points: &str| written(&format!("{SILICON}measured = {points}\n{SMOOTH}"), &[1e-2]);
     let sticky = written(&format!("{SILICON}measured = [1e-6, 6]\n{SMOOTH}"), &[1e-6]);
     assert!(sticky.contains("check: the measured friction coefficient is 6: is it in per cent (0.06)?"), "{sticky}");
+    assert!(
+        !sticky.contains("is it the load")
+            && measured("[0.1, 6]").contains("(0.06)? Or is it the load? A point is [load")
+    );
     assert!(!written(&format!("{SILICON}measured = [1e-6, 4]\n{SMOOTH}"), &[1e-6]).contains("per cent"));
+    // Load and coefficient swapped, of one point and of several.
+    let says = "check: the measured friction coefficient is 0.001, dry surfaces have more: is it the load? A point is [load, coefficient]";
+    for points in ["[0.3, 1e-3]", "[[0.3, 0.16], [0.3, 1e-3]]"] {
+        assert!(measured(points).contains(says), "{}", measured(points));
+    }
+    let says = "check: friction coefficients of 0.1 to 1 at 0.16 to 0.19 N: are the two swapped?";
+    assert!(measured("[[0.19, 0.1], [0.16, 1]]").contains(says));
+    for right in ["[0.3, 0.011]", "[[0.1, 0.19], [1, 0.16]]", "[[0.3, 0.1], [0.3, 0.4]]", "[[2.1, 0.1], [2.2, 0.4]]"] {
+        assert!(!measured(right).contains("A point is"), "{}", measured(right));
+    }
+    // What adheres has friction at light loads; a count is that of an area too, and may be a density.
+    let light = |text: &str, load: f64| written(&format!("{text}{SMOOTH}"), &[load]);
+    assert!(
+        !light(SILICON, 1.1e-8).contains("check") && light(SILICON, 0.9e-8).contains("check: the nominal pressure")
+    );
+    let summits = "pair = \"Si/Si\"\nheight_std = 5e-9\nsummit_radius = 1e-6\n";
+    let counted = |count: f64| written(&format!("{summits}asperity_count = {count}\n"), &[1e-3]);
+    assert!(!counted(1e5).contains("check") && !counted(1.0).contains("check"));
+    let says = "check: the nominal pressure is 0.001 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and asperity_count a number";
+    assert!(counted(1e13).contains(says), "{}", counted(1e13));
+}
+
+/// Of the bodies what makes the answer, with what another makes of it; of what is given nothing.
+#[test]
+fn what_is_taken_of_materials_is_told() {
+    let told = |text: &str| {
+        let text = written(text, &[10.0]);
+        let lines = text.lines().filter_map(|line| line.strip_prefix("rests on: "));
+        let of = ["E = ", "hardness = ", "work of adhesion ", "elastic asperities: "];
+        lines.filter(|line| of.iter().any(|of| line.starts_with(of))).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let hard = format!("measured = [1000, 0.16]\n{STEEL}{ROUGH}");
+    let soft = format!("hardness = 2e9\n{hard}");
+    let with_soft = answer(&soft, 10.0).friction_coefficient;
+    let steel = "E = 205 GPa and nu = 0.3 of steel";
+    let hardness =
+        format!("hardness = 7.5 GPa of steel, AISI 52100 hardened to 60-64 HRC: with 2 GPa mu(10 N) is {with_soft:.2}");
+    assert!((0.175..0.185).contains(&with_soft), "{with_soft}");
+    assert_eq!(told(&hard), [steel, &hardness]);
+    assert_eq!(told(&soft), [steel]);
+    let moduli = "[materials]\nE1 = 200e9\nnu1 = 0.29\n";
+    assert_eq!(told(&format!("{soft}{moduli}")), [""; 0]);
+    // Of a strength that is not measured, friction goes as one over the hardness; of a body without a range half and twice it are told.
+    let [_, stainless] = &told(&format!("{GROUND}{ROUGH}"))[..] else { panic!("two lines") };
+    let begins = "hardness = 1.27 GPa of stainless, AISI 304 annealed: with 635 MPa mu(10 N) is 0.19";
+    assert!(stainless.starts_with(begins) && stainless.contains(", with 2.54 GPa 0.05"), "{stainless}");
+    // Of silicon that does not yield the hardness is nothing to the answer.
+    let silicon = "E = 160 GPa and nu = 0.22 of Si";
+    let adhesion = "work of adhesion 0.063 J/m^2 of Si/Si, measured and estimated 0.03 to 0.144";
+    assert_eq!(told(&format!("{SILICON}{SMOOTH}")), [silicon, adhesion]);
+    assert_eq!(told(&format!("work_of_adhesion = 0.1\n{SILICON}{SMOOTH}")), [silicon]);
+    // Smooth steel does not, but softer steel does.
+    let smooth = told(&format!("{STEEL}measured = [1000, 0.16]\n[roughness]\nRa = 0.2e-6\nRSm = 80e-6\n"));
+    assert!(smooth.len() == 3 && smooth[2].contains(": with 2 GPa mu(10 N) is 0.203"), "{smooth:?}");
+    let [bodies, _, unknown] = &told(&format!("pair = \"Au/mica\"\nnominal_area = 1e-4\n{SMOOTH}"))[..] else {
+        panic!("three lines")
+    };
+    assert_eq!(bodies, "E = 78 GPa and nu = 0.44 of Au, E = 54 GPa and nu = 0.1 of mica");
+    assert!(unknown.starts_with("elastic asperities: the hardness of mica is not known"), "{unknown}");
+    let own = "work_of_adhesion = 0\nadhesion_range = 0.25e-9\nburgers_vector = 0.25e-9\nnominal_area = 1e-4\n";
+    let alone = format!("{own}{ROUGH}[materials]\nE1 = 200e9\nnu1 = 0.29\nE2 = 200e9\nnu2 = 0.29\n");
+    assert_eq!(told(&alone), ["elastic asperities: the hardness is not known, give it if they yield"]);
+    assert_eq!(told(&format!("hardness = 2e9\n{alone}")), [""; 0]);
 }
 
 #[test]
@@ -422,6 +548,11 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         let found = refused(&format!("{text}{STEEL}{ROUGH}"));
         assert!(found.starts_with(says), "{found}\nnot\n{says}");
     }
+    // Of several points that which is wrong is named.
+    for [wrong, right] in [[1, 0], [0, 1]].map(|order| order.map(|i| ["[1000, 0.16]", "[10, 15]"][i])) {
+        let found = refused(&format!("{STEEL}measured = [{wrong}, {right}]\n{ROUGH}"));
+        assert!(found.starts_with("line 3: friction_force = 150 at load = 10: must be at most 12.4"), "{found}");
+    }
     for (rough, says) in [
         (
             "process = \"grund\"",
@@ -459,7 +590,7 @@ fn what_cannot_be_read_is_refused_where_it_is() {
 #[test]
 fn the_error_of_several_points_is_that_of_the_curve() {
     let error = |points: &str| {
-        let text = format!("{STEEL}contact_law = \"elastic-plastic\"\nmeasured = {points}\n{ROUGH}");
+        let text = format!("{STEEL}measured = {points}\n{ROUGH}");
         Params::from_toml(&text).expect("a surface").calibration_error
     };
     assert_eq!(error("[[1000, 0.16, 0.03]]"), 0.03);

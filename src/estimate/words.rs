@@ -2,11 +2,14 @@
 
 use super::known::SLOPE_FACTOR;
 use super::{Answer, Estimate, Rests};
-use crate::materials::Interface;
+use crate::elementary::{exp, log};
+use crate::materials::{Bodies, Interface, Material};
+use crate::model::points::Point;
 use crate::model::validity::WARNINGS;
 use crate::nearest::text;
 use crate::params::Params;
 use std::fmt::{Display, Formatter, Result, Write};
+use std::ops::RangeInclusive;
 
 /// Shares of the variance below this are not worth a measurement.
 const WORTHWHILE: f64 = 0.01;
@@ -20,6 +23,18 @@ const STEEP: f64 = 0.7;
 const STICKY: f64 = 5.0;
 /// Of a steel sheet of 1 mm under its weight [Pa]: where the heaviest load makes less, a unit may be wrong.
 const LIGHT: f64 = 77.0;
+/// The same of surfaces that adhere, whose friction at lighter loads is asked for [Pa].
+const LIGHT_OF_ADHESION: f64 = 1.0;
+/// Dry surfaces have more; MoS2 in vacuum and hard carbon may have less.
+const SMALL: f64 = 0.01;
+/// What looks like a friction coefficient.
+const LIKE_A_COEFFICIENT: RangeInclusive<f64> = 1e-3..=2.0;
+/// Coefficients that were measured at loads which are less apart are looked at from this ratio on.
+const APART: f64 = 3.0;
+/// Changes of the friction coefficient below this are not told.
+const TOLD: f64 = 0.01;
+/// Hardnesses of one material, where no range is known: over that of the table.
+const HARDER: [f64; 2] = [0.5, 2.0];
 /// Of less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
 /// (python/tests/test_pads.py).
 const FEWEST: f64 = 2.0;
@@ -29,8 +44,8 @@ const SHOWN: usize = 3;
 const NAMES: [&str; WARNINGS] =
     ["PLASTIC", "CROWDED", "STEEP", "ATOMIC", "FEW", "ADHESIVE", "UNCALIBRATED", "BROAD", "STRONG", "FEW_WAVES"];
 
-/// Writes it, a line for each load and for each thing to know.
-pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut dyn Write) -> Result {
+/// Writes it, made of a text, a line for each load and for each thing to know.
+pub fn write(estimate: &Estimate, bytes: &[u8], answers: &[Answer], warnings: u64, out: &mut dyn Write) -> Result {
     let of_rows = match estimate.rests() {
         Rests::Rows(rows) if !estimate.strength.is_measured => &rows[..],
         _ => &[],
@@ -47,9 +62,11 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64, out: &mut d
         writeln!(out, "rests on: loads are nominal pressures in Pa: no nominal_area was given")?;
     }
     write_roughness(estimate, out)?;
+    write_bodies(estimate, bytes, answers, out)?;
+    write_points(estimate, out)?;
     write_units(estimate, answers, out)?;
-    if estimate.yields {
-        let index = Figures(estimate.plasticity_index);
+    if estimate.described.yields {
+        let index = Figures(estimate.params.plasticity_index());
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
     }
     if warnings != 0 {
@@ -76,7 +93,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
                 let [least, most] = [1.0, FEWEST].map(|times| Figures(times * answer.specimen_force));
                 writeln!(
                     out,
-                    "a specimen adheres by its tallest summits, with a friction force of {least} to {most} {unit}"
+                    "a specimen adheres by its tallest summits, with a friction force of {least} to {most} {unit} for this strength"
                 )
             }
             false if answer.is_few && estimate.params.work_of_adhesion > 0.0 => {
@@ -94,21 +111,31 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
     }
 }
 
-/// What single specimens have where few summits touch: the band is that of their mean.
+/// What single specimens have where few summits touch, of which a band is that of the mean.
 fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
     if !answer.is_few || answer.load <= 0.0 || answer.contacts.is_nan() {
         return Ok(());
     }
+    let Answer { friction_coefficient, low, high, specimen_scatter: scatter, .. } = *answer;
     let mean = answer.specimen_force / answer.load;
-    let [at, contacts, least, most] = [answer.load, answer.contacts, mean, FEWEST * mean].map(Figures);
+    // A band has the strength, all else that is not known, and which specimen it is.
+    let of_specimen = |end: f64| (log(end / friction_coefficient).powi(2) + (estimate.reach * scatter).powi(2)).sqrt();
+    let [least, most] = match scatter.is_nan() {
+        true => [mean * low / friction_coefficient, FEWEST * mean * high / friction_coefficient],
+        false => [mean * exp(-of_specimen(low)), mean * exp(of_specimen(high))],
+    };
+    let [at, contacts, mean_shown, least, most] = [answer.load, answer.contacts, mean, least, most].map(Figures);
     write!(out, "few contacts: {contacts} summits touch at {at} {}: ", estimate.unit())?;
     if mean.is_nan() {
         writeln!(out, "single specimens differ, by how much is not known: take a heavier load or a larger nominal area")
-    } else if answer.specimen_scatter.is_nan() {
+    } else if scatter.is_nan() {
         writeln!(out, "one specimen stands on one or two, with {least} to {most}: the number above is not its friction")
     } else {
-        let scatter = Figures(100.0 * answer.specimen_scatter);
-        writeln!(out, "single specimens have {least} on average, with a standard deviation of {scatter} %")
+        let scatter = Figures(100.0 * scatter);
+        writeln!(
+            out,
+            "single specimens have {mean_shown} on average, with a standard deviation of {scatter} %: band of one {least} to {most}"
+        )
     }
 }
 
@@ -175,14 +202,99 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
     Ok(())
 }
 
+/// What is taken of the bodies by their names, and what of it makes the answer.
+fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut dyn Write) -> Result {
+    let described = &estimate.described;
+    let write_elastic = |of: &str, out: &mut dyn Write| {
+        writeln!(out, "rests on: elastic asperities: the hardness{of} is not known, give it if they yield")
+    };
+    let Some(bodies) = &described.bodies else {
+        let is_known = described.has_hardness || described.params.hardness > 0.0;
+        return if is_known { Ok(()) } else { write_elastic("", out) };
+    };
+    let Bodies { first, second } = *bodies;
+    if !described.has_moduli {
+        let of = |body: &'static Material| {
+            let (young, poisson, name) = (Stress(body.young), body.poisson, text(body.name));
+            format!("E = {young} and nu = {poisson} of {name}")
+        };
+        let other = if std::ptr::eq(first, second) { String::new() } else { format!(", {}", of(second)) };
+        writeln!(out, "rests on: {}{other}", of(first))?;
+    }
+    let work = estimate.params.work_of_adhesion;
+    if let Some(pair) = bodies.pair().filter(|_| !described.has_adhesion && work > 0.0) {
+        write!(out, "rests on: work of adhesion {} J/m^2 of {}", Figures(work), text(pair.name))?;
+        let [least, most] = pair.work_of_adhesion_range;
+        match most > least {
+            true => writeln!(out, ", measured and estimated {} to {}", Figures(least), Figures(most))?,
+            false => writeln!(out)?,
+        }
+    }
+    if described.has_hardness {
+        return Ok(());
+    }
+    let softer = bodies.softer();
+    let name = text(softer.name);
+    if softer.hardness == 0.0 {
+        return write_elastic(&format!(" of {name}"), out);
+    }
+    let [least, most] = softer.hardness_range;
+    let ends = if most > least { [least, most] } else { HARDER.map(|factor| factor * softer.hardness) };
+    let mut others = Vec::new();
+    if let Some(answer) = answers.iter().find(|answer| answer.load > 0.0 && answer.low > 0.0) {
+        for hardness in ends.into_iter().filter(|&hardness| hardness != softer.hardness) {
+            let with = Estimate::with_hardness(bytes, answer.load, hardness);
+            let changes = |mu: &f64| (mu / answer.friction_coefficient - 1.0).abs() > TOLD;
+            others.extend(with.filter(changes).map(|mu| (answer.load, hardness, mu)));
+        }
+    }
+    if others.is_empty() && !described.yields {
+        return Ok(());
+    }
+    write!(out, "rests on: hardness = {} of {name}", Stress(softer.hardness))?;
+    if !softer.state.is_empty() {
+        write!(out, ", {}", softer.state)?;
+    }
+    for (i, (load, hardness, mu)) in others.iter().enumerate() {
+        let (hardness, mu) = (Stress(*hardness), Figures(*mu));
+        match i {
+            0 => write!(out, ": with {hardness} mu({} {}) is {mu}", Figures(*load), estimate.unit())?,
+            _ => write!(out, ", with {hardness} {mu}")?,
+        }
+    }
+    writeln!(out)
+}
+
+/// Measured points that are hardly of dry friction.
+fn write_points(estimate: &Estimate, out: &mut dyn Write) -> Result {
+    let unit = estimate.unit();
+    let ends = |of: fn(&Point) -> f64| {
+        let values = || estimate.described.points.iter().filter(|point| point.load > 0.0).map(of);
+        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let ([lightest, heaviest], [least, most]) = (ends(|point| point.load), ends(|point| point.force / point.load));
+    let is_like = LIKE_A_COEFFICIENT.contains(&lightest) && LIKE_A_COEFFICIENT.contains(&heaviest);
+    if most > LARGE {
+        let [ratio, part] = [most, 0.01 * most].map(Figures);
+        write!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?")?;
+        writeln!(out, "{}", if is_like { " Or is it the load? A point is [load, coefficient]" } else { "" })
+    } else if least < SMALL {
+        let least = Figures(least);
+        writeln!(out, "check: the measured friction coefficient is {least}, dry surfaces have more: is it the load? A point is [load, coefficient]")
+    } else if is_like && heaviest > lightest && most / least > APART.max(heaviest / lightest) {
+        let [lightest, heaviest, least, most] = [lightest, heaviest, least, most].map(Figures);
+        writeln!(
+            out,
+            "check: friction coefficients of {least} to {most} at {lightest} to {heaviest} {unit}: are the two swapped? A point is [load, coefficient]"
+        )
+    } else {
+        Ok(())
+    }
+}
+
 /// Slips of units that make numbers which no contact has.
 fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
     let points = &estimate.described.points;
-    let ratios = points.iter().filter(|point| point.load > 0.0).map(|point| point.force / point.load);
-    if let Some(ratio) = ratios.filter(|&ratio| ratio > LARGE).reduce(f64::max) {
-        let [ratio, part] = [ratio, 0.01 * ratio].map(Figures);
-        writeln!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?")?;
-    }
     let Params { rms_slope, pressure_coefficient, work_of_adhesion, .. } = estimate.described.params;
     let is_given = estimate.described.machined.as_ref().is_none_or(|machined| machined.has_slope);
     for (name, value, most, says) in [
@@ -199,21 +311,22 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
             writeln!(out, "check: {name} is {}: {says}", Figures(value))?;
         }
     }
-    let Params { nominal_area, hardness, .. } = estimate.params;
-    let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));
-    let pressure = loads.fold(0.0, f64::max) / nominal_area;
-    let units = match estimate.is_of_pressures() {
-        true => "is load in Pa? Give nominal_area for loads in N",
-        false => "is load in N, and nominal_area in m^2?",
-    };
-    let shown = Figures(pressure);
-    if !(nominal_area > 0.0 && pressure > 0.0) {
+    let Params { nominal_area, hardness, work_of_adhesion, .. } = estimate.params;
+    if !estimate.params.is_of_many() {
         return Ok(());
     }
-    if pressure < LIGHT {
+    let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));
+    let pressure = loads.fold(0.0, f64::max) / estimate.described.area();
+    let units = match (estimate.is_of_pressures(), nominal_area > 0.0) {
+        (true, _) => "is load in Pa? Give nominal_area for loads in N",
+        (false, true) => "is load in N, and nominal_area in m^2?",
+        (false, false) => "is load in N, and asperity_count a number and not a density?",
+    };
+    let shown = Figures(pressure);
+    if pressure > 0.0 && pressure < if work_of_adhesion > 0.0 { LIGHT_OF_ADHESION } else { LIGHT } {
         let light = Figures(LIGHT);
         writeln!(out, "check: the nominal pressure is {shown} Pa, and a steel sheet of 1 mm has {light} Pa: {units}")
-    } else if hardness > 0.0 && pressure > hardness {
+    } else if nominal_area > 0.0 && hardness > 0.0 && pressure > hardness {
         writeln!(out, "check: the nominal pressure is {shown} Pa, above the hardness, which no contact bears: {units}")
     } else {
         Ok(())
@@ -304,6 +417,18 @@ impl Display for Names<'_> {
         match rows {
             [row] => write!(f, "{} of the table of interfaces", text(row.name)),
             _ => write!(f, "the {} rows of these bodies in the table of interfaces", rows.len()),
+        }
+    }
+}
+
+/// A modulus or a hardness.
+struct Stress(f64);
+
+impl Display for Stress {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.0 < 1e9 {
+            true => write!(f, "{} MPa", Figures(self.0 * 1e-6)),
+            false => write!(f, "{} GPa", Figures(self.0 * 1e-9)),
         }
     }
 }

@@ -208,6 +208,13 @@ impl Curve {
         std::array::from_fn(|i| (reference * value[i], logs[i].1 * coordinates[i].1))
     }
 
+    /// How far a quantity is off at pull-off, relative, if the panel that ends there begins above a load.
+    pub fn error_at_pull_off(&self, quantity: Quantity, log_excess: f64) -> f64 {
+        let last = self.panels.last().filter(|panel| panel.lowest == 0.0 && self.coordinate.log_pull_off.is_some());
+        let last = last.filter(|panel| self.coordinate.log_excess(panel.highest) > log_excess);
+        last.map_or(0.0, |panel| panel.log_value_at(quantity, [0.0])[0].0.abs())
+    }
+
     /// The separation at ln x, to a few digits, where the curve covers it.
     pub fn separation(&self, log_excess: f64) -> Option<f64> {
         let (s, _) = self.coordinate.at(log_excess);

@@ -278,8 +278,9 @@ impl Compiled {
         let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
         let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scale.load);
         let source = AgainstLoad { curve, quantity, unit: scale.value };
-        let error =
-            Filling::new(&source, scale.load, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
+        let filling = Filling::new(&source, scale.load, FRACTION);
+        let error = filling.rows(&mut table, (end - base) as usize, reach.most_rows);
+        let error = error.max(curve.error_at_pull_off(quantity, reach.log_lightest));
         let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * scale.value);
         let beyond = Box::new(Beyond::new(&table, Some(at_pull_off), table.pull_off));
         Self { table, beyond, error }
@@ -481,7 +482,7 @@ mod tests {
         });
         assert_work(
             &panels.each_ref().map(|panels| &panels[..]),
-            &[&[10934], &[10194], &[4408], &[3885], &[3974], &[2533]],
+            &[&[11093], &[12031], &[4507], &[3885], &[3974], &[2578]],
             "panels",
         );
     }

@@ -34,6 +34,8 @@ pub struct Material {
     pub hardness: f64,
     /// Of published values, in Pa.
     pub hardness_range: [f64; 2],
+    /// What it was measured of.
+    pub state: &'static str,
     /// In m; of a glass the distance of like atoms.
     pub burgers_vector: f64,
     /// Where the numbers are from.
@@ -136,7 +138,15 @@ impl Bodies {
 
     /// The hardness of the softer body; 0 if that of one of them is not known.
     pub fn hardness(&self) -> f64 {
-        self.first.hardness.min(self.second.hardness)
+        self.softer().hardness
+    }
+
+    /// The softer body, or one whose hardness is not known.
+    pub fn softer(&self) -> &'static Material {
+        match self.first.hardness <= self.second.hardness {
+            true => self.first,
+            false => self.second,
+        }
     }
 }
 

@@ -90,13 +90,14 @@ impl Params {
         pressure_is_free: bool,
         without_pressure: Option<&Model>,
     ) -> Result<Calibrated, Error> {
-        let Point { load, force: friction_force, .. } = points[0];
-        let refused = |reason: Reason, number: f64| Err(Error::Uncalibrated { load, friction_force, reason, number });
-        if points.iter().any(|point| !finite(point.force) || point.force <= 0.0) {
-            return refused(Reason::NotPositive, 0.0);
+        let refused = |point: &Point, reason: Reason, number: f64| {
+            Err(Error::Uncalibrated { load: point.load, friction_force: point.force, reason, number })
+        };
+        if let Some(point) = points.iter().find(|point| !finite(point.force) || point.force <= 0.0) {
+            return refused(point, Reason::NotPositive, 0.0);
         }
         if self.slip.stress_1 == 0.0 && self.slip.stress_2 == 0.0 {
-            return refused(Reason::NoStress, 0.0);
+            return refused(&points[0], Reason::NoStress, 0.0);
         }
         let made;
         let model = match without_pressure {
@@ -107,42 +108,51 @@ impl Params {
             }
         };
         let mut seen = Vec::with_capacity(points.len());
-        for &Point { load, force: friction_force, error } in points {
-            let refused = |reason, number| Err(Error::Uncalibrated { load, friction_force, reason, number });
-            let state = model.state_at_load(load)?;
+        for point in points {
+            let state = model.state_at_load(point.load)?;
             let of_pressure = self.pressure_coefficient * state.hertz_load;
-            if friction_force <= of_pressure {
-                return refused(Reason::Pressure, of_pressure);
+            if point.force <= of_pressure {
+                return refused(point, Reason::Pressure, of_pressure);
             }
             // Of a load that hardly presses the force may be too small for a number.
             if state.friction_force < f64::MIN_POSITIVE {
-                return refused(Reason::NoFriction, state.friction_force);
+                return refused(point, Reason::NoFriction, state.friction_force);
             }
-            let (force, pressed, measured) = (state.friction_force, state.hertz_load, log(friction_force));
-            seen.push(Seen { force, pressed, measured, error });
+            let (force, pressed, measured) = (state.friction_force, state.hertz_load, log(point.force));
+            seen.push(Seen { force, pressed, measured, error: point.error });
         }
         let tells_pressure = pressure_is_free && tell_pressure(&seen);
         let (factor, kappa) = match seen[..] {
             [one] => {
                 let kappa = self.pressure_coefficient;
-                ((friction_force - kappa * one.pressed) / one.force, kappa)
+                ((points[0].force - kappa * one.pressed) / one.force, kappa)
             }
             _ => {
                 let (log_c, kappa) = nearest(&seen, (!tells_pressure).then_some(self.pressure_coefficient));
                 (exp(log_c), kappa)
             }
         };
-        let (force, of_pressure) = (seen[0].force, kappa * seen[0].pressed);
-        let largest = self.slip.stress_1.max(self.slip.stress_2);
-        if factor > 1.0 / largest {
-            return refused(Reason::Strength, force / largest + of_pressure);
+        let [least, most] = [
+            1.0 / (LARGEST * self.slip.stress_1.min(self.slip.stress_2)),
+            1.0 / self.slip.stress_1.max(self.slip.stress_2),
+        ];
+        // Of several points that which is farthest beyond is named.
+        let beyond = |reason: Reason, bound: f64, sign: f64| {
+            let allowed = |one: &Seen| bound * one.force + kappa * one.pressed;
+            let excess = |(point, one): &(&Point, &Seen)| sign * (log(point.force) - log(allowed(one)));
+            let of_all = points.iter().zip(&seen);
+            let (point, one) =
+                of_all.max_by(|one, other| excess(one).total_cmp(&excess(other))).unwrap_or((&points[0], &seen[0]));
+            refused(point, reason, allowed(one))
+        };
+        if factor > most {
+            return beyond(Reason::Strength, most, 1.0);
         }
-        let least = 1.0 / (LARGEST * self.slip.stress_1.min(self.slip.stress_2));
         if factor < least {
-            return refused(Reason::Weakness, force * least + of_pressure);
+            return beyond(Reason::Weakness, least, -1.0);
         }
         let misfit = misfit(&seen, log(factor), kappa, tells_pressure);
-        let [mut load, mut friction_force] = [load, friction_force];
+        let Point { mut load, force: mut friction_force, .. } = points[0];
         if points.len() > 1 {
             load = exp(points.iter().map(|point| log(point.load)).sum::<f64>() / points.len() as f64);
             let state = model.state_at_load(load)?;

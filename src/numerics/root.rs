@@ -1,5 +1,10 @@
 //! A bracketed root of a function of one variable, to the last bit or two.
 
+/// A step of Newton's method, over the length on which a function bends, after which the next would change what depends on the root
+/// to first order, and derivatives of it to second.
+pub const LAST_STEP: f64 = 1e-13;
+/// No search takes as many steps, Newton's three to five; it bounds the time of a call.
+pub const MOST_STEPS: u32 = 1000;
 /// To this part of the bracket roots are found, next to 0 too.
 const LAST_BITS: f64 = 1e-18;
 
@@ -22,7 +27,7 @@ pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (up
     // A root at zero has no relative resolution.
     let resolution = LAST_BITS * (upper - lower).abs();
     let mut t = 0.5;
-    for _ in 0..200 {
+    for _ in 0..MOST_STEPS {
         let x = a + t * (b - a);
         let fx = f(x);
         // Keep the root between a and b, with a the newest point and c the one before.

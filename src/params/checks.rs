@@ -1,7 +1,7 @@
 //! What parameters may be together, and the groups, heights and radii that they amount to.
 
 use super::numbers::{magnitude, not_negative, positive, POSITIVE};
-use super::{unit_slips, ContactLawKind, Params, LEAST_BANDWIDTH, RADIUS_RATES, UNSET};
+use super::{unit_slips, ContactLawKind, Params, LEAST_BANDWIDTH, RADIUS_RATES};
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::{self, HeightDistribution};
 use crate::error::Error;
@@ -24,8 +24,7 @@ impl Params {
     /// # Errors
     /// [`Error::Unset`], [`Error::InvalidParameter`] or [`Error::OutOfRange`], naming the first parameter that is refused.
     pub(crate) fn surface(&self) -> Result<(Groups, Arc<dyn HeightDistribution>, RadiusProfile), Error> {
-        let is_unset = |(_, value): &(_, &mut f64)| value.to_bits() == UNSET.to_bits();
-        if let Some((name, _)) = self.clone().physical().into_iter().find(is_unset) {
+        if let Some(name) = self.unset() {
             return Err(Error::Unset { name });
         }
         positive("composite_modulus", self.composite_modulus)?;

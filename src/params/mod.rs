@@ -166,6 +166,12 @@ impl Params {
         ]
     }
 
+    /// The first of them that was never set.
+    pub(crate) fn unset(&self) -> Option<&'static str> {
+        let is_unset = |(_, value): &(_, &mut f64)| value.to_bits() == UNSET.to_bits();
+        self.clone().physical().into_iter().find(is_unset).map(|(name, _)| name)
+    }
+
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8). The tangential
     /// modulus becomes its default, which is that of this case.
     ///
@@ -360,6 +366,14 @@ impl Params {
         let SlipConstants { stress_1, stress_2, .. } = SlipConstants::default();
         let is_default = self.slip.stress_1 == stress_1 && self.slip.stress_2 == stress_2;
         is_default && self.pressure_coefficient == 0.0 && self.calibration_friction_force == 0.0
+    }
+
+    /// E* (sigma/R)^(1/2)/H; 0 if the hardness is not known.
+    pub(crate) fn plasticity_index(&self) -> f64 {
+        match self.hardness > 0.0 {
+            true => self.composite_modulus * (self.height_std / self.summit_radius).sqrt() / self.hardness,
+            false => 0.0,
+        }
     }
 
     /// Nayak's bandwidth: that given, or that of a Gaussian surface with this number of summits on the nominal area (P. R. Nayak,

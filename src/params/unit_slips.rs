@@ -10,7 +10,15 @@ use crate::error::Error;
 use std::ops::RangeInclusive;
 
 /// Hardness over E*: from soft metals (1e-3) and rubber (1) there is room to either side.
-const HARDNESS: RangeInclusive<f64> = 1e-5..=100.0;
+const SOFTEST: (f64, &str) = (
+    1e-5,
+    "must be at least 1e-5, or hardness 0 for not known; is hardness in GPa, in MPa or a Vickers number (times 9.81e6 in Pa), and of \
+     the softer body?",
+);
+const HARDEST: (f64, &str) = (
+    100.0,
+    "must be at most 100, or hardness 0 for not known; is the modulus, or E1 or E2, in MPa or GPa, or hardness in another unit?",
+);
 /// Nayak's bandwidth: of a fractal dimension of 2.2, 4e3 goes with three decades of wavelengths, 2e5 with four.
 pub(super) const BROADEST: (f64, &str) = (
     1e6,
@@ -49,8 +57,8 @@ struct Units {
 const UNITS: [Units; 2] = [
     Units {
         burgers_vector: 1e-10..=1e-9,
-        softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it in MPa or GPa?"),
-        stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; is it too large by a factor of 1e9?"),
+        softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it, or E1 or E2, in MPa or GPa?"),
+        stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; is it, or E1 or E2, too large by a factor of 1e9?"),
         strongest_adhesion: (12.0, "must be at most 12 J/m^2 where burgers_vector is in m; is it in mJ/m^2?"),
         roughest: (1e-4, "must be at most 1e-4 m where burgers_vector is in m; is it in mm, um or nm?"),
         widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in mm, um or nm?"),
@@ -66,7 +74,7 @@ const UNITS: [Units; 2] = [
     },
     Units {
         burgers_vector: 1e-7..=1e-6,
-        softest: (1e-6, "must be at least 1e-6 GPa, or 1e-3 MPa, where burgers_vector is in mm"),
+        softest: (1e-6, "must be at least 1e-6 GPa, or 1e-3 MPa, where burgers_vector is in mm; is it, or E1 or E2, in GPa?"),
         stiffest: (1e7, "must be at most 1e7 MPa where burgers_vector is in mm; is it in Pa?"),
         strongest_adhesion: (0.012, "must be at most 0.012 N/mm where burgers_vector is in mm; is it in J/m^2?"),
         roughest: (0.1, "must be at most 0.1 mm where burgers_vector is in mm; is it in um?"),
@@ -95,21 +103,20 @@ pub fn check(params: &Params) -> Result<(), Error> {
     };
     let at_least = |name, value, (bound, allowed): Bound| refuse(value < bound, name, value, allowed);
     let at_most = |name, value, (bound, allowed): Bound| refuse(value > bound, name, value, allowed);
+    let units = UNITS.iter().find(|units| units.burgers_vector.contains(&params.burgers_vector));
+    if let Some(units) = units {
+        at_least("composite_modulus", params.composite_modulus, units.softest)?;
+        at_most("composite_modulus", params.composite_modulus, units.stiffest)?;
+    }
     let hardness = params.hardness / params.composite_modulus;
-    if params.hardness != 0.0 && !HARDNESS.contains(&hardness) {
-        let allowed =
-            "must be between 1e-5 and 100, or hardness 0 for not known; is hardness in GPa, in MPa or a Vickers number (times 9.81e6 in Pa), \
-             and of the softer body?";
-        return Err(Error::out_of_range("hardness/composite_modulus", hardness, allowed));
+    if params.hardness != 0.0 {
+        at_least("hardness/composite_modulus", hardness, SOFTEST)?;
+        at_most("hardness/composite_modulus", hardness, HARDEST)?;
     }
     if params.nominal_area > 0.0 && params.is_of_many() {
         at_least("asperity_count/nominal_area height_std summit_radius", params.summit_product(), SPARSEST)?;
     }
-    let Some(units) = UNITS.iter().find(|units| units.burgers_vector.contains(&params.burgers_vector)) else {
-        return Ok(());
-    };
-    at_least("composite_modulus", params.composite_modulus, units.softest)?;
-    at_most("composite_modulus", params.composite_modulus, units.stiffest)?;
+    let Some(units) = units else { return Ok(()) };
     if params.hardness != 0.0 {
         at_least("hardness/composite_modulus", hardness, SOFTEST_METAL)?;
     }
@@ -205,7 +212,18 @@ mod tests {
         assert_eq!(passes(|params| in_gpa(params, 1.0), "GPa?"), none);
         assert_eq!(passes(|params| in_gpa(params, 0.0), "GPa?"), none);
         assert_eq!(passes(|params| params.hardness *= 1e-9, "hardness in GPa"), none);
-        assert_eq!(passes(|params| params.hardness *= 1e9, "hardness in GPa"), none);
+        assert_eq!(passes(|params| params.hardness *= 1e9, "hardness in another unit"), none);
+        // The bodies alone: of rubber they are gels.
+        let moduli = |factor: f64| {
+            passes(
+                |params| {
+                    params.composite_modulus *= factor;
+                    params.effective_shear_modulus *= factor;
+                },
+                "is it, or E1 or E2, in MPa or GPa?|is the modulus, or E1 or E2, in MPa",
+            )
+        };
+        assert_eq!((moduli(1e-9), moduli(1e-6)), (vec![], vec![]));
         let count = |factor: f64| passes(|params| params.asperity_count *= factor, "");
         assert_eq!(count(1e-12), none, "density per um^2");
         assert_eq!(count(1e-6), ["ground steel", "wafer"], "density per mm^2");
@@ -301,7 +319,7 @@ mod tests {
                 ("asperity_count", units.fewest_summits.0, -1.0, count),
                 ("asperity_count", units.most_summits.0, 1.0, count),
                 ("hardness/composite_modulus", SOFTEST_METAL.0, -1.0, hardness),
-                ("hardness/composite_modulus", 100.0, 1.0, hardness),
+                ("hardness/composite_modulus", HARDEST.0, 1.0, hardness),
             ];
             for (name, limit, outwards, set) in limits {
                 assert_eq!(refused(&|params| set(params, limit * (1.0 - 1e-12 * outwards))), None, "{name}");

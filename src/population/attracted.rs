@@ -6,7 +6,7 @@ use super::sums::{out_of_panels, Sums};
 use super::walk::PART_AT_LOWER_END;
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS};
+use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
 use crate::elementary::exp;
 use crate::error::Error;
 use crate::numerics::quadrature;
@@ -14,8 +14,6 @@ use crate::numerics::root;
 
 /// One panel of attraction with varying radius spans no more than this ratio of du/dc.
 const CIRCLE_RATIO: f64 = 4.0;
-/// The shortest panel over the whole range: what lies within it of a singular point is negligible.
-const SHORTEST_PART: f64 = 1e-8;
 
 /// A range of summits that attract.
 pub(super) struct AttractedRange<'a> {
@@ -77,7 +75,7 @@ impl Population {
         let &AttractedRange { law, from, to: (upper, end), .. } = range;
         let (mut z, mut overlap) = self.attractions_at_lower_end(law, from, upper, &mut visit);
         // The smallest summits are attracted within a layer that is thinner than a rounding.
-        let shortest = (SHORTEST_PART * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
+        let shortest = (SHORTEST * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
         for _ in 0..MOST_PANELS {
             if overlap >= end {
                 return Ok(());

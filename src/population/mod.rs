@@ -2,10 +2,9 @@
 //!
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `walk` goes over the summits in contact in `panels` that end at `cuts`, `attracted` over those that attract below;
-//! `node_table` keeps what is the same at every separation, `deep` sums where all heights are far in contact. `statistics` tells
-//! more of the contacts than their sums, `tangential` what they resist before they slip, `changes` what the sums change by with
-//! each parameter, `one_summit` gives the law of a single one, `crowding` what
-//! neighbours change.
+//! `node_table` keeps what is the same at every separation. `statistics` tells more of the contacts than their sums, `tangential`
+//! what they resist before they slip, `changes` what the sums change by with each parameter, `one_summit` gives the law of a single
+//! one, `crowding` what neighbours change.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
@@ -14,7 +13,6 @@ mod break_away;
 mod changes;
 mod crowding;
 mod cuts;
-mod deep;
 mod kinks;
 mod node_table;
 mod one_summit;
@@ -39,21 +37,15 @@ use crate::asperity::slip::Slip;
 use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
 use crate::groups::Groups;
+use crate::numerics::root::{LAST_STEP, MOST_STEPS};
 use break_away::Edge;
 use crowding::Crowding;
-use deep::DeepRule;
 use node_table::NodeTable;
 use radius::RadiusProfile;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use sums::Summit;
 use walk::{Progress, Visitor, Walk};
-
-/// A step of Newton's method for a height, over the length in which radii change, after which derivatives are those of the
-/// solution to rounding.
-const LAST_STEP: f64 = 1e-13;
-/// Newton's method takes some three steps.
-const MOST_STEPS: u32 = 20;
 
 /// The most contact radii at which what is summed has a kink: two of the slip law, and three where summits begin to slip.
 const RADII: usize = 5;
@@ -90,7 +82,6 @@ pub struct Population {
     /// What lies above this height is no number.
     highest: f64,
     nodes: Option<Arc<NodeTable>>,
-    deep: Option<Arc<DeepRule>>,
     /// What part a whole panel counts as when its points are chosen.
     fineness: f64,
 }
@@ -185,12 +176,10 @@ impl Population {
             lower_cut,
             highest,
             nodes: None,
-            deep: None,
             fineness: 1.0,
         };
         if radius.is_constant() {
             population.nodes = Some(Arc::new(NodeTable::new(&population, population.edge(0.0).point)));
-            population.deep = Some(Arc::new(DeepRule::new(&population)));
         }
         Ok(population)
     }
@@ -249,9 +238,6 @@ impl Population {
     }
 
     fn of_lone_summits(&self, separation: f64) -> Sums {
-        if let Some(rule) = self.deep.as_ref().filter(|rule| rule.covers(separation)) {
-            return rule.sums(self, separation);
-        }
         let edge = self.edge(separation);
         let mut sums = Sums::default();
         self.add_attractions(&mut sums, separation, &edge);
@@ -264,7 +250,7 @@ impl Population {
 
     /// The same population without what is tabulated of it, which would not follow another law, other radii or other kinks.
     fn without_tables(&self) -> Self {
-        Self { nodes: None, deep: None, ..self.clone() }
+        Self { nodes: None, ..self.clone() }
     }
 
     /// The same population summed in panels that end at other kinks too.

@@ -9,13 +9,10 @@ use super::{Point, Population};
 use crate::distribution::panel::SHORTEST;
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
+use crate::numerics::root::MOST_STEPS;
 
 /// A panel in height is no longer than this many times the distance to break-away, where the law of contact is singular.
 const HEIGHT_RATIO: f64 = 2.5;
-/// Over a panel in which the parameter changes by less than this part of the distance to where the law is singular, it serves
-/// as well as the height: with equal radii, and where overlaps are known to enough digits, in sigma, it needs no solution.
-const SHORT_RATIO: f64 = 0.5;
-const FAR_FROM_BREAK_AWAY: f64 = 6.0;
 /// Where radii vary, dz/ds must not change by more than this factor over a panel in the parameter because they do: where the radius
 /// of contact falls with height, the parameter does at last.
 const MOST_BEND: f64 = 1.2;
@@ -33,8 +30,6 @@ const ONSET_RATIO: f64 = 1.0;
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
 const REMNANT: f64 = 1e-3;
-/// The end of a panel takes some three steps to find.
-const MOST_STEPS: u32 = 60;
 
 /// The variable in which a panel is laid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,11 +93,7 @@ impl Population {
             None => {
                 let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
                 let z = (here.z + reach.min((ratio * clearance).max(SHORTEST))).min(stop);
-                let to = self.at_height(separation, z, here.contact.parameter);
-                let singular = self.law.distance_to_singularity(here.contact.parameter, self.radius.factor(here.z));
-                let is_short = to.contact.parameter - here.contact.parameter < SHORT_RATIO * singular;
-                let serves = self.radius.is_constant() && is_short && clearance < FAR_FROM_BREAK_AWAY;
-                (if serves { Axis::Parameter } else { Axis::Height }, to)
+                (Axis::Height, self.at_height(separation, z, here.contact.parameter))
             }
         };
         let panel = Panel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };

@@ -12,9 +12,6 @@ use crate::error::Error;
 use crate::numerics::quadrature;
 use crate::numerics::root;
 
-/// What is less than this part of the number of contacts does not move their largest radius.
-const NEGLIGIBLE: f64 = 1e-19;
-
 /// A slope of friction by load, as large as next to pull-off, of which squares are still numbers.
 const STEEPEST: f64 = 1e40;
 
@@ -156,7 +153,7 @@ impl Population {
             let part: f64 =
                 quadrature::nodes(from, to).map(|(x, weight)| weight * exp(self.heights.log_density(x))).sum();
             fraction += part;
-            if from >= self.heights.last_mode() && part <= NEGLIGIBLE * fraction {
+            if from >= self.heights.last_mode() && part <= f64::EPSILON * fraction {
                 break;
             }
         }

@@ -135,6 +135,14 @@ fn names_of_materials_bring_what_is_known_of_them() {
     refused("\npair = \"Si/Au\"", &format!("line 2: {unknown}"));
     refused("[materials]\nfirst = \"Si\"\nsecond = \"Au\"", &format!("line 3: {unknown}"));
     assert!(surface("work_of_adhesion = 0\npair = \"Si/Au\"").hardness > 1e8);
+    // Moduli of one's own replace those of a pair, all or some.
+    let mut stiff = expected;
+    // SAFETY: an initialised struct.
+    let set_stiff = |stiff: &mut _| unsafe { asperity_params_set_materials(stiff, 493e9, 0.25, 160e9, 0.22) };
+    assert_eq!(set_stiff(&mut stiff), OK);
+    for own in ["E1 = 493e9\nnu1 = 0.25", "E1 = 493e9\nnu1 = 0.25\nE2 = 160e9\nnu2 = 0.22"] {
+        assert_same(&surface(&format!("pair = \"Si/Si\"\n[materials]\n{own}\n")), &stiff, own);
+    }
     // A name for one body, numbers for the other, which is rigid.
     let mut data = asperity_material_data { struct_size: size_of::<asperity_material_data>() as u64, ..empty() };
     // SAFETY: a struct of the size that it says.
@@ -315,7 +323,9 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (format!("height_std = 1e-9\n{CARBON}"), "line 1: height_std: [roughness] sets it already"),
         (format!("bandwidth = 3\n{CARBON}"), "line 1: bandwidth: [roughness] sets it already"),
         (format!("\ncomposite_modulus = 1e11\n{CARBON}"), "line 2: composite_modulus: [materials] sets it already"),
-        (format!("pair = \"Si/Si\"\n{CARBON}"), "line 8: [materials]: pair sets it already"),
+        (format!("pair = \"Si/Si\"\n{}", changed("E1 = 493e9\nnu1 = 0.25", "first = \"DLC\"")), "line 9: [materials] first: pair sets it already"),
+        (changed("E1 = 493e9\nnu1 = 0.25\nE2 = 493e9", "E1 = 493\nnu1 = 0.25\nE2 = 493"), "line 8: composite_modulus = 262.9"),
+        ("pair = \"Si/Si\"\ncomposite_modulus = 1e11\n".into(), "line 2: composite_modulus: pair sets it already, leave one out; E1, nu1, E2 and nu2 replace the"),
         (format!("calibration_load = 1\n{CARBON}"), "line 1: calibration_load: must be given together with"),
         (changed("E1 = 493e9", "first = \"Stahl\""), "line 9: [materials] nu1: first sets it already"),
         (changed("E1 = 493e9\nnu1 = 0.25", "first = \"Stahl\""), "line 8: [materials] first: Stahl: no material has this name; the nearest is steel"),
@@ -515,6 +525,17 @@ fn what_is_written_reads_back_bit_for_bit() {
     // SAFETY: so much room.
     assert_eq!(unsafe { asperity_params_text(&none, buffer.as_mut_ptr(), 9) }, 0);
     assert!(buffer[0] == 0 && message().starts_with("contact_law = 7"), "{}", message());
+    for (wrong, says) in [
+        (asperity_params { height_distribution: 9, ..carbon }, "height_distribution = 9: must be one of"),
+        (asperity_params { skew: 0.5, ..carbon }, "skew = 0.5: must be 0 unless heights are Johnson's"),
+    ] {
+        // SAFETY: NULL asks for the length.
+        assert_eq!(unsafe { asperity_params_text(&wrong, null_mut(), 0) }, 0);
+        assert!(message().starts_with(says), "{}", message());
+    }
+    let part = asperity_params { calibration_load: 2.0, calibration_friction_force: 0.3, ..asperity_params::unset() };
+    let says = "# The strength was calibrated on surfaces of which composite_modulus is not set here: a friction force of 0.3 at";
+    assert!(written(&part).contains(says), "{}", written(&part));
 }
 
 #[test]

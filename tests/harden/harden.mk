@@ -15,6 +15,8 @@
 #   make supply-chain    known faults of crates, licences, bans, sources   needs cargo-deny and the network
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
+#   make constants       each constant of the core moved by 4 %,       CONSTANTS (a regular expression of file:NAME)
+#                        half an hour
 #   make mutants         changes to the source that no test notices,      SHARD (k/n), MUTANTS (a regular expression of
 #                        of Rust and of Python                            paths); needs cargo-mutants, tree-sitter
 
@@ -24,6 +26,7 @@ FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
 SHARD ?= 0/1
 MUTANTS ?= .
+CONSTANTS ?= .
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
 FUZZ_CARGO ?= RUSTC_BOOTSTRAP=1 $(CARGO)
@@ -37,7 +40,7 @@ MIRI_PROCESSOR = $(if $(findstring x86_64,$(HOST)),-Ctarget-feature=+avx2$(COMMA
 MIRI_OPTIONS := -Zmiri-strict-provenance -Zmiri-deterministic-floats
 COMMA := ,
 
-.PHONY: harden fuzz fuzz-coverage domain faults memory races miri processors supply-chain oldest-rust coverage mutants
+.PHONY: harden fuzz fuzz-coverage domain faults memory races miri processors supply-chain oldest-rust coverage constants mutants
 
 harden:
 	tests/setup.sh core hosts harden dist
@@ -88,6 +91,9 @@ oldest-rust:
 
 coverage:
 	$(LOW) tests/harden/coverage.sh
+
+constants:
+	$(LOW) python3 tests/harden/nudge_constants.py '$(CONSTANTS)'
 
 mutants:
 	$(LOW) $(TARGET)/harden-venv/bin/python tests/harden/mutants.py $(TARGET)/mutants --shard $(SHARD) --re '$(MUTANTS)'

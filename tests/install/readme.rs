@@ -30,6 +30,16 @@ fn prints_of(name: &str, (page_name, text): (&str, &str), program: &str, expecte
     }
 }
 
+/// With these arguments it fails, prints nothing and says why in one line.
+fn refuses(name: &str, program: &str, calls: &[&[&str]]) {
+    let program = Compiler::all(Language::C, "c11")[0].program(&source(name, program), Linking::Shared);
+    for arguments in calls {
+        let output = program.run(arguments);
+        assert!(!output.status.success() && output.stdout.is_empty(), "{arguments:?}: {output:?}");
+        assert_eq!(output.stderr.iter().filter(|byte| **byte == b'\n').count(), 1, "{arguments:?}: {output:?}");
+    }
+}
+
 fn page(name: &str) -> String {
     std::fs::read_to_string(root().join(name)).expect(name).replace("\r\n", "\n")
 }
@@ -85,9 +95,21 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
         }
     }
     assert_eq!(surfaces.len(), 5);
+    let ground = surfaces[0].as_str();
+    refuses(
+        "start.c",
+        program,
+        &[&["none", "10"], &[ground, "ten"], &[ground, "10x"], &[ground, "nan"], &[ground], &[]],
+    );
     let slider = maps.split("```c\n").nth(1).expect("the slider");
     let (slider, rest) = slider.split_once("```").expect("its end");
     prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
+}
+
+#[test]
+fn the_program_of_the_page_on_c_refuses_what_is_no_number() {
+    let name = "first.c";
+    refuses(name, between(&page("docs/c.md"), "```c first.c\n", "```"), &[&["ten"], &["0,25"], &[""], &["0"]]);
 }
 
 /// The message that docs/c.md shows of a wrong unit is that of the library.

@@ -1,6 +1,6 @@
 //! How far off the law is beyond its table, where it goes on as a power.
 //!
-//! `cargo test --release --test law -- --nocapture beyond` prints the table of docs/c.md.
+//! `cargo test --release --test law -- --nocapture beyond` prints the table of docs/dev/numerics.md.
 
 use crate::common::surfaces::{dimensionless, johnson, model, of_the_benchmark};
 use asperity::{ContactLawKind, Model, Params, State};

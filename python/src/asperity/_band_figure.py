@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import textwrap
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = npt.NDArray[np.float64]
+
+# Characters that fit a line of the legend.
+_WIDTH = 76
 
 
 def drawn(
@@ -48,7 +52,8 @@ def drawn(
             axes = Figure(figsize=(6.4, 4.4), layout="constrained").add_subplot()
         (line,) = axes.semilogx(load, value)
         if low is not None and high is not None:
-            axes.fill_between(load, low, high, color=line.get_color(), alpha=0.2, lw=0, label=label)
+            wrapped = "\n".join(textwrap.fill(one, _WIDTH, subsequent_indent="    ") for one in label.splitlines())
+            axes.fill_between(load, low, high, color=line.get_color(), alpha=0.2, lw=0, label=wrapped)
         if marked is not None:
             axes.plot(*marked, "o", ms=5, color=line.get_color())
         if measured is not None and len(measured):

@@ -20,7 +20,7 @@ def add(commands: Any) -> None:
         description="Prints the friction coefficient at each load with its band, what the numbers rest on, and what would narrow "
         "the band. SI units.",
         epilog='For example: asperity friction "steel/steel" --Ra 0.8e-6 --process ground --measured 1000 0.16 --load 10 100 1000',
-        usage="%(prog)s [PAIR] --load N [N ...] [OPTION VALUE ...]",
+        usage="%(prog)s [PAIR | FILE.toml] --load N [N ...] [OPTION VALUE ...]",
         allow_abbrev=False,
     )
     command.set_defaults(run=_run)

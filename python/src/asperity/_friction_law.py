@@ -550,7 +550,14 @@ class FrictionLaw:
             missing = nominal_area is None and area == 0
             says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
             raise Error(f"nominal_area = {area:g}: {says}")
-        load = float(pressure) * area if isinstance(pressure, numbers.Real) else _checks.array("pressure", pressure) * area
+        pressures = float(pressure) if isinstance(pressure, numbers.Real) else _checks.array("pressure", pressure)
+        wrong = ~np.isfinite(pressures)
+        if wrong.any():
+            at = np.unravel_index(int(np.argmax(wrong)), wrong.shape)
+            element = f"element {_place(at)}: " if at else ""
+            value = f"{np.asarray(pressures)[at]}".replace("nan", "NaN")
+            raise Error(f"{element}pressure = {value}: must be finite", Status.INVALID_LOAD)
+        load = pressures * area
         if not slope:
             return _relabelled(pressure, scaled(call(load), area))
         values, slopes = call(load, slope=True)

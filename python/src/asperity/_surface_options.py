@@ -31,7 +31,7 @@ _METAVARS = {name: SI[dimension] for name, dimension in UNITS.items() if dimensi
 # What may be more than one number.
 _SEVERAL = {"measured", "table_height", "table_density", *KEYS["roughness"]} - {"summits", "process"}
 _HELP = {
-    "pair": "two materials, as steel/steel; before all options",
+    "pair": "two materials, as steel/steel, or FILE.toml; before all options",
     "nominal_area": "without it loads are pressures",
     "interface": "strength of an interface that is known, as in asperity.materials.INTERFACES",
     "measured": "load, friction coefficient and, if known, its relative error; may be given several times",
@@ -46,10 +46,22 @@ _HELP = {
 }
 
 
+class _PairOrFile(argparse.Action):
+    """The first argument: a pair, or a surface file as of --surface, of which there may be one."""
+
+    def __call__(self, parser: argparse.ArgumentParser, namespace: argparse.Namespace, value: Any, option: str | None = None) -> None:
+        if option is None and not (value or "").lower().endswith(".toml"):
+            namespace.pair = value
+        elif namespace.surface is None:
+            namespace.surface = value
+        else:
+            parser.error(f"{value}: the surface is already {namespace.surface}")
+
+
 def add(command: argparse.ArgumentParser, *, has_groups: bool = True) -> None:
     """Adds the options, with or without the dimensionless groups."""
     command.add_argument(
-        "--surface", metavar="FILE.toml", help="the surfaces as a file (docs/solvers.md), instead of all that follows"
+        "--surface", action=_PairOrFile, metavar="FILE.toml", help="the surfaces as a file (docs/solvers.md), instead of all that follows"
     )
     if has_groups:
         _add_groups(command)
@@ -57,7 +69,7 @@ def add(command: argparse.ArgumentParser, *, has_groups: bool = True) -> None:
         says = f"[{table}] of surface files" if table else "keys of surface files, which docs/solvers.md explains"
         group = command.add_argument_group(says)
         for name in names:
-            more: dict[str, Any] = {"nargs": "?"} if name == "pair" else {"nargs": "+"} if name in _SEVERAL else {}
+            more: dict[str, Any] = {"nargs": "?", "action": _PairOrFile} if name == "pair" else {"nargs": "+"} if name in _SEVERAL else {}
             if name == "measured":
                 more["action"] = "append"
             group.add_argument(_flag(name), metavar=_METAVARS.get(name, "X"), help=_HELP.get(name), **more)

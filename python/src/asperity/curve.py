@@ -39,7 +39,7 @@ class Curve:
         high: upper end; None with it.
         coverage: the probability that the coefficient lies within the band; None with it.
         warnings: what of the model fails between the lightest load and the heaviest.
-        rests_on: what the band takes as known, and how well: first the strength of the interface.
+        rests_on: what the band takes as known, and how well: the strength of the interface, what has a spread, and that all else is known.
     """
 
     params: Params

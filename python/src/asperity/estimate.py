@@ -54,8 +54,9 @@ class Estimate:
         force: F [N], like `value`.
         contacts: how many summits touch, by the mean of the model, like `value`. Below 20 one specimen is not like the mean: see the next
             two. NaN, like them, if loads are pressures.
-        specimen_force: mean friction force of single specimens [N], like `value`. For less than one contact that of one summit alone:
-            specimens have it once or twice. NaN where it is not known. The band is without the scatter of specimens.
+        specimen_force: mean friction force of single specimens with the strength of `value` [N], like it: it is not known better than
+            `value` is, from `low` to `high`. For less than one contact that of one summit alone: specimens have it once or twice. NaN
+            where it is not known. `low` and `high` are without the scatter of specimens; what is printed has the band of one specimen.
         specimen_scatter: its standard deviation from specimen to specimen over this mean, like `value`; NaN for less than one contact, or
             where it is not known.
         shares: "strength", "roughness" and "measurement" to the share of the variance of ln(F/P) that each causes, like

@@ -13,7 +13,7 @@ from ._friction_law import FrictionLaw
 from .curve import Curve
 from .errors import Error
 from .results import ValidityWarning
-from .uncertainty import AS_GIVEN, strength_of, uncertainty
+from .uncertainty import ALL_ELSE, AS_GIVEN, strength_of, uncertainty
 
 
 class Model(FrictionLaw):
@@ -60,7 +60,8 @@ class Model(FrictionLaw):
                 `asperity_count` E* b^2.
             spread: name to standard deviation of parameters that are not known well, which gives the curve a band:
                 {"work_of_adhesion": 0.3} is 30 %; see `asperity.uncertainty`. A strength of the interface that was not
-                measured (`uncalibrated`), or measured with an error (`Params.calibrated`), always gives it one.
+                measured (`uncalibrated`), or measured with an error (`Params.calibrated`), always gives it one. All else counts as
+                known, also an assumed slope, which the band of `asperity.friction` has.
             coverage: probability of the band, between 0 and 1.
             samples: how many surfaces to draw for the band; 0 for the linear one.
             seed: of the random numbers.
@@ -92,7 +93,7 @@ class Model(FrictionLaw):
             None if band is None else band.high,
             None if band is None else coverage,
             self.check(float(load[0]), float(load[-1])),
-            (AS_GIVEN,) if band is None else band.rests_on,
+            (AS_GIVEN, ALL_ELSE) if band is None else band.rests_on,
         )
 
     def _repr_html_(self) -> str:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def friction(
-    pair: str | Pair,
+    pair: str | Pair | None = None,
     *,
     load: Any,
     nominal_area: float | None = None,
@@ -50,12 +50,17 @@ def friction(
       or Rq, the roughness is the usual one of the process.
     - The measured points have errors.
 
+    Numbers of a pair count as known, as does its hardness, 7.5 GPa for hardened steel: give your own. `print` tells what another
+    hardness would make.
+
     Where summits yield (a plasticity index above 1) the contact law is elastic-plastic, without adhesion, unless you give a
-    `contact_law` or a `work_of_adhesion`.
+    `contact_law` or a `work_of_adhesion`. A surface file has the same law.
 
     Args:
         pair: a name in `asperity.materials.PAIRS`, as "steel/steel", in either order; or two names in `MATERIALS`, as
-            "SiC/SiC", with a `work_of_adhesion`.
+            "SiC/SiC", with a `work_of_adhesion`. `E1`, `nu1`, `E2`, `nu2` and `hardness` replace its numbers. Without a pair give
+            these, or `composite_modulus` and `effective_shear_modulus`, and `work_of_adhesion`, `adhesion_range` and
+            `burgers_vector`.
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
         nominal_area: [m^2]; without it loads are nominal pressures [Pa].
         coverage: probability of the band, between 0 and 1.
@@ -75,7 +80,7 @@ def friction(
         ValidityWarning: an assumption of the model that fails at one of the loads > 0.
     """
     area = {} if nominal_area is None else {"nominal_area": nominal_area}
-    given = dict(of_pair(pair)) | area | {"coverage": coverage} | dict(surface)
+    given = dict(() if pair is None else of_pair(pair)) | area | {"coverage": coverage} | dict(surface)
     try:
         found = estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
     except Error as error:

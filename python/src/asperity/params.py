@@ -554,6 +554,8 @@ class Params:
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:
         """The parameters that a TOML file describes, in SI units: docs/solvers.md lists its keys.
 
+        Where asperities of metal yield, the contact law is elastic-plastic, as in an estimate, unless the file has a law.
+
         Raises:
             OSError: there is no such file, or it cannot be opened.
             Error: a key or a value that is not allowed, or one that is missing; the message names the file, the line and the key.
@@ -584,8 +586,8 @@ class Params:
 
     @classmethod
     def from_estimate(cls, text: str) -> Params:
-        """The surfaces that an estimate takes for the text of a surface file, as `asperity.friction` does: with its contact law, the
-        strength of the interface that it found, and the most probable roughness.
+        """The surfaces that an estimate takes for the text of a surface file, as `asperity.friction` does: as `from_text`, with the
+        strength of the interface from the table of interfaces too, and without `nominal_area` for 1 m^2.
 
         Raises:
             Error: as `from_text`.

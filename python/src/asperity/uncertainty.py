@@ -54,6 +54,7 @@ STRENGTH_DEVIATION = math.log(_header.ASPERITY_STRENGTH_FACTOR) / NormalDist().i
 # What bands say that they rest on.
 NOT_MEASURED = f"strength of the interface: not measured, a factor {_header.ASPERITY_STRENGTH_FACTOR} either way"
 AS_GIVEN = "strength of the interface: as given"
+ALL_ELSE = "all else: taken as known"
 # The name of the strength that a measurement sets.
 _STRENGTH = "slip_stress"
 # A calibrated model has the friction of the measurement to rounding; one whose surface was changed afterwards has not.
@@ -75,7 +76,7 @@ class Uncertainty:
         quantity: "mu" or "force".
         samples: friction of the surfaces drawn, (surfaces, loads); None for the linear band.
         refused: surfaces that were drawn and that the library refused; others were drawn in their place.
-        rests_on: what the band takes as known, and how well: first the strength of the interface, then each name.
+        rests_on: what the band takes as known, and how well: the strength of the interface, each name, and that all else is known.
     """
 
     load: Array
@@ -143,6 +144,9 @@ def uncertainty(
     >>> band = asperity.uncertainty(params, {"slip_stress": 0.1}, loads=[100.0])
     >>> print(f"{band.high[0] / band.value[0]:.3f}")
     1.217
+
+    What has no spread counts as known, also a slope that was assumed of a `process`, the hardness of a named material, and which
+    specimen it is: the band of `asperity.friction` has the first, and what it prints the others.
 
     Positive parameters are distributed log-normally, the others normally, each by itself. The linear band
     follows from the sensitivities of ln F, and holds where the spread is small. For a wide spread set `samples`: 200 take
@@ -313,7 +317,7 @@ def _distribution(
     )
     covariance = np.diag([float(deviation) ** 2 for deviation in known.values()])
     rests_on = AS_GIVEN if strength.told == NOT_MEASURED and not by_default else strength.told
-    return names, params, covariance, None, strength.measured, (rests_on, *told)
+    return names, params, covariance, None, strength.measured, (rests_on, *told, ALL_ELSE)
 
 
 class Strength(NamedTuple):

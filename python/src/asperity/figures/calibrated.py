@@ -284,8 +284,8 @@ COMPARISONS = (
         (_exactly("0.2 µN", 1.0), _exactly("0.8 µN", 2.0)),
         _tip_predicted,
         "a tip of radius 0.1 µm; the load includes the attraction",
-        "Load-dependency of friction coefficient between silicon-oxides and diamond under ultra-low contact load, abstract (the copy "
-        "that was read names neither authors nor journal): in air, μ inversely proportional to load below 0.4 µN, about 0.1 above",
+        "Load-dependency of friction coefficient between silicon-oxides and diamond under ultra-low contact load, abstract; "
+        "authors and journal not known: in air, μ inversely proportional to load below 0.4 µN, about 0.1 above",
         "authors not known",
         False,
         "Measured friction is constant below 0.4 µN and proportional to load above; the model has one exponent in between. Above "
@@ -324,7 +324,7 @@ COMPARISONS = (
 
 
 def table() -> str:
-    """The comparisons as a table of Markdown, a row for each reading, and why each agrees or fails."""
+    """The comparisons as a table of Markdown, a row for each reading."""
     rows = [
         "| Contact | Quantity | Calibrated at | Predicted at | Measured | Predicted | Residual |",
         "|---|---|---|---|---|---|---|",
@@ -334,8 +334,17 @@ def table() -> str:
             percent = 100 * residual[0], 100 * residual[1]
             numbers = (_measured(reading), _band(predicted, "{:.3g}"), _band(percent, "{:+.1f}") + " %")
             rows.append(f"| {' | '.join((one.name, one.quantity, one.calibrated_at, reading.at, *numbers))} |")
-    verdicts = ((one, "agrees" if one.agrees else "fails") for one in COMPARISONS)
-    return "\n".join([*rows, "", *(f"- **{one.name}: {verdict}** ({one.label}). {one.reason}." for one, verdict in verdicts)])
+    return "\n".join(rows)
+
+
+def verdicts() -> str:
+    """Why each comparison agrees or fails, with the range of its residuals, as a list of Markdown."""
+    lines = []
+    for one in COMPARISONS:
+        percents = [100 * end for residual in one.residuals() for end in residual]
+        residuals = _band((min(percents), max(percents)), "{:+.1f}")
+        lines.append(f"- **{one.name}: {'agrees' if one.agrees else 'fails'}**, {residuals} % ({one.label}). {one.reason}.")
+    return "\n".join(lines)
 
 
 def inputs() -> str:

@@ -184,7 +184,7 @@ MEASUREMENTS = (
         tip_coefficient,
         "tip radius 20 to 100 nm, w 30 to 144 mJ/m², 10 to 100 nN",
         "quoted",
-        "ratio quoted; the papers were not read",
+        "ratio quoted by others",
         "too high: oxide, water and contamination shear more easily than two clean crystals",
         read=False,
         quoted_ratio=(10.0, 40.0),
@@ -193,13 +193,18 @@ MEASUREMENTS = (
 
 
 def table() -> str:
-    """The measurements as a table of Markdown, and why each prediction agrees or differs."""
+    """The measurements as a table of Markdown."""
     rows = ["| Contact | Quantity | Measured | Predicted | Predicted over measured | Source |", "|---|---|---|---|---|---|"]
     for row in MEASUREMENTS:
         measured = "" if row.measured is None else _band(row.measured)
         bands = (measured, _band(row.predicted()), _band(row.ratio()))
         rows.append(f"| {' | '.join((row.name, row.quantity, *bands, row.label))} |")
-    return "\n".join([*rows, "", *(f"- **{row.name}**: {row.reason}." for row in MEASUREMENTS)])
+    return "\n".join(rows)
+
+
+def verdicts() -> str:
+    """Predicted over measured, and why, as a list of Markdown."""
+    return "\n".join(f"- **{row.name}**, {_band(row.ratio())}: {row.reason}." for row in MEASUREMENTS)
 
 
 def inputs() -> str:

@@ -1,0 +1,167 @@
+//! The load minus the pull-off load next to pull-off, where the difference of two loads has too few digits: integrated from the slope
+//! of the load, in pieces that are measured.
+
+use super::PullOff;
+use crate::numerics::quadrature::integrate_short;
+use crate::population::Population;
+
+/// Where the difference is this part of the pull-off load it is first compared with the integral,
+const NEAR: f64 = 1e-3;
+/// and at the latest, if the loads have so few digits that the two do not agree before, where it is this part.
+const FARTHEST: f64 = 1e-2;
+/// So well they agree, rounding apart; and a piece with its halves, relative to the fall from where it begins.
+const AGREEMENT: f64 = 3e-8;
+/// How well a load is known, relative to what presses and what pulls: at best,
+const ROUNDING: f64 = 3e-14;
+/// and at worst. A larger difference is a layer next to pull-off, so thin that all points of the pieces lie beyond it.
+const NOISE: f64 = 1e-10;
+/// A stretch that takes more pieces is not smooth: a shorter one is tried.
+const MOST_PIECES: usize = 40;
+
+/// The fall of the load from separations near pull-off, in descending order, to pull-off.
+#[derive(Debug, Clone)]
+pub struct Fall {
+    known: Vec<(f64, f64)>,
+}
+
+impl Fall {
+    /// As far from pull-off as the fall is not simply the difference of the loads.
+    pub fn new(population: &Population, kinks: &[f64], pull_off: &PullOff) -> Self {
+        let size = pull_off.sums.hertz_load - pull_off.sums.load_attracted;
+        let excess_at = |step: f64| population.at_separation(pull_off.separation - step).load() - pull_off.load;
+        let mut step = population.range_of_adhesion().max(1.0);
+        loop {
+            step *= 0.5;
+            let mut excess = excess_at(step);
+            if excess > NEAR * -pull_off.load {
+                continue;
+            }
+            let mut fall = Self { known: vec![(pull_off.separation, 0.0)] };
+            if !fall.extend(population, kinks, pull_off.separation - step) {
+                continue;
+            }
+            if fall.minus(excess) > AGREEMENT * excess + NOISE * size {
+                continue;
+            }
+            // From a layer outwards again: with twice the distance the fall is four times as large at most.
+            while 4.0 * excess < NEAR * -pull_off.load
+                || fall.minus(excess) > AGREEMENT * excess + ROUNDING * size && excess < FARTHEST * -pull_off.load
+            {
+                step *= 2.0;
+                excess = excess_at(step);
+                if !fall.extend(population, kinks, pull_off.separation - step) {
+                    break;
+                }
+            }
+            // Farther out the difference of the loads is as good, and takes one sum.
+            let off = |&(known, fall): &(f64, f64)| (excess_at(pull_off.separation - known) - fall).abs();
+            let noise = fall.known.iter().map(off).fold(0.0, f64::max);
+            let needed = fall.known.partition_point(|(_, fall)| AGREEMENT * fall < noise);
+            fall.known.truncate(needed + 1);
+            return fall;
+        }
+    }
+
+    /// How far the fall, as far as it is known, is from this.
+    fn minus(&self, excess: f64) -> f64 {
+        (self.known[self.known.len() - 1].1 - excess).abs()
+    }
+
+    /// The fall from a separation, if that is so near to pull-off that it is known.
+    pub fn from(&self, population: &Population, separation: f64) -> Option<f64> {
+        let before = self.known.partition_point(|&(known, _)| known > separation);
+        let (known, fall) = self.known[before.saturating_sub(1)];
+        (before < self.known.len()).then(|| fall + of_load(population, separation, known))
+    }
+
+    /// Makes it known as far as a separation; whether the load is so smooth that it takes few pieces.
+    fn extend(&mut self, population: &Population, kinks: &[f64], to: f64) -> bool {
+        let count = self.known.len();
+        let nearest = self.known[count - 1].0;
+        let kinks = kinks.iter().copied().filter(|&kink| kink > to && kink < nearest);
+        // What is left of it, the nearest to pull-off last, each with what the load falls by.
+        let mut ends: Vec<(f64, Option<f64>)> = std::iter::once(to).chain(kinks).map(|end| (end, None)).collect();
+        while let Some((end, whole)) = ends.pop() {
+            let (begin, fall) = self.known[self.known.len() - 1];
+            let middle = 0.5 * (begin + end);
+            let whole = whole.unwrap_or_else(|| of_load(population, end, begin));
+            let near = of_load(population, middle, begin);
+            let halves = near + of_load(population, end, middle);
+            if (halves - whole).abs() <= AGREEMENT * (fall + halves).abs() {
+                self.known.extend([(middle, fall + near), (end, fall + halves)]);
+            } else if self.known.len() + ends.len() < count + MOST_PIECES {
+                ends.extend([(end, Some(halves - near)), (middle, Some(near))]);
+            } else {
+                self.known.truncate(count);
+                return false;
+            }
+        }
+        true
+    }
+}
+
+/// By how much the load falls from one separation to another, between which its slope is smooth.
+fn of_load(population: &Population, from: f64, to: f64) -> f64 {
+    integrate_short(from, to, |separation| -population.at_separation(separation).load_slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::Branch;
+    use crate::params::{HeightFamily, Params};
+    use crate::population::tests::{of, surface, table, FOLD};
+
+    #[test]
+    fn the_fall_of_the_load_is_integrated_from_kink_to_kink() {
+        let branch = Branch::new(of(&surface(FOLD, table(), [0.0, 1.0]))).expect("a branch");
+        let population = branch.population();
+        let near: Vec<f64> = branch.kinks().iter().copied().filter(|kink| kink.abs() < 5.0).collect();
+        assert!(near.len() > 3, "{near:?}");
+        for pair in near.windows(2) {
+            // Beginning and ending at a kink, with one within, and between two.
+            let (first, second) = (pair[0], pair[1]);
+            let middle = 0.5 * (first + second);
+            let short = (second - first).min(0.02);
+            for (from, to) in
+                [(first, middle.min(first + short)), (first - short, first), (first - short, first + 0.3 * short)]
+            {
+                let [heavy, light] = [from, to].map(|d| population.at_separation(d).load());
+                let mut fall = Fall { known: vec![(to, 0.0)] };
+                assert!(fall.extend(population, branch.kinks(), from));
+                let off = fall.minus(heavy - light);
+                assert!(off < 1e-6 * (heavy - light).abs(), "{from} to {to}: {off:e} of {:e}", heavy - light);
+            }
+        }
+    }
+
+    /// Radii rise from 0 within 1/77 of the height deviation, which is 1/2000 of the range of adhesion: the slope of the load falls to 0
+    /// within a layer that no point of a piece as long as the heights lies in.
+    #[test]
+    fn a_layer_next_to_pull_off_is_not_passed_over() {
+        let params = Params {
+            composite_modulus: 0.205_756_626_433_089_4,
+            effective_shear_modulus: 0.144_029_638_503_162_58,
+            work_of_adhesion: 0.159_207_920_742_107_43,
+            adhesion_range: 39.934_212_760_562_88,
+            burgers_vector: 19.325_592_266_206_353,
+            height_std: 0.019_762_990_465_990_834,
+            summit_radius: 285_363.589_730_105_8,
+            heights: HeightFamily::Gaussian,
+            radius_amplitude: 1.0,
+            radius_rate: 76.781_025_132_509_9,
+            ..Params::paper()
+        };
+        let branch = Branch::new(of(&params)).expect("a branch").ending_near(2020.62).expect("the end before");
+        let (population, end) = (branch.population(), branch.pull_off().expect("a pull-off point"));
+        for distance in [0.003, 0.03, 0.3, 3.0, 10.0] {
+            let fall = branch.fall.as_ref().and_then(|fall| fall.from(population, end.separation - distance));
+            let (fall, excess) =
+                (fall.unwrap_or(0.0), population.at_separation(end.separation - distance).load() - end.load);
+            assert!((fall - excess).abs() < 1e-10 * -end.load, "{distance}: {fall:e}, not {excess:e}");
+            // The layer is as wide as a few hundredths.
+            let slope = population.at_separation(end.separation - distance).load_slope / -end.load;
+            assert!((slope / -2.6e-5 - 1.0).abs() < if distance < 0.02 { 0.7 } else { 0.05 }, "{distance}: {slope:e}");
+        }
+    }
+}
