@@ -22,12 +22,14 @@ const MOST_PIECES: usize = 40;
 #[derive(Debug, Clone)]
 pub struct Fall {
     known: Vec<(f64, f64)>,
+    /// Smaller parts of it are not resolved.
+    resolution: f64,
 }
 
 impl Fall {
     /// As far from pull-off as the fall is not simply the difference of the loads.
     pub fn new(population: &Population, kinks: &[f64], pull_off: &PullOff) -> Self {
-        let size = pull_off.sums.hertz_load - pull_off.sums.load_attracted;
+        let size = pull_off.sums.hertz_load - pull_off.sums.load_attracted - pull_off.load;
         let excess_at = |step: f64| population.at_separation(pull_off.separation - step).load() - pull_off.load;
         let mut step = population.range_of_adhesion().max(1.0);
         loop {
@@ -36,7 +38,7 @@ impl Fall {
             if excess > NEAR * -pull_off.load {
                 continue;
             }
-            let mut fall = Self { known: vec![(pull_off.separation, 0.0)] };
+            let mut fall = Self { known: vec![(pull_off.separation, 0.0)], resolution: f64::EPSILON * size };
             if !fall.extend(population, kinks, pull_off.separation - step) {
                 continue;
             }
@@ -87,7 +89,7 @@ impl Fall {
             let whole = whole.unwrap_or_else(|| of_load(population, end, begin));
             let near = of_load(population, middle, begin);
             let halves = near + of_load(population, end, middle);
-            if (halves - whole).abs() <= AGREEMENT * (fall + halves).abs() {
+            if (halves - whole).abs() <= AGREEMENT * (fall + halves).abs() + self.resolution {
                 self.known.extend([(middle, fall + near), (end, fall + halves)]);
             } else if self.known.len() + ends.len() < count + MOST_PIECES {
                 ends.extend([(end, Some(halves - near)), (middle, Some(near))]);
@@ -127,7 +129,7 @@ mod tests {
                 [(first, middle.min(first + short)), (first - short, first), (first - short, first + 0.3 * short)]
             {
                 let [heavy, light] = [from, to].map(|d| population.at_separation(d).load());
-                let mut fall = Fall { known: vec![(to, 0.0)] };
+                let mut fall = Fall { known: vec![(to, 0.0)], resolution: 0.0 };
                 assert!(fall.extend(population, branch.kinks(), from));
                 let off = fall.minus(heavy - light);
                 assert!(off < 1e-6 * (heavy - light).abs(), "{from} to {to}: {off:e} of {:e}", heavy - light);

@@ -7,7 +7,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 21] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 22] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -78,7 +78,9 @@ pub fn surfaces() -> Vec<Surface> {
         // A panel that began at an extremum of the contact radius passed the next: friction was off by 3e-7.
         ([1.5762744511466711e-3, 205193.83457204167, 5.38107283283323e-6, 17.971154138],
          Heights::weibull(2.963340259707611), [-0.7957763667218387, 3.1883835311915294], false),
-        // Surfaces that part where the lowest summits break away: 1.2 s.
+        // Surfaces that part where the lowest summits break away: 1.2 s, and of equal radii.
+        ([4.1980429301652314e-2, 286.76063411013166, 2.670181603845286e-1, 2.2957248561391919e-1],
+         Heights::weibull(1.0817318836309129), [0.0, 1.0], true),
         ([5.19488780366486e-4, 7.048285653914581, 1.8055327116728395e-3, 7.064024554613074e-2],
          Heights::weibull(1.4497158551457616), [-0.4035644526593387, 1.0243232072942617e-2], false),
         // Refused, wrong by 1e-6, or slow for one of these reasons.
