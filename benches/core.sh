@@ -59,7 +59,7 @@ cat "$dumps"/calls.* | awk -F ': |[|]' '
             if (ratio > most) { most = ratio; dearest = name }
         }
         printf "| instructions of the dearest load of a solver, in ordinary ones (at most 3): %s | %.2f%s |\n", dearest, most,
-            most > 3 ? " **MISSED**" : "" }'
+            (most > 3 ? " **MISSED**" : "") }'
 "$program" memory | while IFS=$'\t' read -r surface size; do
     echo "| KiB of a model: $surface | $size |"
 done
