@@ -19,9 +19,8 @@ use pull_off::End;
 const CLOSEST: f64 = -1e90;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
-/// ln of the smallest load that is a number to all digits, times what may be smaller: lighter ones have its coefficient of friction,
-/// and a pull-off load that is smaller cannot be told from none.
-const SMALLEST_LOG_LOAD: f64 = -640.0;
+/// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
+const SMALLEST_LOG_LOAD: f64 = -690.0;
 
 /// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
 #[derive(Debug, Clone)]

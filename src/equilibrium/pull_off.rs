@@ -1,6 +1,5 @@
 //! The pull-off point: the first minimum of the load over separation, coming from heavy load.
 
-use super::SMALLEST_LOG_LOAD;
 use crate::elementary::log;
 use crate::error::Error;
 use crate::numerics::root;
@@ -22,6 +21,8 @@ const PARTS: u32 = 16;
 const NEAREST_TO_END: f64 = 1e-9;
 /// Farther out than this many ranges of adhesion separations no longer resolve what adhesion does.
 const FARTHEST_SCAN: f64 = 1e12;
+/// A pull-off load smaller than exp of this cannot be told from none.
+const SMALLEST_LOG_LOAD: f64 = -640.0;
 
 /// Where the surfaces part under load control.
 #[derive(Debug, Clone, Copy)]
