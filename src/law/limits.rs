@@ -17,9 +17,10 @@ use crate::equilibrium::Branch;
 use crate::four::Four;
 use crate::levels::{PerEdge, PerLevel, EDGES, LEVELS};
 
-/// There is a row at each load that is a power of two; at every so many Phi is asked for in any case.
-const LONGEST: usize = 8;
-/// In between it is asked for where it differs by more than this from the mean of its neighbours.
+/// There is a row at each load that is a power of two; at every so many Phi is asked for in any case, and between them.
+const LONGEST: usize = 16;
+/// In between it is asked for where H differs by more than this from the mean of its neighbours, or, over more than half as many rows,
+/// from either.
 const TOLERANCE: f32 = 1e-3;
 
 /// H is tabulated against s, at nodes found from the bits of v = 1/s - 1: at 0 and at powers of two from 2^-7...
@@ -27,12 +28,11 @@ const LEAST_EXPONENT: u64 = 1023 - 7;
 /// ...to 2^5.
 const NODES: usize = 14;
 
-/// Displacements at which Phi is asked for at first: about the least, and the ratio of one to the next.
-const SHORTEST: f64 = 0.01;
-const RATIO: f64 = 1.87;
-const FIRST: usize = 13;
-/// And then at the limits of the levels at the nodes and between them.
+/// Phi is asked for at the limits of the levels at the nodes and between them, about.
 const SAMPLES: usize = 2 * NODES - 2;
+/// To find these, at displacements over strength by stiffness from about the least, and the ratio of one to the next.
+const SHORTEST: f64 = 0.01;
+const RATIO: f64 = 1.37;
 
 /// Shares of the strength, and what they are of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,18 +56,15 @@ impl Limits {
     pub fn new(branch: &Branch, curve: &Curve, table: &Table, load: f64) -> Self {
         let exponent = |x: f64| x.to_bits() >> MANTISSA_BITS;
         let (first, last) = (exponent(table.begin_of(0)), exponent(table.begin_of(table.row_count)));
-        let steps = (last - first) as usize + 1;
-        let at = |row: usize| {
-            let exponent = (first + row as u64).min(last - 1);
-            row_at(branch, curve, log(of_exponent(exponent)) - log(load))
-        };
-        let mut rows =
-            vec![Row { shares: [0.0; LEVELS], nodes: [[0.0; 2]; NODES] }; steps.div_ceil(LONGEST) * LONGEST + 1];
+        let at = |row: usize, near: &Row| row_at(branch, curve, log(of_exponent(first + row as u64)) - log(load), near);
+        let (end, equal) = ((last - first).max(1) as usize - 1, equal_contacts());
         // What is not known is taken from the next lighter load; most likely the lightest is the one that is not.
-        rows[0] = at(0).or_else(|| at(LONGEST)).unwrap_or_else(equal_contacts);
-        for from in (0..steps).step_by(LONGEST) {
-            rows[from + LONGEST] = at(from + LONGEST).unwrap_or(rows[from]);
-            fill_between(&mut rows, (from, from + LONGEST), &at);
+        let lightest = at(0, &equal).or_else(|| at(LONGEST.min(end), &equal)).unwrap_or(equal);
+        let mut rows = vec![lightest; end + 1];
+        for from in (0..end).step_by(LONGEST) {
+            let to = (from + LONGEST).min(end);
+            rows[to] = at(to, &rows[from]).unwrap_or(rows[from]);
+            fill_between(&mut rows, (from, to), &at);
         }
         // Beyond the loads at which rows change the last is enough.
         let alike = |row: &Row, other: &Row| row.distance(other) < TOLERANCE;
@@ -232,6 +229,15 @@ impl Row {
         Self::of_nodes(std::array::from_fn(|i| [of(i, 0), of(i, 1)]))
     }
 
+    /// X at the nodes and between them, about.
+    fn places(&self) -> [f64; SAMPLES] {
+        let at = |node: usize| f64::from(self.nodes[node][1]);
+        let mut places = std::array::from_fn(|k| 0.5 * (at((k + 1) / 2) + at((k + 1).div_ceil(2))));
+        // Of a row that is like this one the last is then beyond.
+        places[SAMPLES - 1] *= 1.1;
+        places
+    }
+
     /// The largest difference of H.
     fn distance(&self, other: &Self) -> f32 {
         self.nodes.iter().zip(&other.nodes).map(|(a, b)| (a[0] - b[0]).abs()).fold(0.0, f32::max)
@@ -239,38 +245,54 @@ impl Row {
 }
 
 /// Fills the rows between two that are known: with their means, but where H is found to be another.
-fn fill_between(rows: &mut [Row], (from, to): (usize, usize), at: &dyn Fn(usize) -> Option<Row>) {
+fn fill_between(rows: &mut [Row], (from, to): (usize, usize), at: &dyn Fn(usize, &Row) -> Option<Row>) {
     if to - from < 2 {
         return;
     }
     let middle = (from + to) / 2;
     let mean = rows[from].mean(&rows[to]);
-    rows[middle] = at(middle).unwrap_or(mean);
-    let none = |_: usize| None;
-    let at = if rows[middle].distance(&mean) < TOLERANCE { &none } else { at };
+    rows[middle] = at(middle, &mean).unwrap_or(mean);
+    let none = |_: usize, _: &Row| None;
+    let is_near = |other: &Row| rows[middle].distance(other) < TOLERANCE;
+    let is_known = is_near(&mean) && (2 * (to - from) <= LONGEST || is_near(&rows[from]) && is_near(&rows[to]));
+    let at = if is_known { &none } else { at };
     fill_between(rows, (from, middle), at);
     fill_between(rows, (middle, to), at);
 }
 
-/// The row at ln(load - pull-off); `None` where the state is not known.
-fn row_at(branch: &Branch, curve: &Curve, log_excess: f64) -> Option<Row> {
+/// The row at ln(load - pull-off), which may be like this one; `None` where the state is not known.
+fn row_at(branch: &Branch, curve: &Curve, log_excess: f64, near: &Row) -> Option<Row> {
     let population = branch.population();
     let separation = curve.separation(log_excess)?;
     // Of the places this only says about how far they go.
     let [[friction], [radius]] =
         Quantity::ALL.map(|quantity| curve.at_each(quantity, [log_excess]).map(|(value, _)| value));
-    let mut places = [SHORTEST * friction / radius; FIRST];
-    for k in 1..FIRST {
-        places[k] = places[k - 1] * RATIO;
+    let unit = friction / radius;
+    // The samples at places, ascending, and the places of the limits by what is known then.
+    let asked = |samples: &mut Vec<[f64; 3]>, places: [f64; SAMPLES]| {
+        let lost = population.lost_to_slip(separation, places)?;
+        let length = places[0] / lost[0][0];
+        samples.extend(lost);
+        samples.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
+        samples.dedup_by(|a, b| a[0] <= b[0] * (1.0 + 1e-9));
+        let limit = |k: usize| above_and_limit(samples, 0.5 * (NODES_AT[k / 2] + NODES_AT[k.div_ceil(2)])).1;
+        Some(std::array::from_fn::<f64, SAMPLES, _>(|k| limit(k + 1) * length))
+    };
+    let mut samples = Vec::with_capacity(2 * SAMPLES);
+    let alike = near.places().map(|place| place * unit);
+    let limits = asked(&mut samples, alike)?;
+    let is_alike = samples[samples.len() - 1][2] >= 1.0 - NODES_AT[NODES - 1]
+        && alike.iter().zip(limits).all(|(place, limit)| *place < RATIO * limit && limit < RATIO * place);
+    if !is_alike {
+        samples.clear();
+        let mut place = unit * SHORTEST;
+        let first = [(); SAMPLES].map(|()| {
+            place *= RATIO;
+            place
+        });
+        let limits = asked(&mut samples, first)?;
+        asked(&mut samples, limits)?;
     }
-    let mut samples = population.lost_to_slip(separation, places)?.to_vec();
-    // Once more where X is of the nodes, and between them.
-    let length = places[0] / samples[0][0];
-    let between = |k: usize| 0.5 * (NODES_AT[k / 2] + NODES_AT[k.div_ceil(2)]);
-    let better = std::array::from_fn::<f64, SAMPLES, _>(|k| above_and_limit(&samples, between(k + 1)).1 * length);
-    samples.extend(population.lost_to_slip(separation, better)?);
-    samples.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
-    samples.dedup_by(|a, b| a[0] <= b[0] * (1.0 + 1e-9));
     let is_sound = samples.iter().all(|&[x, lost, _]| (x - 1.0 - 1e-6..=x).contains(&lost));
     is_sound.then(|| Row::new(|s| above_and_limit(&samples, s)))
 }
@@ -305,7 +327,7 @@ fn equal_contacts() -> Row {
 #[cfg(test)]
 mod tests {
     use super::super::tests::branch;
-    use super::super::{Law, Lengths};
+    use super::super::{Law, Lengths, Reach};
     use super::*;
     use crate::four::Portable;
 
@@ -389,19 +411,45 @@ mod tests {
         }
     }
 
-    /// Values that rise evenly up to a row and not beyond it.
+    /// Of a surface whose contacts slip alike from row to row, and of one where they do not.
+    #[test]
+    fn a_row_is_the_same_whatever_row_it_may_be_like() {
+        use crate::population::tests::{of, surface, table, WEAK};
+        for branch in [branch(0.001), Branch::new(of(&surface(WEAK, table(), [0.3, 0.7]))).expect("a branch")] {
+            let reach =
+                Reach { log_lightest: -20.0, log_heaviest: 14.0, has_pull_off: true, most_rows: 0, is_part: false };
+            let curve = Curve::new(&branch, reach, &mut Vec::new()).expect("a curve");
+            let far = Row::new(|s| (1.0 - s, 1e-3));
+            let mut before = equal_contacts();
+            for i in 0..16 {
+                let at = |near: &Row| row_at(&branch, &curve, -19.0 + 2.0 * f64::from(i), near).expect("a row");
+                let row = at(&far);
+                let distance = at(&before).distance(&row);
+                assert!(distance < TOLERANCE, "{i}: {distance:e}");
+                before = row;
+            }
+        }
+    }
+
+    /// Values that rise evenly between two rows and not beyond them.
     #[test]
     fn rows_between_two_that_are_known_are_asked_for_where_their_mean_is_not_good() {
-        for (bend, asked_for) in [(8, vec![4]), (2, vec![1, 2, 3, 4, 6])] {
-            let value = |row: usize| Row::of_nodes([[0.05 * row.min(bend) as f32, 0.0]; NODES]);
-            let mut rows = vec![value(0); 9];
-            rows[8] = value(8);
+        for (end, rise, asked_for) in [
+            (8, [0, 8], vec![4]),
+            (8, [0, 2], vec![1, 2, 3, 4, 6]),
+            (16, [0, 0], vec![8]),
+            // The middle is the mean of the ends, which tells nothing of what lies between.
+            (16, [4, 12], vec![2, 4, 6, 8, 10, 12, 14]),
+        ] {
+            let value = |row: usize| Row::of_nodes([[0.05 * row.clamp(rise[0], rise[1]) as f32, 0.0]; NODES]);
+            let mut rows = vec![value(0); end + 1];
+            rows[end] = value(end);
             let asked = std::cell::RefCell::new(Vec::new());
-            let at = |row: usize| {
+            let at = |row: usize, _: &Row| {
                 asked.borrow_mut().push(row);
                 Some(value(row))
             };
-            fill_between(&mut rows, (0, 8), &at);
+            fill_between(&mut rows, (0, end), &at);
             let mut asked = asked.into_inner();
             asked.sort_unstable();
             assert_eq!(asked, asked_for);
@@ -411,7 +459,7 @@ mod tests {
         }
         // What is not known is the mean.
         let mut rows = [0.0, 0.0, 0.4].map(|above| Row::of_nodes([[above, 0.0]; NODES])).to_vec();
-        fill_between(&mut rows, (0, 2), &|_| None);
+        fill_between(&mut rows, (0, 2), &|_, _| None);
         assert_eq!(rows[1], Row::of_nodes([[0.2, 0.0]; NODES]));
     }
 
