@@ -6,7 +6,9 @@ use super::params::{asperity_params, check_size};
 use super::reserve;
 use super::scalar::{self, ScalarCall};
 use super::status::asperity_status;
+use crate::error::Error;
 use crate::model::Model;
+use crate::population::NodeTable;
 
 /// A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it.
 pub struct asperity_model {
@@ -29,6 +31,16 @@ pub(super) unsafe fn of<'a>(model: *const asperity_model) -> Result<&'a Model, F
 #[inline(always)]
 pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, at: f64) -> f64 {
     model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, at))
+}
+
+/// Evaluates exact states of a model, which then keeps the table that they are made of.
+pub(super) fn exact<T>(model: &Model, evaluate: impl FnOnce(&Model) -> Result<T, Error>) -> Result<T, Failure> {
+    let population = model.population();
+    if population.lacks_table() {
+        // Apart: what stays is not to be taken from the reserve.
+        population.keep_table(reserve::held(|| Ok(NodeTable::new(population)))?);
+    }
+    reserve::held(|| Ok(evaluate(model)?))
 }
 
 impl asperity_model {

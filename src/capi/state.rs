@@ -3,7 +3,6 @@
 use super::boundary;
 use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
-use super::reserve;
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::model::{Model, State};
@@ -126,7 +125,7 @@ unsafe fn exact(
     boundary::status(|| {
         let model = model::of(model)?;
         fill(out, "state", || {
-            let state = reserve::held(|| Ok(state(model)?))?;
+            let state = model::exact(model, state)?;
             Ok(same_fields! { asperity_state of state;
                 load gap friction_force friction_coefficient dforce_dload dmu_dload dload_dgap real_area
                 contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1

@@ -4,7 +4,6 @@ use super::batch::Quantity;
 use super::boundary::{self, write};
 use super::evaluate::evaluate;
 use super::model::{self, asperity_model};
-use super::reserve;
 use super::status::asperity_status;
 
 /// Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
@@ -64,7 +63,7 @@ pub unsafe extern "C" fn asperity_tangential_at_load(
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
-        let found = reserve::held(|| Ok(model.tangential_at_load(load, displacement)?))?;
+        let found = model::exact(model, |model| model.tangential_at_load(load, displacement))?;
         write(force, 0, found.0);
         write(stiffness, 0, found.1);
         Ok(())

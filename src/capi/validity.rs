@@ -2,7 +2,6 @@
 
 use super::boundary::{self, not_null, reference_mut, write};
 use super::model::{self, asperity_model};
-use super::reserve;
 use super::status::asperity_status;
 use super::text::write_text;
 use crate::model::validity;
@@ -86,7 +85,7 @@ pub unsafe extern "C" fn asperity_check_loads(
     boundary::status(|| {
         let model = model::of(model)?;
         let warnings = reference_mut(warnings, "warnings")?;
-        *warnings = reserve::held(|| Ok(model.check_loads(lightest, heaviest)?))?;
+        *warnings = model::exact(model, |model| model.check_loads(lightest, heaviest))?;
         Ok(())
     })
 }
@@ -124,7 +123,7 @@ pub unsafe extern "C" fn asperity_warning_loads(
         let model = model::of(model)?;
         not_null(lightest, "lightest")?;
         not_null(heaviest, "heaviest")?;
-        let found = reserve::held(|| Ok(model.warning_loads(warning)?))?;
+        let found = model::exact(model, |model| model.warning_loads(warning))?;
         let (light, heavy) = found.unwrap_or((f64::NAN, f64::NAN));
         write(lightest, 0, light);
         write(heaviest, 0, heavy);

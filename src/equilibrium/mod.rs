@@ -66,6 +66,11 @@ impl Branch {
         Self { fall, ..self }
     }
 
+    /// Gives back what is tabulated of the population until sums are asked for.
+    pub fn forget_table(&mut self) {
+        self.population.forget_table();
+    }
+
     /// The summits.
     pub fn population(&self) -> &Population {
         &self.population

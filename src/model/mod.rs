@@ -166,7 +166,14 @@ impl Model {
         let known = [Known::default(); Quantity::COUNT];
         let mut model = Self { params, groups, branch, law, units, inverse_cap, known, heaviest };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
+        // A model of compiled calls alone takes half the memory.
+        model.branch.forget_table();
         Ok(model)
+    }
+
+    /// The summits.
+    pub(crate) fn population(&self) -> &Population {
+        self.branch.population()
     }
 
     /// Finds a quantity at loads beside its table.

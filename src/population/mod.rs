@@ -24,6 +24,7 @@ mod tangential;
 mod walk;
 
 pub use changes::{Change, Changes};
+pub use node_table::NodeTable;
 pub use one_summit::OneSummit;
 pub use statistics::Statistics;
 pub use sums::Sums;
@@ -40,10 +41,9 @@ use crate::groups::Groups;
 use crate::numerics::root::{LAST_STEP, MOST_STEPS};
 use break_away::Edge;
 use crowding::Crowding;
-use node_table::NodeTable;
 use radius::RadiusProfile;
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use sums::Summit;
 use walk::{Progress, Visitor, Walk};
 
@@ -81,7 +81,8 @@ pub struct Population {
     lower_cut: f64,
     /// What lies above this height is no number.
     highest: f64,
-    nodes: Option<Arc<NodeTable>>,
+    /// Where radii are equal: contacts at nodes, once sums are asked for.
+    nodes: Option<Arc<OnceLock<NodeTable>>>,
     /// What part a whole panel counts as when its points are chosen.
     fineness: f64,
 }
@@ -159,11 +160,12 @@ impl Population {
         let kinks_of_contact = law.kinks();
         // Elastic summits are told where they would yield, but not from where they would flow.
         let yields = if groups.yields { kinks_of_contact } else { [first_yield(groups), f64::INFINITY] };
-        let mut population = Self {
+        Ok(Self {
             law,
             attraction: (attract && groups.gamma > 0.0).then(|| Attraction::new(groups)),
             slip,
             heights,
+            nodes: radius.is_constant().then(Arc::default),
             radius,
             crowding: (groups.nominal_area > 0.0).then_some(Crowding { nominal_area: groups.nominal_area }),
             lambda_cubed: groups.lambda_cubed(),
@@ -175,13 +177,30 @@ impl Population {
             deepest,
             lower_cut,
             highest,
-            nodes: None,
             fineness: 1.0,
-        };
-        if radius.is_constant() {
-            population.nodes = Some(Arc::new(NodeTable::new(&population, population.edge(0.0).point)));
+        })
+    }
+
+    /// What is tabulated of it; `None` where radii vary.
+    fn table(&self) -> Option<&NodeTable> {
+        Some(self.nodes.as_ref()?.get_or_init(|| NodeTable::new(self)))
+    }
+
+    /// Gives the table back, which is made again once sums are asked for: it takes more memory than a compiled law.
+    pub fn forget_table(&mut self) {
+        self.nodes = self.nodes.take().map(|_| Arc::default());
+    }
+
+    /// Whether the next sums make a table.
+    pub fn lacks_table(&self) -> bool {
+        self.nodes.as_ref().is_some_and(|nodes| nodes.get().is_none())
+    }
+
+    /// Keeps a table that it lacks, unless another thread was first.
+    pub fn keep_table(&self, table: NodeTable) {
+        if let Some(nodes) = &self.nodes {
+            nodes.get_or_init(|| table);
         }
-        Ok(population)
     }
 
     /// The same population, whose loads are good to some digits in a part of the time where radii vary with height.
@@ -260,7 +279,7 @@ impl Population {
 
     /// The height at which summits just break away.
     fn edge(&self, separation: f64) -> Edge {
-        match &self.nodes {
+        match self.table() {
             Some(table) => Edge { point: table.edge.raised(separation), rate: 1.0 },
             None => Edge::at_separation(&*self.law, &self.radius, separation, self.deepest),
         }
@@ -271,7 +290,7 @@ impl Population {
     /// # Errors
     /// [`Error::NotConverged`] if that takes more panels than there may be; the same of all that goes over summits.
     fn visit(&self, separation: f64, edge: &Edge, visitor: &mut impl Visitor) -> Result<(), Error> {
-        match (self.contacts(separation, edge), &self.nodes) {
+        match (self.contacts(separation, edge), self.table()) {
             (None, _) => Ok(()),
             (Some(walk), Some(table)) => self.walk_table(table, &walk, visitor),
             (Some(walk), None) => self.walk(&walk, &mut Progress::default(), visitor),

@@ -57,7 +57,10 @@ fn part_in_roots((from, to): (f64, f64)) -> f64 {
 
 impl NodeTable {
     /// Tabulates the panels of a population of equal radii.
-    pub fn new(population: &Population, edge: Point) -> Self {
+    pub fn new(population: &Population) -> Self {
+        // The same for coarse sums.
+        let population = &Population { fineness: 1.0, ..population.without_tables() };
+        let edge = population.edge(0.0).point;
         let reach = panel::tail_panel_length(&*population.heights);
         let near = if population.heights.support().0.is_finite() {
             edge.z + NEAR * (1.0 + edge.z.abs())
@@ -285,7 +288,7 @@ mod tests {
         surfaces.extend(groups.map(|groups| surface(groups, heights.clone(), [0.0, 1.0])));
         for params in &surfaces {
             let population = of(params);
-            let table = population.nodes.as_ref().expect("radii are equal");
+            let table = population.table().expect("radii are equal");
             let mut here = table.edge;
             for panel in &table.panels {
                 let before = std::mem::replace(&mut here, panel.to);
