@@ -4,7 +4,7 @@
 //! over it, and no breakpoint lies within.
 
 use super::HeightDistribution;
-use crate::elementary::{exp, pow};
+use crate::elementary::pow;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root;
 
@@ -148,10 +148,12 @@ impl LowerEndPanel {
 
     /// Its nodes: heights above the lower end, with the fraction of all summits that each stands for.
     pub fn nodes(&self, heights: &dyn HeightDistribution) -> [(f64, f64); POINTS] {
-        quadrature::panel(0.0, 1.0).map(|(v, weight)| {
-            let rise = self.length * pow(v, self.power);
-            let rate = self.power * rise / v;
-            (rise, weight * rate * exp(heights.log_density(self.lower_end + rise)))
+        let nodes = quadrature::panel(0.0, 1.0);
+        let rises = nodes.map(|(v, _)| self.length * pow(v, self.power));
+        let densities = heights.densities(rises.map(|rise| self.lower_end + rise));
+        std::array::from_fn(|i| {
+            let (v, weight) = nodes[i];
+            (rises[i], weight * (self.power * rises[i] / v) * densities[i])
         })
     }
 }
@@ -206,6 +208,7 @@ pub fn slack(z: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::distribution::tests::families;
+    use crate::elementary::exp;
     use crate::numerics::quadrature::nodes;
 
     /// The integrals of the density times powers of the height above the mean, by panels; and how many panels.

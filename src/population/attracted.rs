@@ -9,7 +9,7 @@ use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
 use crate::elementary::exp;
 use crate::error::Error;
-use crate::numerics::quadrature;
+use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root;
 
 /// One panel of attraction with varying radius spans no more than this ratio of du/dc.
@@ -88,7 +88,7 @@ impl Population {
                 (rise, weight * rate)
             });
             let [heights, overlaps] = [z, overlap].map(|from| nodes.map(|(rise, _)| from + rise));
-            let densities = self.densities(separation, heights, overlaps);
+            let densities = self.densities::<POINTS>(separation, heights, overlaps);
             for ((rise, weight), density) in nodes.into_iter().zip(densities) {
                 visit(z + rise, overlap + rise, weight * density);
             }

@@ -137,7 +137,7 @@ impl Population {
             if z <= begin.z && to <= highest && panel::is_one_panel(&*self.heights, z, to, as_one) {
                 let overlaps = panel.summits.map(|summit| summit.overlap);
                 let heights = overlaps.map(|overlap| separation + overlap);
-                let densities = self.densities(separation, heights, overlaps);
+                let densities = self.densities::<POINTS>(separation, heights, overlaps);
                 for i in 0..POINTS {
                     let fraction = panel.weights[i] * densities[i];
                     progress.add(fraction, overlaps[i]);
@@ -220,7 +220,7 @@ impl Population {
                 heights[i] - part.separation
             }
         });
-        let densities = self.densities(part.separation, heights, overlaps);
+        let densities = self.densities::<N>(part.separation, heights, overlaps);
         let fractions: [f64; N] = std::array::from_fn(|i| {
             let (_, root, weight) = nodes[i];
             let fraction = 2.0 * root * weight * densities[i];

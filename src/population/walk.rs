@@ -131,7 +131,7 @@ impl Population {
                 (panel, nodes) = lay(reach);
             }
             let overlaps = nodes.map(|(_, point)| point.contact.overlap);
-            let densities = self.densities(separation, nodes.map(|(_, point)| point.z), overlaps);
+            let densities = self.densities::<POINTS>(separation, nodes.map(|(_, point)| point.z), overlaps);
             for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
             {
                 let fraction = weight * density;
@@ -171,14 +171,22 @@ impl Population {
         }
     }
 
-    /// The densities at the nodes of a panel, given by their heights and overlaps: of small overlaps far out in a steep tail
+    /// The densities at the N nodes of a panel, given by their heights and overlaps: of small overlaps far out in a steep tail
     /// more digits count than heights have.
     #[inline]
-    pub(super) fn densities(&self, separation: f64, z: [f64; POINTS], overlaps: [f64; POINTS]) -> [f64; POINTS] {
-        let slope = self.heights.log_density_slope(z[POINTS / 2]);
+    pub(super) fn densities<const N: usize>(
+        &self,
+        separation: f64,
+        z: [f64; POINTS],
+        overlaps: [f64; POINTS],
+    ) -> [f64; POINTS] {
+        let mut densities = self.heights.densities(z);
+        // The slope of the logarithm in the middle, by the series of ln((1 + r)/(1 - r)).
+        let (i, j) = (N / 2 - 1, N / 2);
+        let r = (densities[j] - densities[i]) / (densities[j] + densities[i]);
+        let slope = 2.0 * r * (1.0 + r * r * (1.0 / 3.0 + r * r * (1.0 / 5.0 + r * r / 7.0))) / (z[j] - z[i]);
         // Next to the end of the heights it is no number, or so large that a rounding error is no small change; little lies so near.
         let slope = if slope.abs() < STEEPEST { slope } else { 0.0 };
-        let mut densities = self.heights.densities(z);
         for i in 0..POINTS {
             let rounding = overlaps[i] - (z[i] - separation);
             densities[i] += densities[i] * (slope * rounding);
