@@ -188,9 +188,18 @@ fn is_smooth(heights: &dyn HeightDistribution, from: f64, to: f64, longer: f64) 
     if places.iter().any(|&z| length > OVER_DISTANCE * heights.distance_to_singularity(z)) {
         return false;
     }
-    let slopes = places.map(|z| heights.log_density_slope(z));
-    slopes.iter().all(|slope| length * slope.abs() <= MOST_E_FOLDS)
-        && slopes.windows(2).all(|half| length * (half[1] - half[0]).abs() <= MOST_BEND)
+    let slope = |i: usize| heights.log_density_slope(places[i]);
+    let is_gentle = |slope: f64| length * slope.abs() <= MOST_E_FOLDS;
+    let is_straight = |from: f64, to: f64| length * (to - from).abs() <= MOST_BEND;
+    let (begin, end) = (slope(0), slope(2));
+    if !(is_gentle(begin) && is_gentle(end)) {
+        return false;
+    }
+    // A slope that only falls changes over either half by no more than over both.
+    heights.is_log_concave() && is_straight(begin, end) || {
+        let middle = slope(1);
+        is_gentle(middle) && is_straight(begin, middle) && is_straight(middle, end)
+    }
 }
 
 fn next_breakpoint(heights: &dyn HeightDistribution, z: f64) -> f64 {

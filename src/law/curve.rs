@@ -29,12 +29,13 @@ pub struct Unfollowed {
     pub separation: f64,
 }
 
-/// A panel with the exact states that it was compared with.
+/// A panel with its exact states.
 struct Attempt {
     panel: Panel,
     nodes: [Sample; NODES],
-    between: [Sample; 2],
     end: Sample,
+    /// Those that it was compared with between its nodes; `None` if it missed one at an end.
+    between: Option<[Sample; 2]>,
     /// The largest error over its tolerance.
     error: f64,
 }
@@ -64,7 +65,7 @@ impl Curve {
         let coordinate = Coordinate { log_pull_off };
         let mut curve = Self { coordinate, positions, reference, panels: Vec::new(), samples: 0, planes: None };
         let is_crowded = branch.population().is_crowded();
-        let mut gaps = Vec::new();
+        let (mut gaps, mut ends) = (Vec::new(), Vec::new());
         let mut depth = FIRST_DEPTH.max(positions.middle + FIRST_DEPTH - steps.end);
         let mut from = curve.sample(branch, positions.middle - depth)?;
         if reach.is_part {
@@ -89,31 +90,35 @@ impl Curve {
                 true => steps.next(from.separation, curve.samples > most_samples),
                 false => steps.rest(from.separation),
             };
-            let mut attempt = match curve.attempt(branch, from, stretch) {
+            let attempt = match curve.attempt(branch, from, stretch, &mut ends) {
                 Ok(attempt) => attempt,
                 // So near to pull-off rounding tells whether the load falls.
                 Err(Unfollowed { separation }) if steps.end - separation < ROUNDING * (1.0 + separation.abs()) => break,
                 Err(unfollowed) => return Err(unfollowed),
             };
-            let crowded = is_crowded.then(|| planes::Panel::between(&from, &attempt.end, &attempt.nodes, positions));
+            let Attempt { panel, nodes, end, between, mut error } = attempt;
+            let Some(between) = between else {
+                steps.keeps(&stretch, error);
+                continue;
+            };
+            let crowded = is_crowded.then(|| planes::Panel::between(&from, &end, &nodes, positions));
             if let Some(panel) = &crowded {
-                let error = panel.error_at(&attempt.between) / (stretch.slope_slack * tolerance::SLOPE);
-                attempt.error = larger(attempt.error, error);
+                error = larger(error, panel.error_at(&between) / (stretch.slope_slack * tolerance::SLOPE));
             }
             // So near to the end separations, of which nodes then coincide, have no digits left.
-            if attempt.end.separation <= from.separation || attempt.error.is_infinite() && stretch.is_shortest {
+            if end.separation <= from.separation || error.is_infinite() && stretch.is_shortest {
                 break;
             }
-            if !steps.keeps(&stretch, attempt.error) {
+            if !steps.keeps(&stretch, error) {
                 continue;
             }
-            curve.panels.push(attempt.panel);
+            curve.panels.push(panel);
             gaps.extend(crowded);
-            check.extend(attempt.between);
-            if attempt.end.slope[0].is_finite() {
-                check.push(attempt.end);
+            check.extend(between);
+            if end.slope[0].is_finite() {
+                check.push(end);
             }
-            from = attempt.end;
+            from = end;
         }
         curve.planes = is_crowded.then(|| Box::new(Planes::new(branch, gaps, positions)));
         Ok(curve)
@@ -128,18 +133,34 @@ impl Curve {
         Ok(nodes)
     }
 
-    /// A panel between two separations, and how well it meets the exact states that are not its nodes.
-    fn attempt(&mut self, branch: &Branch, from: Sample, stretch: Stretch) -> Result<Attempt, Unfollowed> {
+    /// A panel between two separations, and how well it meets the exact states that are not its nodes. The ends of those that missed
+    /// are ends again.
+    fn attempt(
+        &mut self,
+        branch: &Branch,
+        from: Sample,
+        stretch: Stretch,
+        ends: &mut Vec<Sample>,
+    ) -> Result<Attempt, Unfollowed> {
         let positions = self.positions;
         // Where on the panel, from -1 to 1.
         let at = |part: f64| positions.between(from.separation, stretch.to, part);
         let nodes = self.nodes(branch, from, at)?;
-        let end = self.end(branch, stretch.to)?;
-        let between = [self.sample(branch, at(BETWEEN[0]))?, self.sample(branch, at(BETWEEN[1]))?];
-        self.samples += NODES + 3;
+        let end = match ends.iter().find(|end| end.separation == stretch.to) {
+            Some(end) => *end,
+            None => self.end(branch, stretch.to)?,
+        };
+        ends.push(end);
+        self.samples += NODES + 1;
         let panel = Panel::new(&from, &end, positions, &nodes);
-        let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &between[0], &between[1], &end]);
-        Ok(Attempt { panel, nodes, between, end, error })
+        let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &end]);
+        if !stretch.allows(error) {
+            return Ok(Attempt { panel, nodes, end, between: None, error });
+        }
+        let between = [self.sample(branch, at(BETWEEN[0]))?, self.sample(branch, at(BETWEEN[1]))?];
+        self.samples += 2;
+        let error = larger(error, panel.error_over_tolerance(stretch.slope_slack, &[&between[0], &between[1]]));
+        Ok(Attempt { panel, nodes, end, between: Some(between), error })
     }
 
     /// The state where a panel ends, which may be pull-off itself.

@@ -40,6 +40,13 @@ pub struct Stretch {
     pub is_shortest: bool,
 }
 
+impl Stretch {
+    /// Whether a panel may miss the curve by so many times the tolerance.
+    pub fn allows(&self, error: f64) -> bool {
+        error <= self.most || self.is_shortest
+    }
+}
+
 /// Tells how far the next panel may reach.
 #[derive(Debug, Clone)]
 pub struct Steps {
@@ -173,7 +180,7 @@ impl Steps {
     /// Whether a panel that misses the curve by so many times the tolerance is kept, since it is good or cannot be
     /// shorter; if not, the next is its first half.
     pub fn keeps(&mut self, stretch: &Stretch, error: f64) -> bool {
-        if error <= stretch.most || stretch.is_shortest {
+        if stretch.allows(error) {
             self.ends.pop();
             // Away from a kink halves grow: once two in turn are kept, two are taken at once.
             self.kept += 1;
