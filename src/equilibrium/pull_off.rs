@@ -54,14 +54,7 @@ impl End {
         if !population.is_adhesive() {
             return Ok(none);
         }
-        // Signs of slopes need few digits, but at the bracket that is found.
-        let bracket = match bracket_first_minimum(&population.coarse())? {
-            Some((lower, upper)) if !falls(population, lower)? || falls(population, upper)? => {
-                bracket_first_minimum(population)?
-            }
-            rough => rough,
-        };
-        match bracket {
+        match bracket_first_minimum(population)? {
             Some(bracket) => Self::within(population, bracket),
             None => Ok(none),
         }

@@ -107,7 +107,7 @@ impl Population {
 
     /// The same for the kinks of the law of contact, which move with the radius: where a summit is nearest to or farthest
     /// from one a panel ends too. There is no more than one such place as far as radii change ever faster or ever slower.
-    pub(super) fn cut_at_kink_of_contact(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
+    fn cut_at_kink_of_contact(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
         for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
             if !self.radius.is_constant() {
                 self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);

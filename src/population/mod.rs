@@ -51,8 +51,6 @@ use walk::{Progress, Visitor, Walk};
 const RADII: usize = 5;
 /// The first of those.
 const ONSET: usize = 2;
-/// The fineness of sums of which the sign is asked: every panel has as few points as there are.
-const COARSE: f64 = 0.01;
 
 /// A population of summits pressed against a flat.
 #[derive(Debug, Clone)]
@@ -83,8 +81,6 @@ pub struct Population {
     highest: f64,
     /// Where radii are equal: contacts at nodes, once sums are asked for.
     nodes: Option<Arc<OnceLock<NodeTable>>>,
-    /// What part a whole panel counts as when its points are chosen.
-    fineness: f64,
 }
 
 /// A summit in contact, at its height.
@@ -177,7 +173,6 @@ impl Population {
             deepest,
             lower_cut,
             highest,
-            fineness: 1.0,
         })
     }
 
@@ -201,11 +196,6 @@ impl Population {
         if let Some(nodes) = &self.nodes {
             nodes.get_or_init(|| table);
         }
-    }
-
-    /// The same population, whose loads are good to some digits in a part of the time where radii vary with height.
-    pub fn coarse(&self) -> Self {
-        Self { fineness: COARSE, ..self.clone() }
     }
 
     /// The mean summit radius in standard deviations of height.

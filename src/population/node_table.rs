@@ -58,8 +58,7 @@ fn part_in_roots((from, to): (f64, f64)) -> f64 {
 impl NodeTable {
     /// Tabulates the panels of a population of equal radii.
     pub fn new(population: &Population) -> Self {
-        // The same for coarse sums.
-        let population = &Population { fineness: 1.0, ..population.without_tables() };
+        let population = &population.without_tables();
         let edge = population.edge(0.0).point;
         let reach = panel::tail_panel_length(&*population.heights);
         let near = if population.heights.support().0.is_finite() {

@@ -97,15 +97,11 @@ impl Population {
             }
         };
         let panel = Panel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
-        // Load is smooth where friction has a kink.
-        let panel = match self.fineness < 1.0 {
-            true => self.cut_at_kink_of_contact(separation, panel, kink),
-            false => self.cut_at_kink(separation, panel, kink),
-        };
+        let panel = self.cut_at_kink(separation, panel, kink);
         // A polynomial density is smooth up to where it ends.
         let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
         // What contacts about to slip resist asks for all points.
-        let part = if self.has_onset() { 1.0 } else { self.fineness * self.part(&panel, clearance, smooth) };
+        let part = if self.has_onset() { 1.0 } else { self.part(&panel, clearance, smooth) };
         Panel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 
