@@ -18,7 +18,7 @@ const AT_END: f64 = 1e-9;
 /// A shorter stretch hardly changes values: what it misses may be noise.
 const SHORT: f64 = 0.02;
 /// It may miss by so many times the tolerance, which is then what the compiled law promises.
-const MOST_OF_SHORT: f64 = 4.0;
+const MOST_OF_SHORT: f64 = 2.0;
 /// And by so many once no more states are to be spent: as many as a model may.
 const MOST_WHEN_SPENT: f64 = tolerance::MOST / tolerance::VALUE;
 /// The shortest panels, or this part of what is left of the branch, if that is shorter: what is then not resolved is too short to
