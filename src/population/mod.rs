@@ -38,7 +38,7 @@ use crate::asperity::slip::Slip;
 use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
 use crate::groups::Groups;
-use crate::numerics::root::{LAST_STEP, MOST_STEPS};
+use crate::numerics::root::LAST_STEP;
 use break_away::Edge;
 use crowding::Crowding;
 use radius::RadiusProfile;
@@ -82,6 +82,9 @@ pub struct Population {
     /// Where radii are equal: contacts at nodes, once sums are asked for.
     nodes: Option<Arc<OnceLock<NodeTable>>>,
 }
+
+/// Where Newton's method takes more steps, the height does not follow from the parameter: a shorter panel serves.
+const NEWTONS_STEPS: u32 = 10;
 
 /// A summit in contact, at its height.
 #[derive(Debug, Clone, Copy)]
@@ -336,7 +339,7 @@ impl Population {
             return Point { z: separation + contact.overlap, g_rate: 0.0, contact };
         }
         let mut z = guess;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..NEWTONS_STEPS {
             let (g, g_rate) = self.radius.at(z);
             let point = Point { z, g_rate, contact: self.law.at(parameter, g) };
             let step = (point.contact.overlap - (z - separation)) / point.height_share();

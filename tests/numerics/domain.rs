@@ -16,7 +16,7 @@ use crate::common::second_evaluation::{Sums, Surface};
 use crate::common::sobol::Sobol;
 use crate::common::splitmix::SplitMix;
 use crate::common::surfaces::params_of;
-use asperity::{Error, Model, State, Value};
+use asperity::{Error, HeightFamily, Model, Params, State, Value};
 use std::time::{Duration, Instant};
 
 /// What the library promises against the second evaluation.
@@ -388,6 +388,38 @@ fn friction_is_summed_from_kink_to_kink_where_contact_radii_rise_and_fall() {
             assert!(error < 1e-10, "{name} off by {error:.1e} at {separation}");
         }
     }
+}
+
+/// Newton's method for the height of a parameter went round in circles, a thousand steps each time.
+#[test]
+fn heights_that_do_not_follow_from_the_parameter_are_soon_given_up() {
+    let params = Params {
+        heights: HeightFamily::Johnson { skew: 0.6373291015625, kurtosis: 15.514825441259024 },
+        radius_amplitude: -1.0,
+        radius_rate: 0.7709730275903536,
+        ..params_of(&Surface {
+            alpha: 2.919248031942366e-3,
+            beta: 651575.6467097461,
+            gamma: 3.539691835305961e-2,
+            b_over_h: 3.074166822795491,
+            heights: Heights::Gaussian,
+            epsilon: 0.0,
+            rho: 1.0,
+            attraction: true,
+            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
+            pressure: 0.0,
+        })
+    };
+    let took = |params: &Params| {
+        let start = processor_time();
+        Model::new(params).expect("a model");
+        processor_time() - start
+    };
+    // 30 times as long as one whose heights follow; 160 times then.
+    let usual = Params { radius_amplitude: 0.5, ..Params::paper() };
+    let usual = (0..5).map(|_| took(&usual)).min().expect("five of them");
+    let ratio = took(&params).as_secs_f64() / usual.as_secs_f64();
+    assert!(ratio < 100.0, "{ratio}");
 }
 
 /// Where adhesion is weak and the lower tail is exponential, the density is steeper as a function of the circle of
