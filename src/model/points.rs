@@ -216,6 +216,10 @@ mod tests {
             assert!((variance * (of_prior + 100.0 + 25.0) - 1.0).abs() < 1e-12, "{variance}");
         }
         assert_eq!(slice(&[], Prior { mean: -1.0, precision: 4.0 }, 0.1).mean, -1.0);
+        assert_eq!(slice(&[], Prior { mean: -1.0, precision: 0.0 }, 0.1).mean, -1.0);
+        // However far from 0 it is.
+        let light = [1e-70, 1e-68].map(|force| seen(force, 0.0, 1e65 * force, 0.1));
+        assert!((slice(&light, Prior::NONE, 0.0).mean - log(1e65)).abs() < 1e-12);
     }
 
     /// Of no points half the square of what is off, in the deviations that it has without them.

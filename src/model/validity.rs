@@ -332,6 +332,27 @@ mod tests {
         }
     }
 
+    /// Three states of a parabola, or of what is level before or after the second: by how much the largest value may be above it.
+    #[test]
+    fn which_peaks_are_looked_at_closer() {
+        let parabola = |at: [f64; 3], peak: f64| at.map(|d| -1.7 * (d - peak) * (d - peak));
+        for (at, values, above) in [
+            ([0.7, 1.9, 4.4], parabola([0.7, 1.9, 4.4], 3.1), Some(RISE * 1.7 * 1.2 * 1.2)),
+            ([-4.4, -1.9, -0.7], parabola([-4.4, -1.9, -0.7], -3.1), Some(RISE * 1.7 * 1.2 * 1.2)),
+            ([0.7, 1.9, 4.4], parabola([0.7, 1.9, 4.4], 1.9), Some(1.7 * 2.5 * 2.5)),
+            ([-4.4, -1.9, -0.7], parabola([-4.4, -1.9, -0.7], -1.9), Some(1.7 * 2.5 * 2.5)),
+            ([0.0, 1.0, 2.0], [0.0, 3.0, 3.0], Some(3.0)),
+            ([0.0, 1.0, 2.0], [3.0, 3.0, 0.0], None),
+            ([0.0, 1.0, 2.0], [0.0, 3.0, 4.0], None),
+        ] {
+            for (off, exceeds) in [(1e-9, true), (-1e-9, false)] {
+                let level = 1.0 + off - above.unwrap_or(0.0) - values[1];
+                let around = [0, 1, 2].map(|i| (at[i], Measures([level + values[i]; WARNINGS])));
+                assert_eq!(may_exceed(&around, 2), exceeds && above.is_some(), "{at:?}, {values:?}, {off}");
+            }
+        }
+    }
+
     /// Rounding makes peaks of a constant, each of which would cost dozens of states.
     #[test]
     fn what_is_far_below_its_bound_or_known_to_exceed_it_is_not_searched() {
