@@ -124,8 +124,8 @@ const STEP: f64 = 0.1;
 /// slowly there.
 const MIDDLE: f64 = 10.0;
 const GROWTH: f64 = 0.5;
-/// Whether a measure rises from an end inwards is seen from a state so far inside, in steps.
-const NEXT_TO_END: f64 = 0.01;
+/// Whether a measure rises from an end inwards is seen from a state so far inside [sigma].
+const NEXT_TO_END: f64 = 0.001;
 /// A golden section takes this part of the interval off, and after so many of them 1e-7 of it is left.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const SECTIONS: u32 = 34;
@@ -203,7 +203,7 @@ pub fn extent_of(
 
 /// Separations from `near` to `far`, both included.
 fn separations(near: f64, far: f64) -> Vec<f64> {
-    let beside = (NEXT_TO_END * STEP).min(0.5 * (far - near));
+    let beside = NEXT_TO_END.min(0.5 * (far - near));
     let mut all = vec![near, near + beside];
     let mut here = near;
     while here < far {
