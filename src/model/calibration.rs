@@ -243,19 +243,24 @@ mod tests {
         }
     }
 
-    /// To the last digit, also at loads that have no logarithm.
+    /// To the last digit, also at loads that have no logarithm, and beside what pressure gives.
     #[test]
     fn one_point_is_kept_as_it_was_measured() {
         let before = Params::paper();
         let model = Model::new(&before).expect("a model");
         for (step, load) in [model.summary().pull_off_load, 0.0, 0.1, 3.0, 1e3].into_iter().enumerate() {
-            let force = model.state_at_load(load).expect("a state").friction_force;
-            let (measured, calibration_error) = (1.37 * force, 0.029 * (1 + step) as f64);
-            let mut params = Params { calibration_error, ..before.clone() };
-            params.calibrate_force(load, measured).expect("a strength");
-            let kept = (params.calibration_load, params.calibration_friction_force, params.calibration_error);
-            assert_eq!(kept, (load, measured, calibration_error));
-            assert_eq!(params.slip.stress_1, before.slip.stress_1 * (measured / force));
+            let state = model.state_at_load(load).expect("a state");
+            for pressure_coefficient in [0.0, 0.1] {
+                let of_pressure = pressure_coefficient * state.hertz_load;
+                let measured = 1.37 * state.friction_force + of_pressure;
+                let calibration_error = 0.029 * (1 + step) as f64;
+                let mut params = Params { calibration_error, pressure_coefficient, ..before.clone() };
+                params.calibrate_force(load, measured).expect("a strength");
+                let kept = (params.calibration_load, params.calibration_friction_force, params.calibration_error);
+                assert_eq!(kept, (load, measured, calibration_error));
+                let factor = (measured - of_pressure) / state.friction_force;
+                assert_eq!(params.slip.stress_1, before.slip.stress_1 * factor);
+            }
         }
     }
 
