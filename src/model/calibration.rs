@@ -214,12 +214,61 @@ mod tests {
                 Err(Error::Uncalibrated { number, .. }) => number,
                 other => panic!("{other:?}"),
             };
-            let is_taken = |force: f64| params.clone().calibrate_force(10.0, force).is_ok();
+            let is_taken = |force: f64| {
+                let mut params = params.clone();
+                params.calibrate_force(10.0, force).is_ok_and(|()| Model::new(&params).is_ok())
+            };
             let most = bound(1e9);
             assert!(is_taken(most * (1.0 - 1e-9)) && !is_taken(most * (1.0 + 1e-9)), "{most}");
             let least = bound(1e-290);
             assert!(is_taken(least * (1.0 + 1e-9)) && !is_taken(least * (1.0 - 1e-9)), "{least}");
         }
+    }
+
+    /// One that is beyond its bound by 1 in its logarithm, and one by 3.
+    #[test]
+    fn of_several_points_that_which_is_farthest_beyond_is_named() {
+        let params = Params { calibration_error: 0.1, ..Params::paper() };
+        for (force, sign) in [(1e20, 1.0), (1e-290, -1.0)] {
+            let beyond = |load: f64, off: f64| match params.clone().calibrate_force(load, force) {
+                Err(Error::Uncalibrated { number, .. }) => Point { load, force: number * exp(sign * off), error: 0.1 },
+                other => panic!("{other:?}"),
+            };
+            let mut points = [beyond(0.1, 1.0), beyond(1e5, 3.0)];
+            for _ in 0..2 {
+                let refused = params.clone().calibrate_points(&points, false, None);
+                assert!(matches!(refused, Err(Error::Uncalibrated { load: 1e5, .. })), "{refused:?}, {points:?}");
+                points.reverse();
+            }
+        }
+    }
+
+    /// To the last digit, also at loads that have no logarithm, and beside what pressure gives.
+    #[test]
+    fn one_point_is_kept_as_it_was_measured() {
+        let before = Params::paper();
+        let model = Model::new(&before).expect("a model");
+        for (step, load) in [model.summary().pull_off_load, 0.0, 0.1, 3.0, 1e3].into_iter().enumerate() {
+            let state = model.state_at_load(load).expect("a state");
+            for pressure_coefficient in [0.0, 0.1] {
+                let of_pressure = pressure_coefficient * state.hertz_load;
+                let measured = 1.37 * state.friction_force + of_pressure;
+                let calibration_error = 0.029 * (1 + step) as f64;
+                let mut params = Params { calibration_error, pressure_coefficient, ..before.clone() };
+                params.calibrate_force(load, measured).expect("a strength");
+                let kept = (params.calibration_load, params.calibration_friction_force, params.calibration_error);
+                assert_eq!(kept, (load, measured, calibration_error));
+                let factor = (measured - of_pressure) / state.friction_force;
+                assert_eq!(params.slip.stress_1, before.slip.stress_1 * factor);
+            }
+        }
+    }
+
+    #[test]
+    fn friction_that_is_no_number_has_no_strength() {
+        let mut params = Params { work_of_adhesion: 0.0, ..Params::paper() };
+        let refused = params.calibrate_force(5e-324, 1e-300);
+        assert!(matches!(refused, Err(Error::Uncalibrated { reason: Reason::NoFriction, .. })), "{refused:?}");
     }
 
     #[test]

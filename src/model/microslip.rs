@@ -71,7 +71,7 @@ impl Model {
             return Err(Self::not_evaluated(load));
         }
         let farthest = FARTHEST * (strength / stiffness);
-        if !(strength > 0.0 && stiffness > 0.0 && finite(farthest)) {
+        if !(strength > 0.0 && finite(farthest)) {
             self.law.limits().at_excess::<V, false>(excess, [1.0, 0.0], &mut levels.shares, &mut levels.share_slopes);
             return Ok(MicroslipStep::new(&levels.step_of_none(increment, state)));
         }

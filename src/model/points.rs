@@ -121,7 +121,7 @@ pub fn tell_pressure(seen: &[Seen]) -> bool {
 /// The largest pressure coefficient worth a look: that which alone gives some measured force, so many of its errors off.
 fn most(seen: &[Seen], errors: f64) -> f64 {
     let of = |one: &Seen| exp(one.measured - log(one.pressed) + errors * one.error);
-    seen.iter().filter(|one| one.pressed > 0.0).map(of).fold(LARGEST, f64::min)
+    seen.iter().map(of).fold(LARGEST, f64::min)
 }
 
 /// Slices at pressure coefficients that are evenly apart, where they have weight.
@@ -201,6 +201,16 @@ mod tests {
         assert!((nearest(&points, None).1 / (0.99 * 0.5) - 1.0).abs() < 1e-6, "{}", nearest(&points, None).1);
     }
 
+    /// However far off they are.
+    #[test]
+    fn no_other_curve_is_nearer_to_scattered_points() {
+        let points =
+            [(1.0, 0.5, 1.2), (3.0, 1.1, 4.6), (9.0, 3.0, 7.8)].map(|(h, f, measured)| seen(f, h, measured, 1e-4));
+        let cost = |kappa: f64| cost(&points, Prior::NONE, slice(&points, Prior::NONE, kappa).mean, kappa);
+        let (_, kappa) = nearest(&points, None);
+        assert!(cost(kappa) < cost(0.99 * kappa) && cost(kappa) < cost(1.01 * kappa), "{kappa}");
+    }
+
     /// The most probable one; how sure it is where all of the force is of strength.
     #[test]
     fn a_slice_has_the_least_cost() {
@@ -216,6 +226,10 @@ mod tests {
             assert!((variance * (of_prior + 100.0 + 25.0) - 1.0).abs() < 1e-12, "{variance}");
         }
         assert_eq!(slice(&[], Prior { mean: -1.0, precision: 4.0 }, 0.1).mean, -1.0);
+        assert_eq!(slice(&[], Prior { mean: -1.0, precision: 0.0 }, 0.1).mean, -1.0);
+        // However far from 0 it is.
+        let light = [1e-70, 1e-68].map(|force| seen(force, 0.0, 1e65 * force, 0.1));
+        assert!((slice(&light, Prior::NONE, 0.0).mean - log(1e65)).abs() < 1e-12);
     }
 
     /// Of no points half the square of what is off, in the deviations that it has without them.

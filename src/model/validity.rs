@@ -124,8 +124,8 @@ const STEP: f64 = 0.1;
 /// slowly there.
 const MIDDLE: f64 = 10.0;
 const GROWTH: f64 = 0.5;
-/// Whether a measure rises from an end inwards is seen from a state so far inside, in steps.
-const NEXT_TO_END: f64 = 0.01;
+/// Whether a measure rises from an end inwards is seen from a state so far inside [sigma].
+const NEXT_TO_END: f64 = 0.001;
 /// A golden section takes this part of the interval off, and after so many of them 1e-7 of it is left.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const SECTIONS: u32 = 34;
@@ -203,7 +203,7 @@ pub fn extent_of(
 
 /// Separations from `near` to `far`, both included.
 fn separations(near: f64, far: f64) -> Vec<f64> {
-    let beside = (NEXT_TO_END * STEP).min(0.5 * (far - near));
+    let beside = NEXT_TO_END.min(0.5 * (far - near));
     let mut all = vec![near, near + beside];
     let mut here = near;
     while here < far {
@@ -328,6 +328,27 @@ mod tests {
                 let (near, far) = extent.unwrap_or((from, to));
                 let off = (near - from).abs().max((far - to).abs());
                 assert!(off < 1e-6 * scale, "{near} to {far}, not {peak}: {off:e}");
+            }
+        }
+    }
+
+    /// Three states of a parabola, or of what is level before or after the second: by how much the largest value may be above it.
+    #[test]
+    fn which_peaks_are_looked_at_closer() {
+        let parabola = |at: [f64; 3], peak: f64| at.map(|d| -1.7 * (d - peak) * (d - peak));
+        for (at, values, above) in [
+            ([0.7, 1.9, 4.4], parabola([0.7, 1.9, 4.4], 3.1), Some(RISE * 1.7 * 1.2 * 1.2)),
+            ([-4.4, -1.9, -0.7], parabola([-4.4, -1.9, -0.7], -3.1), Some(RISE * 1.7 * 1.2 * 1.2)),
+            ([0.7, 1.9, 4.4], parabola([0.7, 1.9, 4.4], 1.9), Some(1.7 * 2.5 * 2.5)),
+            ([-4.4, -1.9, -0.7], parabola([-4.4, -1.9, -0.7], -1.9), Some(1.7 * 2.5 * 2.5)),
+            ([0.0, 1.0, 2.0], [0.0, 3.0, 3.0], Some(3.0)),
+            ([0.0, 1.0, 2.0], [3.0, 3.0, 0.0], None),
+            ([0.0, 1.0, 2.0], [0.0, 3.0, 4.0], None),
+        ] {
+            for (off, exceeds) in [(1e-9, true), (-1e-9, false)] {
+                let level = 1.0 + off - above.unwrap_or(0.0) - values[1];
+                let around = [0, 1, 2].map(|i| (at[i], Measures([level + values[i]; WARNINGS])));
+                assert_eq!(may_exceed(&around, 2), exceeds && above.is_some(), "{at:?}, {values:?}, {off}");
             }
         }
     }

@@ -278,23 +278,66 @@ fn anything_finite_gives_finite_numbers_within_the_strength() {
     }
 }
 
-/// Whether the square of a number of a state overflows or not.
+/// Whether the square of a number of a state overflows or not, to either side and in any units.
 #[test]
 fn what_is_displaced_too_far_is_displaced_as_far_as_can_be() {
-    for handle in handles() {
+    for (gamma, largest) in [(0.001, 1e18), (0.0, 1e34)] {
         for place in [0, 5, 11] {
-            let [far, farther, farthest] = [1e150, 1e200, f64::MAX].map(|displacement| {
-                let (strength, stiffness) = strength_and_stiffness(&handle, 1.0);
-                let (mut state, far) = ([0.0; STATE], 10.0 * strength / stiffness);
-                step(&handle, 1.0, [0.6 * far, 0.8 * far], &mut state);
-                state[place] = displacement;
-                let (status, out) = step(&handle, 1.0, [0.0; 2], &mut state);
-                assert_eq!(status, OK, "{}", message());
-                (out.force, out.stiffness, state)
+            let [forces, small, large] = [1.0, 1.0 / largest, largest].map(|unit| {
+                let handle = Handle::new(&in_units(asperity_params::dimensionless(0.01, 1000.0, gamma, 1.0), unit));
+                let load = unit * unit * unit;
+                let (strength, stiffness) = strength_and_stiffness(&handle, load);
+                let displaced = |displacement: f64, side: f64| {
+                    let (mut state, far) = ([0.0; STATE], 10.0 * side * strength / stiffness);
+                    step(&handle, load, [0.6 * far, 0.8 * far], &mut state);
+                    state[place] = side * displacement;
+                    let (status, out) = step(&handle, load, [0.0; 2], &mut state);
+                    assert_eq!(status, OK, "{}", message());
+                    assert!(state[..STATE - 2].iter().all(|x| x.abs() < 100.0 * strength / stiffness), "{state:?}");
+                    state[..STATE - 2].iter_mut().for_each(|x| *x *= side);
+                    (out.force.map(|x| side * x), out.stiffness, state)
+                };
+                let far = displaced(f64::MAX, 1.0);
+                for (displacement, side) in [(1e190, 1.0), (1e200, 1.0), (1e190, -1.0), (1e200, -1.0)] {
+                    assert_eq!(displaced(displacement, side), far, "{unit}, {place}, {displacement}");
+                }
+                far.0.map(|force| force / strength)
             });
-            assert_eq!((far, farther), (farther, farthest), "{place}");
-            assert!(far.2[place].abs() < 1e145, "{place}: {:e}", far.2[place]);
+            for other in [small, large] {
+                assert!((0..2).all(|axis| (other[axis] - forces[axis]).abs() < 1e-4), "{other:?}, not {forces:?}");
+            }
         }
+    }
+}
+
+/// With other units of length and stress.
+fn in_units(params: asperity_params, unit: f64) -> asperity_params {
+    asperity_params {
+        composite_modulus: params.composite_modulus * unit,
+        effective_shear_modulus: params.effective_shear_modulus * unit,
+        work_of_adhesion: params.work_of_adhesion * unit * unit,
+        adhesion_range: params.adhesion_range * unit,
+        burgers_vector: params.burgers_vector * unit,
+        summit_radius: params.summit_radius * unit,
+        height_std: params.height_std * unit,
+        ..params
+    }
+}
+
+/// Of a load so light that its friction is no number, but its stiffness is.
+#[test]
+fn a_contact_without_strength_resists_nothing() {
+    let mut params = asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0);
+    (params.slip_stress_1, params.slip_stress_2) = (1e-38, 1e-38);
+    let handle = Handle::new(&params);
+    let load = 1e-290;
+    let (strength, stiffness) = strength_and_stiffness(&handle, load);
+    assert!(strength == 0.0 && stiffness > 0.0, "{strength:e}, {stiffness:e}");
+    for size in [0.0, 1e-300, 1.0, 1e200] {
+        let mut state = [size; STATE];
+        let (status, out) = step(&handle, load, [size, -size], &mut state);
+        assert_eq!((status, out.force, out.stiffness), (OK, [0.0; 2], [0.0; 4]), "{}", message());
+        assert!(state == [0.0; STATE] && out.dissipated >= 0.0 && out.dissipated.is_finite(), "{out:?}, {state:?}");
     }
 }
 
