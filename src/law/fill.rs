@@ -4,7 +4,7 @@ use super::row::{
     compared, polynomial, PieceBasis, Row, RowBasis, BETWEEN, BETWEEN_OF_PIECE, DIVISIONS, INTERIOR, OF_PIECE,
 };
 use super::table::Table;
-use super::tolerance::larger;
+use super::tolerance::{self, larger};
 use crate::elementary::{exp, log, log1p};
 use crate::numerics::ascending;
 use std::f64::consts::LN_2;
@@ -150,8 +150,10 @@ impl<'a, S: Source> Filling<'a, S> {
         let coefficients = basis.coefficients(points[0].0, slopes);
         let at_end = (1.0, &points[OF_PIECE.len() - 1]);
         let between = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]);
-        let (error, miss) = self.error_of(&coefficients, length, between.chain([at_end]));
-        Piece { begin, end, row: Row::of_length(coefficients, length), error, is_good: miss <= 1.0 }
+        let (error, miss) = self.error_of(&coefficients, length, between);
+        let (jump, miss_at_end) = self.error_of(&coefficients, length, [at_end].into_iter());
+        let is_good = miss <= 1.0 && miss_at_end <= 1.0 && jump <= tolerance::JUMP;
+        Piece { begin, end, row: Row::of_length(coefficients, length), error: larger(error, jump), is_good }
     }
 
     /// The largest error of the polynomial of a part of so long a mantissa where it is compared, and the largest of it and its slope

@@ -4,6 +4,8 @@
 pub const VALUE: f64 = 2e-9;
 /// The largest relative error of a slope of these.
 pub const SLOPE: f64 = 2.5e-7;
+/// The largest jump of a value where a part of a row meets the next.
+pub const JUMP: f64 = 2e-10;
 
 /// The largest error of a table that a model may have: what is said of every model.
 pub const MOST: f64 = 1e-6;

