@@ -232,7 +232,7 @@ impl Row {
     /// X at the nodes and between them, about.
     fn places(&self) -> [f64; SAMPLES] {
         let at = |node: usize| f64::from(self.nodes[node][1]);
-        let mut places = std::array::from_fn(|k| 0.5 * (at((k + 1) / 2) + at((k + 1).div_ceil(2))));
+        let mut places = std::array::from_fn(|k| 0.5 * (at(k.div_ceil(2)) + at((k + 1).div_ceil(2))));
         // Of a row that is like this one the last is then beyond.
         places[SAMPLES - 1] *= 1.1;
         places
