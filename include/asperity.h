@@ -830,7 +830,7 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
 
 /** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
  *
- * What it does not give stays as it is. Where it is of a whole surface without a law, asperities of metal that yield have the
+ * What it does not give stays as it is. If it describes a whole surface but gives no `contact_law`, metal that yields has the
  * elastic-plastic law. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
  *
  * ```c

@@ -42,12 +42,13 @@ impl Fall {
             if !fall.extend(population, kinks, pull_off.separation - step) {
                 continue;
             }
-            if fall.minus(excess) > AGREEMENT * excess + NOISE * size {
+            if fall.distance_from(excess) > AGREEMENT * excess + NOISE * size {
                 continue;
             }
             // From a layer outwards again: with twice the distance the fall is four times as large at most.
             while 4.0 * excess < NEAR * -pull_off.load
-                || fall.minus(excess) > AGREEMENT * excess + ROUNDING * size && excess < FARTHEST * -pull_off.load
+                || fall.distance_from(excess) > AGREEMENT * excess + ROUNDING * size
+                    && excess < FARTHEST * -pull_off.load
             {
                 step *= 2.0;
                 excess = excess_at(step);
@@ -65,7 +66,7 @@ impl Fall {
     }
 
     /// How far the fall, as far as it is known, is from this.
-    fn minus(&self, excess: f64) -> f64 {
+    fn distance_from(&self, excess: f64) -> f64 {
         (self.known[self.known.len() - 1].1 - excess).abs()
     }
 
@@ -131,7 +132,7 @@ mod tests {
                 let [heavy, light] = [from, to].map(|d| population.at_separation(d).load());
                 let mut fall = Fall { known: vec![(to, 0.0)], resolution: 0.0 };
                 assert!(fall.extend(population, branch.kinks(), from));
-                let off = fall.minus(heavy - light);
+                let off = fall.distance_from(heavy - light);
                 assert!(off < 1e-6 * (heavy - light).abs(), "{from} to {to}: {off:e} of {:e}", heavy - light);
             }
         }
