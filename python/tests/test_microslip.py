@@ -40,8 +40,8 @@ def test_force_and_slope_of_numbers_and_arrays(law: Model) -> None:
     force, slope = law.tangential(100.0, displacements)
     assert force.shape == slope.shape == displacements.shape
     assert force[:5].tolist() == (-force[4::-1]).tolist() and slope[:5].tolist() == slope[4::-1].tolist()
-    assert math.isclose(slope[2], law.tangential_stiffness_at_load(100.0), rel_tol=1e-10) and slope[5] == 0.0
-    assert math.isclose(force[5], law.friction_force_at_load(100.0), rel_tol=1e-10)
+    assert math.isclose(slope[2], law.tangential_stiffness_at_load(100.0), rel_tol=1e-8) and slope[5] == 0.0
+    assert math.isclose(force[5], law.friction_force_at_load(100.0), rel_tol=1e-8)
     one = law.tangential(100.0, displacements[3])
     assert [type(x) for x in one] == [float, float] and one == (force[3], slope[3])
     table, _ = law.tangential([[10.0], [100.0]], displacements)
