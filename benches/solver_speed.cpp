@@ -157,7 +157,7 @@ struct Rivals {
             return dforce_dload;
         };
         const auto even = [&](size_t n) { return std::make_unique<EvenCubic>(law, slope, kLightest, kHeaviest, n); };
-        even_cubic = accurate(even, law, kLightest, kHeaviest, 64, 1e-10);
+        even_cubic = accurate(even, law, kLightest, kHeaviest, 64, 1e-9);
         linear_1000 = linear(1000);
         linear_accurate = accurate(linear, law, kLightest, kHeaviest, 1000, 1e-6);
     }
@@ -281,7 +281,7 @@ void report_rivals(const Interleaved &times, const Rivals &rivals) {
 
 // ---- accuracy
 
-constexpr double kForceLimit = 1e-9, kSlopeLimit = 1e-7;
+constexpr double kForceLimit = 1e-8, kSlopeLimit = 1e-6;
 
 struct Accuracy {
     double force = 0.0, slope = 0.0;      // largest relative errors
@@ -454,8 +454,8 @@ void report_memory(const std::vector<Surface> &surfaces) {
             set = surface.name;
         }
     }
-    std::printf("\n### Memory of a model\n\n| | KiB | limit | |\n|---|---|---|---|\n| largest set: %s | %.1f | 128 | %s |\n",
-                set.c_str(), most / 1024.0, verdict(most <= 128.0 * 1024.0));
+    std::printf("\n### Memory of a model\n\n| | KiB | limit | |\n|---|---|---|---|\n| largest set: %s | %.1f | 64 | %s |\n",
+                set.c_str(), most / 1024.0, verdict(most <= 64.0 * 1024.0));
     for (size_t bins : {20, 56, 100}) {
         const Histogram histogram(bins);
         std::printf("| heights as a histogram of %zu bins | %.1f | | %s |\n", bins, bytes_of(histogram.params()) / 1024.0,
