@@ -723,6 +723,24 @@ fn threads_share_it(handle: &Handle) {
     });
 }
 
+/// The first exact state of a model makes a table that stays with it.
+#[test]
+fn threads_that_ask_for_the_first_state_at_once_get_the_same() {
+    let state_of = |handle: &Handle| {
+        let mut state = asperity_state::empty();
+        // SAFETY: the model lives.
+        assert_eq!(unsafe { asperity_state_at_load(handle.0, 1e-3, &mut state) }, OK);
+        bits(&[state.gap, state.friction_force, state.real_area, state.contacting, state.friction_scatter])
+    };
+    for _ in 0..if cfg!(miri) { 1 } else { 20 } {
+        let handle = Handle::new(&soonest_made());
+        let found = std::thread::scope(|scope| {
+            [(); 4].map(|()| scope.spawn(|| state_of(&handle))).map(|thread| thread.join().expect("a state"))
+        });
+        assert!(found.iter().all(|found| *found == state_of(&handle)));
+    }
+}
+
 /// A table of heights goes in through the caller's pointers and comes out through the model's own, which may be given back.
 #[test]
 fn a_table_of_heights_is_copied_and_given_back() {
