@@ -62,6 +62,7 @@ fn bytes_that_once_failed_do_not_again() {
         0x687c_0000_0309,
         0x6b30_00ab_ff5a,
         0x88b1_00ab_ff5a,
+        0x778d_00ac_01a3,
     ] {
         run(&input(seed), &mut Tally::default());
     }

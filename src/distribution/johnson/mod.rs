@@ -30,10 +30,11 @@ fn least_kurtosis(skew: f64) -> f64 {
 }
 
 /// The upper end of the support is made the origin of heights where sums in the tail depend on the distance to it: where
-/// less than this part of the distance from the mean is left at u = FAR_UP. The same goes for S_U where it nearly ends: it
-/// is singular at y = -tau +- i (1 - tau^2)^(1/2). An origin farther than this many widths of the bulk would blur it.
+/// less than this part of the distance from the mean is left at u = FAR_UP, beyond which densities are no numbers. The same
+/// goes for S_U where it nearly ends: it is singular at y = -tau +- i (1 - tau^2)^(1/2). An origin farther than this many
+/// widths of the bulk would blur it.
 const LEFT_AT_END: f64 = 0.1;
-const FAR_UP: f64 = 12.0;
+const FAR_UP: f64 = 38.0;
 const FARTHEST_ORIGIN: f64 = 300.0;
 
 /// A standardised curve of Johnson's system.
@@ -284,7 +285,8 @@ mod tests {
         let lognormal = |skew: f64, part: f64| (skew, (3.0 + fit::excess_of_lognormal(skew)) * (1.0 + part));
         for ((skew, kurtosis), is_end) in [
             ((0.8, 6.0), false),
-            ((0.98, 4.63), false),
+            ((0.98, 4.63), true),
+            (lognormal(1.0, -1e-3), false),
             ((-0.5, 17.46), false),
             ((0.5, 3.3), true),
             ((-0.8, 3.2), true),
