@@ -314,13 +314,18 @@ impl Model {
 
     /// A length in sigma.
     fn in_sigma(&self, name: &'static str, length: f64) -> Result<f64, Error> {
+        self.validate_length(name, length).map(|()| length / self.units.length)
+    }
+
+    /// Whether a length is one, without arithmetic: a batch asks in the environment of its caller.
+    pub(super) fn validate_length(&self, name: &'static str, length: f64) -> Result<(), Error> {
         if !finite(length) {
             return Err(Error::invalid(name, length, "must be finite"));
         }
         if length.abs() > self.deepest_compression() {
             return Err(Error::out_of_range(name, length, "must be within 1e50 height_std of zero"));
         }
-        Ok(length / self.units.length)
+        Ok(())
     }
 
     /// The slope by load of what has a slope by separation.

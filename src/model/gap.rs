@@ -73,7 +73,7 @@ impl Model {
         if finite(gap) && self.law.gap().is_open(gap) {
             return Err(Error::Open { gap, end: self.law.gap().end() });
         }
-        self.separation_at(gap).map(|_| ())
+        self.validate_length("gap", gap)
     }
 }
 
