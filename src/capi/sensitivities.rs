@@ -86,13 +86,12 @@ pub unsafe extern "C" fn asperity_sensitivities_at_load(
     boundary::status(|| {
         let model = model::of(model)?;
         fill(sensitivities, "sensitivities", || {
-            Ok(
-                same_fields! { asperity_sensitivities of model::exact(model, |model| model.sensitivities_at_load(load))?;
-                    composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std
-                    summit_radius asperity_count weibull_shape radius_amplitude radius_rate slip_radius_1 slip_stress_1
-                    slip_radius_2 slip_stress_2 skew kurtosis hardness pressure_coefficient
-                },
-            )
+            let found = model::exact(model, |model| model.sensitivities_at_load(load))?;
+            Ok(same_fields! { asperity_sensitivities of found;
+                composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std
+                summit_radius asperity_count weibull_shape radius_amplitude radius_rate slip_radius_1 slip_stress_1
+                slip_radius_2 slip_stress_2 skew kurtosis hardness pressure_coefficient
+            })
         })
     })
 }

@@ -148,9 +148,11 @@ impl Curve {
         let nodes = self.nodes(branch, from, at)?;
         let end = match ends.iter().find(|end| end.separation == stretch.to) {
             Some(end) => *end,
-            None => self.end(branch, stretch.to)?,
+            None => {
+                ends.push(self.end(branch, stretch.to)?);
+                ends[ends.len() - 1]
+            }
         };
-        ends.push(end);
         self.samples += NODES + 1;
         let panel = Panel::new(&from, &end, positions, &nodes);
         let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &end]);
