@@ -41,7 +41,7 @@ What is left to do, by a person who may:
   the release page: a draft with the files of dist/, made by .github/workflows/release.yml when the tag arrives; publish it
   cargo publish --locked
   {venv}/bin/twine upload dist/*.whl dist/asperity-{version}.tar.gz
-  then `## [Unreleased]` at the top of CHANGELOG.md again"""
+  then a heading for the next version at the top of CHANGELOG.md"""
 
 
 def check_versions(version):

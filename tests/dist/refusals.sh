@@ -55,7 +55,7 @@ refuses "Cargo.toml has $version, not 9.9.9" make release VERSION=9.9.9
 refuses "CHANGELOG.md has no heading" make release VERSION="$version"
 # After a release the interface may grow, and in no other way change.
 git tag v0.0.1
-sed -i "s/^## \[Unreleased\]/## $version (2000-01-01)/" CHANGELOG.md
+sed -i "s/^## $version, not released/## $version (2000-01-01)/" CHANGELOG.md
 sed -i 's|^} asperity_state;|  double another; /* 232, 8 */\n&|; $i void asperity_another(void);' tests/abi/abi-1.h
 git commit --quiet --all --message "the interface grows"
 python3 packaging/release.py --check "$version" >/dev/null || fail "make release refuses a field at the end and another function"
