@@ -81,6 +81,8 @@ module asperity
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW_WAVES = 512
   ! Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_TABLE_FRICTION = 0  ! kind of a table: friction force against load
+  integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LOAD_AT_GAP = 1  ! kind of a table: load against gap
 
   ! ---- The C interface: types ----
 
@@ -253,7 +255,7 @@ module asperity
     integer(c_int64_t) :: struct_size = 224         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load P [force]; negative pulls
     real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [length], as for
-                                                    ! asperity_load_at_gap
+                                                    ! asperity_load_and_slope_at_gap
     real(c_double) :: friction_force                ! Friction force F [force], >= 0
     real(c_double) :: friction_coefficient          ! Friction coefficient F/P [-], at most max_friction_coefficient, as
                                                     ! asperity_friction_at_load returns it
@@ -297,7 +299,7 @@ module asperity
 
   ! Constants of a model, in the units of the parameters
   type, bind(c), public :: asperity_summary
-    integer(c_int64_t) :: struct_size = 104         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 112         ! bytes of this type; leave it
     real(c_double) :: alpha                         ! Surface roughness parameter (sigma/R)^(1/2) [-]
     real(c_double) :: beta                          ! Friction regime parameter (R sigma)^(1/2)/b [-]
     real(c_double) :: gamma                         ! Surface energy parameter w/(E* b) [-]
@@ -309,6 +311,8 @@ module asperity
                                                     ! surfaces hold together
     real(c_double) :: pull_off_friction_force       ! Friction force at the pull-off load [force]
     real(c_double) :: zero_load_friction_force      ! Friction force at zero load [force]
+    real(c_double) :: stiffness_per_radius          ! 8 G^ [stress]: K_t over the sum of the contact radii over psi (see
+                                                    ! nominal_area)
     real(c_double) :: min_table_load                ! Lightest load of the compiled table [force]
     real(c_double) :: max_table_load                ! Heaviest load of the compiled table [force]
     real(c_double) :: table_error                   ! Largest relative error of the compiled friction force [-] at the
@@ -316,35 +320,7 @@ module asperity
                                                     ! samples it may be four times as large, or 1e-9 where that is more
   end type asperity_summary
 
-  ! Logarithmic derivatives of the friction force F with respect to each parameter p, at constant load
-  type, bind(c), public :: asperity_sensitivities
-    integer(c_int64_t) :: struct_size = 160         ! bytes of this type; leave it
-    real(c_double) :: composite_modulus             ! With respect to E*
-    real(c_double) :: effective_shear_modulus       ! With respect to G*: the share of F that does not come from
-                                                    ! pressure_coefficient, 1 where that is 0
-    real(c_double) :: work_of_adhesion              ! With respect to w; 0 where w is 0
-    real(c_double) :: adhesion_range                ! With respect to h; 0 where w is 0
-    real(c_double) :: burgers_vector                ! With respect to b; the slip radii grow with it
-    real(c_double) :: height_std                    ! With respect to sigma
-    real(c_double) :: summit_radius                 ! With respect to R
-    real(c_double) :: asperity_count                ! With respect to N
-    real(c_double) :: weibull_shape                 ! With respect to omega; 0 unless heights are Weibull's
-    real(c_double) :: radius_amplitude              ! With respect to epsilon, d(ln F)/d(epsilon), also where epsilon is
-                                                    ! 0; at -1 and 1 the limit from within
-    real(c_double) :: radius_rate                   ! With respect to rho; 0 where epsilon is 0
-    real(c_double) :: slip_radius_1                 ! With respect to a_1/b
-    real(c_double) :: slip_stress_1                 ! With respect to tau_1/G*
-    real(c_double) :: slip_radius_2                 ! With respect to a_2/b
-    real(c_double) :: slip_stress_2                 ! With respect to tau_2/G*
-    real(c_double) :: skew                          ! With respect to the skew at this kurtosis, d(ln F)/d(skew); 0
-                                                    ! unless heights are Johnson's
-    real(c_double) :: kurtosis                      ! With respect to the kurtosis at this skew; 0 unless heights are
-                                                    ! Johnson's
-    real(c_double) :: hardness                      ! With respect to H; 0 where contacts are elastic
-    real(c_double) :: pressure_coefficient          ! With respect to kappa, d(ln F)/d(kappa), also where kappa is 0
-  end type asperity_sensitivities
-
-  ! A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops
+  ! A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops
   type, bind(c), public :: asperity_table
     integer(c_int64_t) :: struct_size = 120         ! bytes of this type; leave it
     type(c_ptr) :: rows = c_null_ptr                ! row_count rows of 8 doubles, aligned to 64 bytes
@@ -738,92 +714,6 @@ module asperity
       real(c_double) :: asperity_friction_force_and_slope_at_load
     end function asperity_friction_force_and_slope_at_load
 
-    ! Returns the friction coefficient at a contact pressure, for solvers that hand over load per area
-    function asperity_friction_at_pressure(model, pressure, nominal_area, dmu_dpressure) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: pressure ! nominal contact pressure [stress], positive in compression
-      real(c_double), intent(in), value :: nominal_area
-                                                    ! the area that carries asperity_count summits [length^2], from
-                                                    ! 1e-60 to 1e60
-      type(c_ptr), intent(in), value :: dmu_dpressure ! real(c_double): receives d(mu)/d(pressure) [1/stress]
-      real(c_double) :: asperity_friction_at_pressure
-    end function asperity_friction_at_pressure
-
-    ! Returns the frictional shear stress at a contact pressure: friction force per nominal area
-    function asperity_shear_stress_at_pressure(model, pressure, nominal_area, dstress_dpressure) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: pressure ! nominal contact pressure [stress], positive in compression
-      real(c_double), intent(in), value :: nominal_area ! as for asperity_friction_at_pressure [length^2]
-      type(c_ptr), intent(in), value :: dstress_dpressure ! real(c_double): receives d(stress)/d(pressure) [-]
-      real(c_double) :: asperity_shear_stress_at_pressure
-    end function asperity_shear_stress_at_pressure
-
-    ! Returns the friction force of a sliding contact with a smooth sign of the slip rate, and writes its two slopes
-    function asperity_slip_force(model, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: load     ! normal load [force]
-      real(c_double), intent(in), value :: slip_rate ! tangential velocity [length/time], signed
-      real(c_double), intent(in), value :: transition_rate
-                                                    ! slip rate at which the force reaches 76 % of F [length/time], from
-                                                    ! 1e-60 to 1e60
-      type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives the derivative by load [-]
-      type(c_ptr), intent(in), value :: dforce_dslip_rate
-                                                    ! real(c_double): receives the derivative by slip rate [force
-                                                    ! time/length]
-      real(c_double) :: asperity_slip_force
-    end function asperity_slip_force
-
-    ! Friction coefficients at many contact pressures, and their slopes
-    function asperity_friction_at_pressures(model, n, pressure, nominal_area, mu, dmu_dpressure) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of pressures
-      type(c_ptr), intent(in), value :: pressure    ! real(c_double): n nominal contact pressures [stress], positive in
-                                                    ! compression
-      real(c_double), intent(in), value :: nominal_area
-                                                    ! the area that carries asperity_count summits [length^2], from
-                                                    ! 1e-60 to 1e60; the same for all
-      type(c_ptr), intent(in), value :: mu          ! real(c_double): receives n coefficients
-      type(c_ptr), intent(in), value :: dmu_dpressure ! real(c_double): receives n slopes d(mu)/d(pressure) [1/stress]
-      integer(c_int32_t) :: asperity_friction_at_pressures
-    end function asperity_friction_at_pressures
-
-    ! Frictional shear stresses at many contact pressures, and their slopes
-    function asperity_shear_stresses_at_pressures(model, n, pressure, nominal_area, stress, dstress_dpressure) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of pressures
-      type(c_ptr), intent(in), value :: pressure    ! real(c_double): n nominal contact pressures [stress], positive in
-                                                    ! compression
-      real(c_double), intent(in), value :: nominal_area ! as for asperity_friction_at_pressures
-      type(c_ptr), intent(in), value :: stress      ! real(c_double): receives n stresses: friction force over
-                                                    ! nominal_area [stress]
-      type(c_ptr), intent(in), value :: dstress_dpressure ! real(c_double): receives n slopes d(stress)/d(pressure)
-      integer(c_int32_t) :: asperity_shear_stresses_at_pressures
-    end function asperity_shear_stresses_at_pressures
-
-    ! Friction forces of many sliding contacts, with a smooth sign of the slip rates, and their two slopes
-    function asperity_slip_forces(model, n, load, slip_rate, transition_rate, force, dforce_dload, dforce_dslip_rate) &
-        bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of contacts
-      type(c_ptr), intent(in), value :: load        ! real(c_double): n normal loads [force]
-      type(c_ptr), intent(in), value :: slip_rate   ! real(c_double): n tangential velocities [length/time], signed
-      real(c_double), intent(in), value :: transition_rate
-                                                    ! slip rate at which the force reaches 76 % of the law's, from 1e-60
-                                                    ! to 1e60; the same for all
-      type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force]
-      type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives n derivatives by load
-      type(c_ptr), intent(in), value :: dforce_dslip_rate
-                                                    ! real(c_double): receives n derivatives by slip rate [force
-                                                    ! time/length]
-      integer(c_int32_t) :: asperity_slip_forces
-    end function asperity_slip_forces
-
     ! Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call
     function asperity_friction_force_at_loads_of(models, models_length, n, which, load, force, dforce_dload) bind(c)
       import
@@ -870,26 +760,6 @@ module asperity
       type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives dT/d(displacement) [force/length]
       integer(c_int32_t) :: asperity_tangential_at_load
     end function asperity_tangential_at_load
-
-    ! Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact
-    ! conductance
-    pure function asperity_contact_radius_sum_at_load(model, load) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: load     ! normal load [force]
-      real(c_double) :: asperity_contact_radius_sum_at_load
-    end function asperity_contact_radius_sum_at_load
-
-    ! Computes the sums of contact radii at many loads, and their slopes
-    function asperity_contact_radius_sum_at_loads(model, n, load, sum, dsum_dload) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of loads
-      type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
-      type(c_ptr), intent(in), value :: sum         ! real(c_double): receives n sums [length]
-      type(c_ptr), intent(in), value :: dsum_dload  ! real(c_double): receives n slopes d(sum)/d(load) [length/force]
-      integer(c_int32_t) :: asperity_contact_radius_sum_at_loads
-    end function asperity_contact_radius_sum_at_loads
 
     ! How many doubles the state of one contact takes; today 42, the same for all models
     function asperity_microslip_length(model) bind(c)
@@ -939,19 +809,11 @@ module asperity
       integer(c_int32_t) :: asperity_microslip_turn
     end function asperity_microslip_turn
 
-    ! Load at a gap, from the compiled law
-    pure function asperity_load_at_gap(model, gap) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: gap      ! between the mean planes [length]; negative in deep compression
-      real(c_double) :: asperity_load_at_gap
-    end function asperity_load_at_gap
-
-    ! Load at a gap, with its slope
+    ! Returns the load at a gap, from the compiled law, and writes its slope
     function asperity_load_and_slope_at_gap(model, gap, dload_dgap) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap
+      real(c_double), intent(in), value :: gap      ! between the mean planes [length]; negative in deep compression
       type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives d(load)/d(gap) [force/length], <= 0:
                                                     ! minus the normal stiffness; 0 at pull-off and beyond; NaN where
                                                     ! the load is
@@ -1003,7 +865,7 @@ module asperity
     function asperity_state_at_gap(model, gap, state) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: gap      ! as for asperity_load_at_gap [length]; may be negative
+      real(c_double), intent(in), value :: gap      ! as for asperity_load_and_slope_at_gap [length]; may be negative
       type(asperity_state), intent(inout) :: state  ! receives the state
       integer(c_int32_t) :: asperity_state_at_gap
     end function asperity_state_at_gap
@@ -1015,15 +877,6 @@ module asperity
       type(asperity_summary), intent(inout) :: summary ! receives the constants
       integer(c_int32_t) :: asperity_summary_of
     end function asperity_summary_of
-
-    ! Computes the sensitivities of the friction force at a load: which parameter is worth measuring
-    function asperity_sensitivities_at_load(model, load, sensitivities) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      real(c_double), intent(in), value :: load     ! normal load [force], above the pull-off load
-      type(asperity_sensitivities), intent(inout) :: sensitivities ! receives them
-      integer(c_int32_t) :: asperity_sensitivities_at_load
-    end function asperity_sensitivities_at_load
 
     ! Computes the warnings of all states from one load to another: whether the model holds for a contact that meets
     ! these loads
@@ -1097,22 +950,15 @@ module asperity
       type(c_ptr) :: asperity_version
     end function asperity_version
 
-    ! Fills a view of the compiled law of a model
-    function asperity_table_of(model, table) bind(c)
+    ! Fills a view of a compiled law of a model
+    function asperity_table_of(model, kind, table) bind(c)
       import
       type(c_ptr), intent(in), value :: model       ! a model
+      integer(c_int32_t), intent(in), value :: kind ! ASPERITY_TABLE_FRICTION or ASPERITY_TABLE_LOAD_AT_GAP
       type(asperity_table), intent(inout) :: table  ! receives the view, valid until asperity_set_params or
                                                     ! asperity_free of the model
       integer(c_int32_t) :: asperity_table_of
     end function asperity_table_of
-
-    ! Gives a view of the compiled load against gap, for the evaluators of asperity_table_of
-    function asperity_load_table_of(model, table) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      type(asperity_table), intent(inout) :: table  ! as for asperity_table_of
-      integer(c_int32_t) :: asperity_load_table_of
-    end function asperity_load_table_of
 
   end interface
 
@@ -1125,16 +971,13 @@ module asperity
   public :: asperity_params_set_units, asperity_params_read, asperity_create, asperity_set_params, asperity_free
   public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
   public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
-  public :: asperity_friction_force_and_slope_at_load, asperity_friction_at_pressure, asperity_shear_stress_at_pressure
-  public :: asperity_slip_force, asperity_friction_at_pressures, asperity_shear_stresses_at_pressures
-  public :: asperity_slip_forces, asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
-  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_contact_radius_sum_at_load
-  public :: asperity_contact_radius_sum_at_loads, asperity_microslip_length, asperity_microslip_step
-  public :: asperity_microslip_steps, asperity_microslip_turn, asperity_load_at_gap, asperity_load_and_slope_at_gap
-  public :: asperity_loads_at_gaps, asperity_summits_at_overlaps, asperity_state_at_load, asperity_state_at_gap
-  public :: asperity_summary_of, asperity_sensitivities_at_load, asperity_check_loads, asperity_warning_string
-  public :: asperity_warning_loads, asperity_warnings_text, asperity_last_error, asperity_status_string
-  public :: asperity_abi_version, asperity_version, asperity_table_of, asperity_load_table_of
+  public :: asperity_friction_force_and_slope_at_load, asperity_friction_force_at_loads_of
+  public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
+  public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn
+  public :: asperity_load_and_slope_at_gap, asperity_loads_at_gaps, asperity_summits_at_overlaps
+  public :: asperity_state_at_load, asperity_state_at_gap, asperity_summary_of, asperity_check_loads
+  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
+  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----

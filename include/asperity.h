@@ -142,6 +142,12 @@
 #define ASPERITY_WARNING_FEW_WAVES 512
 /** Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7. */
 #define ASPERITY_TABLE_LAYOUT 1
+/** `kind` of a table: friction force against load. */
+#define ASPERITY_TABLE_FRICTION 0
+/** `kind` of a table: load against gap. In its rows minus the gap stands in place of a load and the load in place of the friction
+ * force: F at -gap is the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the
+ * end it is 0. */
+#define ASPERITY_TABLE_LOAD_AT_GAP 1
 /** A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it. */
 typedef struct asperity_model asperity_model;
 
@@ -351,7 +357,7 @@ typedef struct asperity_state {
   /** Set it to `sizeof(asperity_state)` before the call; the library writes no more than that. */
   uint64_t struct_size;
   /** Normal load P [force]; negative pulls. */ double load;
-  /** Gap between the mean planes of the surfaces [length], as for `asperity_load_at_gap`. */ double gap;
+  /** Gap between the mean planes of the surfaces [length], as for `asperity_load_and_slope_at_gap`. */ double gap;
   /** Friction force F [force], >= 0. */ double friction_force;
   /** Friction coefficient F/P [-], at most `max_friction_coefficient`, as `asperity_friction_at_load` returns it. */
   double friction_coefficient;
@@ -417,6 +423,10 @@ typedef struct asperity_summary {
   /** Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
    * continuation of the law. */
   double zero_load_friction_force;
+  /** 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or
+   * electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both
+   * bodies. */
+  double stiffness_per_radius;
   /** Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
    * the pull-off load. */
   double min_table_load;
@@ -428,40 +438,7 @@ typedef struct asperity_summary {
   double table_error;
 } asperity_summary;
 
-/** Logarithmic derivatives of the friction force F with respect to each parameter p, at constant load.
- *
- * Each is d(ln F)/d(ln p): the percentage by which F changes for each percent of p, with the other parameters held. For
- * `radius_amplitude`, `skew` and `pressure_coefficient`, which may be 0, it is d(ln F)/dp. It is 0 for a parameter that the
- * model does not read. A friction coefficient has the same sensitivities, since the load is constant. All are numbers
- * without a unit. */
-typedef struct asperity_sensitivities {
-  /** Set it to `sizeof(asperity_sensitivities)` before the call; the library writes no more than that. */
-  uint64_t struct_size;
-  /** With respect to E*. */ double composite_modulus;
-  /** With respect to G*: the share of F that does not come from `pressure_coefficient`, 1 where that is 0. */
-  double effective_shear_modulus;
-  /** With respect to w; 0 where w is 0. */ double work_of_adhesion;
-  /** With respect to h; 0 where w is 0. */ double adhesion_range;
-  /** With respect to b; the slip radii grow with it. */ double burgers_vector;
-  /** With respect to sigma. */ double height_std;
-  /** With respect to R. */ double summit_radius;
-  /** With respect to N. */ double asperity_count;
-  /** With respect to omega; 0 unless heights are Weibull's. */ double weibull_shape;
-  /** With respect to epsilon, d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where
-   * epsilon must be 0, since `radius_rate` is not between 1e-6 and 1000. */
-  double radius_amplitude;
-  /** With respect to rho; 0 where epsilon is 0. */ double radius_rate;
-  /** With respect to a_1/b. */ double slip_radius_1;
-  /** With respect to tau_1/G*. */ double slip_stress_1;
-  /** With respect to a_2/b. */ double slip_radius_2;
-  /** With respect to tau_2/G*. */ double slip_stress_2;
-  /** With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's. */ double skew;
-  /** With respect to the kurtosis at this skew; 0 unless heights are Johnson's. */ double kurtosis;
-  /** With respect to H; 0 where contacts are elastic. */ double hardness;
-  /** With respect to kappa, d(ln F)/d(kappa), also where kappa is 0. */ double pressure_coefficient;
-} asperity_sensitivities;
-
-/** A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
+/** A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
  *
  * `asperity_eval.h` evaluates it: most users need no more than that, and `total_count`.
  *
@@ -932,7 +909,7 @@ asperity_status asperity_get_params(const struct asperity_model *model, struct a
  * No other thread may use the model any more. */
 void asperity_free(struct asperity_model *model);
 
-/* ---- Ask: friction, stiffness and conductance of one contact or of many, for the inner loop of a solver. ---- */
+/* ---- Ask: friction and stiffness of one contact or of many, for the inner loop of a solver. ---- */
 
 /** Returns the friction coefficient F/P at a normal load.
  *
@@ -1009,110 +986,6 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model, d
 double asperity_friction_force_and_slope_at_load(const struct asperity_model *model, double load,
     double *dforce_dload);
 
-/** Returns the friction coefficient at a contact pressure, for solvers that hand over load per area.
- *
- * The load is the pressure times `nominal_area`, the area that carries the model's `asperity_count` summits. The area of a
- * mesh facet or of an integration point plays no part: the answer depends on summits per area alone.
- *
- * For a model whose `asperity_count` summits stand on 1e-8 m^2:
- *
- * ```c
- * double area = 1e-8;
- * double slope, mu = asperity_friction_at_pressure(model, 1e5, area, &slope);
- * ```
- *
- * @param model          a model
- * @param pressure       nominal contact pressure [stress], positive in compression
- * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60
- * @param dmu_dpressure  receives d(mu)/d(pressure) [1/stress]
- * @return as `asperity_friction_at_load` at that load; a quiet NaN also for an area out of its range */
-double asperity_friction_at_pressure(const struct asperity_model *model, double pressure, double nominal_area,
-    double *dmu_dpressure);
-
-/** Returns the frictional shear stress at a contact pressure: friction force per nominal area.
- *
- * @param model               a model
- * @param pressure            nominal contact pressure [stress], positive in compression
- * @param nominal_area        as for `asperity_friction_at_pressure` [length^2]
- * @param dstress_dpressure   receives d(stress)/d(pressure) [-]
- * @return friction force over `nominal_area` [stress], finite also at zero and negative pressure down to pull-off; 0
- *         below pull-off; a quiet NaN for a pressure that is not finite, an area out of its range, a NULL model */
-double asperity_shear_stress_at_pressure(const struct asperity_model *model, double pressure, double nominal_area,
-    double *dstress_dpressure);
-
-/** Returns the friction force of a sliding contact with a smooth sign of the slip rate, and writes its two slopes.
- *
- * The force is F(load) tanh(slip_rate / transition_rate), for solvers that integrate through zero slip rate. It has the sign
- * of the slip rate, and friction opposes slip: apply minus this force to the body whose slip rate you give. A contact that
- * should stick creeps instead, more slowly for a smaller `transition_rate`.
- *
- * How to choose `transition_rate`:
- *
- * - Sliding: take less than a third of the slowest sliding speed of interest, at which friction is then 0.5 % low.
- * - Holding: a tangential force T < F makes the contact creep with transition_rate artanh(T/F). Keep that below the creep
- *   that you allow.
- * - Explicit steps h of a mass m stop without a change of sign if transition_rate >= F h/m. They oscillate below half of that.
- *
- * At 1 mN and 0.2 m/s, with a transition rate of 1 mm/s:
- *
- * ```c
- * double force_on_body = -asperity_slip_force(model, 1e-3, 0.2, 1e-3, NULL, NULL);
- * ```
- *
- * @param model              a model
- * @param load               normal load [force]
- * @param slip_rate          tangential velocity [length/time], signed
- * @param transition_rate    slip rate at which the force reaches 76 % of F [length/time], from 1e-60 to 1e60
- * @param dforce_dload       receives the derivative by load [-]
- * @param dforce_dslip_rate  receives the derivative by slip rate [force time/length]
- * @return the force [force]; a quiet NaN for a load or slip rate that is not finite, a transition rate out of its
- *         range, a NULL model */
-double asperity_slip_force(const struct asperity_model *model, double load, double slip_rate, double transition_rate,
-    double *dforce_dload, double *dforce_dslip_rate);
-
-/** Friction coefficients at many contact pressures, and their slopes.
- *
- * @param model          a model
- * @param n              number of pressures
- * @param pressure       n nominal contact pressures [stress], positive in compression
- * @param nominal_area   the area that carries `asperity_count` summits [length^2], from 1e-60 to 1e60; the same for
- *                       all
- * @param mu             receives n coefficients
- * @param dmu_dpressure  receives n slopes d(mu)/d(pressure) [1/stress]
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`nominal_area`; all elements are
- *         NaN), `ASPERITY_INVALID_LOAD` (a pressure that is NaN or infinite), `ASPERITY_SEPARATED`,
- *         `ASPERITY_OUT_OF_RANGE` (a finite pressure that cannot be evaluated, where the answer is NaN) */
-asperity_status asperity_friction_at_pressures(const struct asperity_model *model, size_t n, const double *pressure,
-    double nominal_area, double *mu, double *dmu_dpressure);
-
-/** Frictional shear stresses at many contact pressures, and their slopes.
- *
- * @param model              a model
- * @param n                  number of pressures
- * @param pressure           n nominal contact pressures [stress], positive in compression
- * @param nominal_area       as for `asperity_friction_at_pressures`
- * @param stress             receives n stresses: friction force over `nominal_area` [stress]
- * @param dstress_dpressure  receives n slopes d(stress)/d(pressure)
- * @return as `asperity_friction_at_pressures` */
-asperity_status asperity_shear_stresses_at_pressures(const struct asperity_model *model, size_t n,
-    const double *pressure, double nominal_area, double *stress, double *dstress_dpressure);
-
-/** Friction forces of many sliding contacts, with a smooth sign of the slip rates, and their two slopes.
- *
- * @param model              a model
- * @param n                  number of contacts
- * @param load               n normal loads [force]
- * @param slip_rate          n tangential velocities [length/time], signed
- * @param transition_rate    slip rate at which the force reaches 76 % of the law's, from 1e-60 to 1e60; the same for
- *                           all
- * @param force              receives n forces [force]
- * @param dforce_dload       receives n derivatives by load
- * @param dforce_dslip_rate  receives n derivatives by slip rate [force time/length]
- * @return as `asperity_friction_at_loads`, and `ASPERITY_INVALID_PARAMETER` (a slip rate that is NaN or infinite, or
- *         `transition_rate`; all elements are then NaN) */
-asperity_status asperity_slip_forces(const struct asperity_model *model, size_t n, const double *load,
-    const double *slip_rate, double transition_rate, double *force, double *dforce_dload, double *dforce_dslip_rate);
-
 /** Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call.
  *
  * `which[i]` says which of the models answers `load[i]`. Every element has the bits that the call for one load gives. All
@@ -1132,8 +1005,9 @@ asperity_status asperity_friction_force_at_loads_of(const struct asperity_model 
 
 /** Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
  *
- * K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
- * solvers call bristle deflection or elastic slip. At a constant load the tangential force is `asperity_tangential_at_load`.
+ * K_t = 8 G^ times the sum of the contact radii (`stiffness_per_radius` of `asperity_summary_of`). The friction force over K_t is
+ * the length before gross slip: what solvers call bristle deflection or elastic slip. At a constant load the tangential force
+ * is `asperity_tangential_at_load`.
  *
  * @param model  a model
  * @param load   normal load [force]
@@ -1165,45 +1039,9 @@ asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_mod
  * @param force         receives T [force]
  * @param stiffness     receives dT/d(displacement) [force/length]
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
- *         `ASPERITY_OUT_OF_MEMORY` */
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_tangential_at_load(const struct asperity_model *model, double load, double displacement,
     double *force, double *stiffness);
-
-/** Returns the sum of the radii of all contacts at a load, from which follows the thermal or electrical contact conductance.
- *
- * The conductance is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the conductivities of the two bodies. The sum is
- * K_t/(8 G^), of `asperity_tangential_stiffness_at_load`: over psi, where `nominal_area` is known.
- *
- * @param model  a model
- * @param load   normal load [force]
- * @return the sum [length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without
- *         adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a
- *         NULL model */
-double asperity_contact_radius_sum_at_load(const struct asperity_model *model, double load);
-
-/** Computes the sums of contact radii at many loads, and their slopes.
- *
- * With the slope, Newton's method solves for temperatures and loads together. At 1 mN, of silicon with 148 W/(m K):
- *
- * ```c
- * double load = 1e-3, sum, slope, k = 148;
- * if (asperity_contact_radius_sum_at_loads(model, 1, &load, &sum, &slope) == ASPERITY_OK) {
- *     printf("conductance %g W/K, slope %g W/(K N)\n", 2 * k * sum, 2 * k * slope);
- * }
- * ```
- *
- * @param model       a model
- * @param n           number of loads
- * @param load        n loads [force]
- * @param sum         receives n sums [length]
- * @param dsum_dload  receives n slopes d(sum)/d(load) [length/force]. They are within 1e-6 of the exact ones, relative, and
- *                    within 1e-3 where load - pull-off is within 1 % of that of a kink: where an end of the heights or a
- *                    height of their table begins to touch. At zero load, at the pull-off load and below it: as
- *                    `dforce_dload` of `asperity_friction_force_at_loads`
- * @return as `asperity_friction_at_loads` */
-asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *model, size_t n, const double *load,
-    double *sum, double *dsum_dload);
 
 /** How many doubles the state of one contact takes; today 42, the same for all models.
  *
@@ -1259,7 +1097,7 @@ asperity_status asperity_microslip_steps(const struct asperity_model *model, siz
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (what is not finite; both 0) */
 asperity_status asperity_microslip_turn(double *state, double cosine, double sine);
 
-/** Load at a gap, from the compiled law.
+/** Returns the load at a gap, from the compiled law, and writes its slope.
  *
  * The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
  * pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
@@ -1269,19 +1107,12 @@ asperity_status asperity_microslip_turn(double *state, double cosine, double sin
  * rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
  * the load goes on as a power of the depth below the mean height.
  *
- * @param model  a model
- * @param gap    between the mean planes [length]; negative in deep compression
- * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
- *         infinite or below -1e50 `height_std`, or a NULL model */
-double asperity_load_at_gap(const struct asperity_model *model, double gap);
-
-/** Load at a gap, with its slope.
- *
  * @param model       a model
- * @param gap         as for `asperity_load_at_gap`
+ * @param gap         between the mean planes [length]; negative in deep compression
  * @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
  *                    beyond; NaN where the load is
- * @return as `asperity_load_at_gap` */
+ * @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
+ *         infinite or below -1e50 `height_std`, or a NULL model */
 double asperity_load_and_slope_at_gap(const struct asperity_model *model, double gap, double *dload_dgap);
 
 /** Loads at many gaps, and their slopes.
@@ -1316,7 +1147,7 @@ asperity_status asperity_loads_at_gaps(const struct asperity_model *model, size_
 asperity_status asperity_summits_at_overlaps(const struct asperity_model *model, size_t n, const double *overlap,
     const double *height, double *load, double *force, double *radius);
 
-/* ---- Explain: exact states, the constants of a model, and which parameter matters how much. ---- */
+/* ---- Explain: exact states and the constants of a model. ---- */
 
 /** Computes the exact state at a load, by integration over the summits, without the table.
  *
@@ -1332,17 +1163,16 @@ asperity_status asperity_summits_at_overlaps(const struct asperity_model *model,
  * @param load   normal load [force], from the pull-off load upwards
  * @param state  receives the state
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
- *         `ASPERITY_OUT_OF_MEMORY` */
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_state_at_load(const struct asperity_model *model, double load, struct asperity_state *state);
 
 /** Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
  *
  * @param model  a model
- * @param gap    as for `asperity_load_at_gap` [length]; may be negative
+ * @param gap    as for `asperity_load_and_slope_at_gap` [length]; may be negative
  * @param state  receives the state
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a gap that is not
- *         finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY` */
+ *         finite), `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_state_at_gap(const struct asperity_model *model, double gap, struct asperity_state *state);
 
 /** Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table.
@@ -1351,29 +1181,6 @@ asperity_status asperity_state_at_gap(const struct asperity_model *model, double
  * @param summary  receives the constants
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`) */
 asperity_status asperity_summary_of(const struct asperity_model *model, struct asperity_summary *summary);
-
-/** Computes the sensitivities of the friction force at a load: which parameter is worth measuring.
- *
- * The library integrates over the summits, without the table. That takes longer than an exact state, but far less than
- * making a model. Next to the pull-off load sensitivities grow without limit, as dF/dP does. They do not exist at the
- * pull-off load itself and, without adhesion, at zero load.
- *
- * ```c
- * asperity_sensitivities found;
- * found.struct_size = sizeof found;
- * if (asperity_sensitivities_at_load(model, 1e-3, &found) == ASPERITY_OK) {
- *     printf("1 %% more of w changes friction by %g %%\n", found.work_of_adhesion);
- * }
- * ```
- *
- * @param model          a model
- * @param load           normal load [force], above the pull-off load
- * @param sensitivities  receives them
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE` (too heavy, or none at this load),
- *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY` */
-asperity_status asperity_sensitivities_at_load(const struct asperity_model *model, double load,
-    struct asperity_sensitivities *sensitivities);
 
 /* ---- Limits: which assumptions fail at which loads, and the remedy. ---- */
 
@@ -1475,22 +1282,13 @@ const char *asperity_version(void);
 
 /* ---- The table: for code that cannot call a library, such as GPU kernels. ---- */
 
-/** Fills a view of the compiled law of a model.
+/** Fills a view of a compiled law of a model.
  *
  * @param model  a model
+ * @param kind   `ASPERITY_TABLE_FRICTION` or `ASPERITY_TABLE_LOAD_AT_GAP`
  * @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`) */
-asperity_status asperity_table_of(const struct asperity_model *model, struct asperity_table *table);
-
-/** Gives a view of the compiled load against gap, for the evaluators of `asperity_table_of`.
- *
- * In its rows minus the gap stands in place of a load and the load in place of the friction force: F at -gap is
- * the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the end it is 0.
- *
- * @param model  a model
- * @param table  as for `asperity_table_of`
- * @return as `asperity_table_of` */
-asperity_status asperity_load_table_of(const struct asperity_model *model, struct asperity_table *table);
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`kind`, `struct_size`) */
+asperity_status asperity_table_of(const struct asperity_model *model, int32_t kind, struct asperity_table *table);
 
 #ifdef __cplusplus
 }  /* extern "C" */

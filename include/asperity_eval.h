@@ -3,7 +3,7 @@
  *
  *     asperity_table table;
  *     table.struct_size = sizeof table;
- *     asperity_table_of(model, &table);
+ *     asperity_table_of(model, ASPERITY_TABLE_FRICTION, &table);
  *     double force = asperity_eval_friction_force(&table, load, NULL);
  *
  * It needs the declaration of asperity_table and nothing else: C99, C++, CUDA, HIP, without libm. It branches on data only

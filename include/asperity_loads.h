@@ -1,5 +1,6 @@
-/* asperity_loads.h: the load at which to ask for friction, where a solver needs the friction coefficient before it knows
- * the normal force of the step.
+/* asperity_loads.h: from the numbers of a solver to those of the library, and back. The load at which to ask for friction,
+ * where a solver needs the friction coefficient before it knows the normal force of the step; pressures in place of loads;
+ * friction of a slip rate that passes through zero.
  *
  * The load of the last step lags behind, and biases friction where it jitters. These functions keep the loads of past
  * steps for each contact, or for each pair of bodies, and return the expected load of the next step [force]:
@@ -24,9 +25,13 @@
  * writes each one once:
  *
  *     static asperity_told told;
- *     uint64_t warnings = asperity_told_anew(&told, model, load), bit;
- *     for (bit = 1; bit <= warnings; bit *= 2)
- *         if (warnings & bit) write_to_log(asperity_warning_string(bit));
+ *     char text[4096];
+ *     uint64_t warnings = asperity_told_anew(&told, model, load);
+ *     if (warnings != 0) asperity_warnings_text(warnings, text, sizeof text), write_to_log(text);
+ *
+ * Pressures: a model whose asperity_count summits stand on one unit of area takes pressures in place of loads and gives
+ * shear stresses in place of forces; slopes and coefficients are the same. A grain or facet of the area A whose forces you
+ * need, with a model of the area A0: ask at the load times A0/A, and multiply the force by A/A0.
  *
  * Self-contained: C99 and C++. Both structs are plain doubles, so that a host may save, copy and restore them with its
  * own state. Loads are positive in compression, finite and not negative. `time` is the host's time of a load, past or
@@ -35,6 +40,7 @@
 #ifndef ASPERITY_LOADS_H
 #define ASPERITY_LOADS_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -165,6 +171,20 @@ static inline void asperity_pairs_end_step(asperity_body_pair *pairs, size_t cap
     }
 }
 
+/* Friction force of a sliding contact with a smooth sign of the slip rate, F tanh(v/v0), for solvers that integrate through
+ * zero slip rate; F is asperity_friction_force_at_load. It has the sign of the slip rate, and friction opposes slip: apply
+ * minus this force to the body whose slip rate you give. Its slope by the load is tanh(v/v0) times that of F, its slope by
+ * the slip rate F (1 - tanh(v/v0)^2)/v0. A contact that should stick creeps instead. How to choose transition_rate, v0 > 0:
+ *
+ *   sliding         less than a third of the slowest sliding speed of interest, at which friction is then 0.5 % low
+ *   holding         a tangential force T < F makes the contact creep with v0 artanh(T/F): keep that below the creep that
+ *                   you allow
+ *   explicit steps  steps h of a mass m stop without a change of sign if v0 >= F h/m, and oscillate below half of that */
+static inline double asperity_slip_force(double friction_force, double slip_rate, double transition_rate)
+{
+    return friction_force * tanh(slip_rate / transition_rate);
+}
+
 #ifdef ASPERITY_H
 /* After asperity.h: which warnings a host has told of a model. All zero: none, and it was looked for none. */
 typedef struct asperity_told {
@@ -172,7 +192,7 @@ typedef struct asperity_told {
     double lightest, heaviest; /* the loads between which it was looked for them */
 } asperity_told;
 
-/* The warnings that hold at a load and were not told before: a host writes the asperity_warning_string of each bit to its log.
+/* The warnings that hold at a load and were not told before: a host writes their asperity_warnings_text to its log.
  * May be asked with every load. It looks at the exact state, in less than a millisecond, only where the load is above twice the
  * heaviest or below half the lightest load so far. */
 static inline uint64_t asperity_told_anew(asperity_told *told, const asperity_model *model, double load)

@@ -55,7 +55,6 @@ mod nearest;
 mod neighbours;
 mod numerics;
 mod params;
-mod regularised;
 mod sensitivity;
 mod spectrum;
 

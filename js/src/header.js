@@ -39,7 +39,9 @@ export const CONSTANTS = /** @type {const} */ ({
   "WARNING_BROAD": 128,
   "WARNING_STRONG": 256,
   "WARNING_FEW_WAVES": 512,
-  "TABLE_LAYOUT": 1
+  "TABLE_LAYOUT": 1,
+  "TABLE_FRICTION": 0,
+  "TABLE_LOAD_AT_GAP": 1
 });
 
 /**
@@ -199,7 +201,7 @@ export const LAYOUTS = {
     ],
   },
   asperity_summary: {
-    size: 104,
+    size: 112,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "alpha", type: "double", offset: 8 },
@@ -211,34 +213,10 @@ export const LAYOUTS = {
       { name: "pull_off_load", type: "double", offset: 56 },
       { name: "pull_off_friction_force", type: "double", offset: 64 },
       { name: "zero_load_friction_force", type: "double", offset: 72 },
-      { name: "min_table_load", type: "double", offset: 80 },
-      { name: "max_table_load", type: "double", offset: 88 },
-      { name: "table_error", type: "double", offset: 96 },
-    ],
-  },
-  asperity_sensitivities: {
-    size: 160,
-    fields: [
-      { name: "struct_size", type: "uint64_t", offset: 0 },
-      { name: "composite_modulus", type: "double", offset: 8 },
-      { name: "effective_shear_modulus", type: "double", offset: 16 },
-      { name: "work_of_adhesion", type: "double", offset: 24 },
-      { name: "adhesion_range", type: "double", offset: 32 },
-      { name: "burgers_vector", type: "double", offset: 40 },
-      { name: "height_std", type: "double", offset: 48 },
-      { name: "summit_radius", type: "double", offset: 56 },
-      { name: "asperity_count", type: "double", offset: 64 },
-      { name: "weibull_shape", type: "double", offset: 72 },
-      { name: "radius_amplitude", type: "double", offset: 80 },
-      { name: "radius_rate", type: "double", offset: 88 },
-      { name: "slip_radius_1", type: "double", offset: 96 },
-      { name: "slip_stress_1", type: "double", offset: 104 },
-      { name: "slip_radius_2", type: "double", offset: 112 },
-      { name: "slip_stress_2", type: "double", offset: 120 },
-      { name: "skew", type: "double", offset: 128 },
-      { name: "kurtosis", type: "double", offset: 136 },
-      { name: "hardness", type: "double", offset: 144 },
-      { name: "pressure_coefficient", type: "double", offset: 152 },
+      { name: "stiffness_per_radius", type: "double", offset: 80 },
+      { name: "min_table_load", type: "double", offset: 88 },
+      { name: "max_table_load", type: "double", offset: 96 },
+      { name: "table_error", type: "double", offset: 104 },
     ],
   },
   asperity_table: {
@@ -313,32 +291,10 @@ export const WORDS = {
  * @property {number} pull_off_load Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md).
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
+ * @property {number} stiffness_per_radius 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
  * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
  * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 1e-9 where that is more.
- */
-
-/**
- * @typedef {object} Sensitivities
- * @property {number} composite_modulus With respect to E*.
- * @property {number} effective_shear_modulus With respect to G*: the share of F that does not come from `pressure_coefficient`, 1 where that is 0.
- * @property {number} work_of_adhesion With respect to w; 0 where w is 0.
- * @property {number} adhesion_range With respect to h; 0 where w is 0.
- * @property {number} burgers_vector With respect to b; the slip radii grow with it.
- * @property {number} height_std With respect to sigma.
- * @property {number} summit_radius With respect to R.
- * @property {number} asperity_count With respect to N.
- * @property {number} weibull_shape With respect to omega; 0 unless heights are Weibull's.
- * @property {number} radius_amplitude With respect to epsilon, d(ln F)/d(epsilon), also where epsilon is 0; at -1 and 1 the limit from within. 0 where epsilon must be 0, since `radius_rate` is not between 1e-6 and 1000.
- * @property {number} radius_rate With respect to rho; 0 where epsilon is 0.
- * @property {number} slip_radius_1 With respect to a_1/b.
- * @property {number} slip_stress_1 With respect to tau_1/G*.
- * @property {number} slip_radius_2 With respect to a_2/b.
- * @property {number} slip_stress_2 With respect to tau_2/G*.
- * @property {number} skew With respect to the skew at this kurtosis, d(ln F)/d(skew); 0 unless heights are Johnson's.
- * @property {number} kurtosis With respect to the kurtosis at this skew; 0 unless heights are Johnson's.
- * @property {number} hardness With respect to H; 0 where contacts are elastic.
- * @property {number} pressure_coefficient With respect to kappa, d(ln F)/d(kappa), also where kappa is 0.
  */
 
 /**

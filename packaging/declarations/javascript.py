@@ -39,7 +39,7 @@ def module(header):
         listed = ", ".join(f'"{word(one)}": {constant.value}' for one, constant in words.items())
         yield f"  {name}: {{ {listed} }},"
     yield "};"
-    for struct, name in (("state", "State"), ("summary", "Summary"), ("sensitivities", "Sensitivities")):
+    for struct, name in (("state", "State"), ("summary", "Summary")):
         fields = header.structs[f"asperity_{struct}"].fields[1:]
         yield from typedef(name, [f"{{number}} {one.name} {said(one, header)}" for one in fields])
     params = [one for one in header.params if one.name != "table_length"]

@@ -9,7 +9,7 @@ use crate::model::{by_gap, Model};
 /// So many gaps are turned into arguments of the table at a time.
 const BLOCK: usize = 128;
 
-/// Load at a gap, from the compiled law.
+/// Returns the load at a gap, from the compiled law, and writes its slope.
 ///
 /// The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
 /// pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
@@ -19,28 +19,21 @@ const BLOCK: usize = 128;
 /// rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
 /// the load goes on as a power of the depth below the mean height.
 ///
-/// @param model  a model
-/// @param gap    between the mean planes [length]; negative in deep compression
-/// @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
-///         infinite or below -1e50 `height_std`, or a NULL model
-#[no_mangle]
-pub unsafe extern "C" fn asperity_load_at_gap(model: *const asperity_model, gap: f64) -> f64 {
-    model::value_at(model, Quantity::Load, -gap)
-}
-
-/// Load at a gap, with its slope.
-///
 /// @param model       a model
-/// @param gap         as for `asperity_load_at_gap`
+/// @param gap         between the mean planes [length]; negative in deep compression
 /// @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
 ///                    beyond; NaN where the load is
-/// @return as `asperity_load_at_gap`
+/// @return the load [force], negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a gap that is NaN,
+///         infinite or below -1e50 `height_std`, or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
     model: *const asperity_model,
     gap: f64,
     dload_dgap: *mut f64,
 ) -> f64 {
+    if dload_dgap.is_null() {
+        return model::value_at(model, Quantity::Load, -gap);
+    }
     boundary::fast!(contained_value, {
         let at = |handle: &asperity_model| Quantity::Load.at(&handle.model, -gap);
         let (load, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), at);

@@ -8,7 +8,6 @@ mod about;
 mod batch;
 mod boundary;
 mod calibration;
-mod conductance;
 mod estimate;
 mod evaluate;
 #[cfg(target_arch = "x86_64")]
@@ -25,11 +24,9 @@ mod names;
 mod output;
 mod pairs;
 mod params;
-mod pressures;
 #[cfg_attr(not(feature = "memory-reserve"), allow(dead_code))]
 mod reserve;
 mod scalar;
-mod sensitivities;
 mod setters;
 mod slope;
 mod state;
@@ -47,7 +44,6 @@ mod version;
 // For C through the header, for the tests of this crate as items; no part of the Rust interface.
 pub use about::*;
 pub use calibration::*;
-pub use conductance::*;
 pub use estimate::*;
 pub use evaluate::*;
 pub use gap::*;
@@ -59,8 +55,6 @@ pub use model::*;
 pub use names::*;
 pub use pairs::*;
 pub use params::*;
-pub use pressures::*;
-pub use sensitivities::*;
 pub use setters::*;
 pub use slope::*;
 pub use state::*;

@@ -15,7 +15,7 @@ pub struct asperity_state {
     pub struct_size: u64,
     /// Normal load P [force]; negative pulls.
     pub load: f64,
-    /// Gap between the mean planes of the surfaces [length], as for `asperity_load_at_gap`.
+    /// Gap between the mean planes of the surfaces [length], as for `asperity_load_and_slope_at_gap`.
     pub gap: f64,
     /// Friction force F [force], >= 0.
     pub friction_force: f64,
@@ -102,6 +102,10 @@ pub struct asperity_summary {
     /// Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
     /// continuation of the law.
     pub zero_load_friction_force: f64,
+    /// 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or
+    /// electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both
+    /// bodies.
+    pub stiffness_per_radius: f64,
     /// Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
     /// the pull-off load.
     pub min_table_load: f64,
@@ -151,8 +155,7 @@ unsafe fn exact(
 /// @param load   normal load [force], from the pull-off load upwards
 /// @param state  receives the state
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
-///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
-///         `ASPERITY_OUT_OF_MEMORY`
+///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_state_at_load(
     model: *const asperity_model,
@@ -165,10 +168,10 @@ pub unsafe extern "C" fn asperity_state_at_load(
 /// Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
 ///
 /// @param model  a model
-/// @param gap    as for `asperity_load_at_gap` [length]; may be negative
+/// @param gap    as for `asperity_load_and_slope_at_gap` [length]; may be negative
 /// @param state  receives the state
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a gap that is not
-///         finite), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_OUT_OF_MEMORY`
+///         finite), `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_state_at_gap(
     model: *const asperity_model,
@@ -193,7 +196,7 @@ pub unsafe extern "C" fn asperity_summary_of(
         fill(summary, "summary", || {
             Ok(same_fields! { asperity_summary of model.summary();
                 alpha beta gamma lambda skew kurtosis pull_off_load pull_off_friction_force zero_load_friction_force
-                min_table_load max_table_load table_error
+                stiffness_per_radius min_table_load max_table_load table_error
             })
         })
     })

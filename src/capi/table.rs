@@ -1,16 +1,17 @@
 //! The compiled table handed out, for code that cannot call out of a kernel.
 
-use super::boundary;
+use super::boundary::{self, Failure};
 use super::model::{self, asperity_model};
 use super::output::fill;
 use super::status::asperity_status;
 use crate::law::{Quantity, Table};
+use crate::model::Model;
 use std::mem::size_of;
 
 /// Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
 pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 
-/// A read-only view of the compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
+/// A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
 ///
 /// `asperity_eval.h` evaluates it: most users need no more than that, and `total_count`.
 ///
@@ -61,62 +62,62 @@ pub struct asperity_table {
     pub heavy_force: f64,
 }
 
-/// Fills a view of the compiled law of a model.
+/// `kind` of a table: friction force against load.
+pub const ASPERITY_TABLE_FRICTION: i32 = 0;
+/// `kind` of a table: load against gap. In its rows minus the gap stands in place of a load and the load in place of the friction
+/// force: F at -gap is the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the
+/// end it is 0.
+pub const ASPERITY_TABLE_LOAD_AT_GAP: i32 = 1;
+
+/// Fills a view of a compiled law of a model.
 ///
 /// @param model  a model
+/// @param kind   `ASPERITY_TABLE_FRICTION` or `ASPERITY_TABLE_LOAD_AT_GAP`
 /// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`kind`, `struct_size`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_table_of(
     model: *const asperity_model,
+    kind: i32,
     table: *mut asperity_table,
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
-        let (view, known) = (model.table(Quantity::Friction), model.known(Quantity::Friction));
-        fill(table, "table", || {
-            Ok(asperity_table {
-                max_friction_coefficient: model.params().max_friction_coefficient,
-                inverse_cap: model.inverse_cap(),
-                pull_off_force: known.at_pull_off.0,
-                light_slope: known.light_slope,
-                zero_force: known.at_zero.0,
-                zero_slope: known.at_zero.1,
-                separated_slope: known.apart,
-                heavy_force: known.heavy,
-                ..rows_of(view)
-            })
+        fill(table, "table", || match kind {
+            ASPERITY_TABLE_FRICTION => Ok(friction(model)),
+            ASPERITY_TABLE_LOAD_AT_GAP => Ok(load_at_gap(model)),
+            _ => Err(Failure::invalid(format_args!(
+                "kind = {kind}: must be 0 (ASPERITY_TABLE_FRICTION) or 1 (ASPERITY_TABLE_LOAD_AT_GAP)"
+            ))),
         })
     })
 }
 
-/// Gives a view of the compiled load against gap, for the evaluators of `asperity_table_of`.
-///
-/// In its rows minus the gap stands in place of a load and the load in place of the friction force: F at -gap is
-/// the load, and minus dF/d(load) there its slope by gap. Between the lightest load of the rows and the end it is 0.
-///
-/// @param model  a model
-/// @param table  as for `asperity_table_of`
-/// @return as `asperity_table_of`
-#[no_mangle]
-pub unsafe extern "C" fn asperity_load_table_of(
-    model: *const asperity_model,
-    table: *mut asperity_table,
-) -> asperity_status {
-    boundary::status(|| {
-        let model = model::of(model)?;
-        let view = model.load_table();
-        fill(table, "table", || {
-            let heaviest = view.pull_off + view.begin_of(view.row_count);
-            let (at_zero, zero_slope) = model.load_and_slope_at_gap(0.0);
-            Ok(asperity_table {
-                zero_force: at_zero,
-                zero_slope: 0.0 - zero_slope,
-                heavy_force: model.load_at_gap(-heaviest),
-                ..rows_of(view)
-            })
-        })
-    })
+fn friction(model: &Model) -> asperity_table {
+    let known = model.known(Quantity::Friction);
+    asperity_table {
+        max_friction_coefficient: model.params().max_friction_coefficient,
+        inverse_cap: model.inverse_cap(),
+        pull_off_force: known.at_pull_off.0,
+        light_slope: known.light_slope,
+        zero_force: known.at_zero.0,
+        zero_slope: known.at_zero.1,
+        separated_slope: known.apart,
+        heavy_force: known.heavy,
+        ..rows_of(model.table(Quantity::Friction))
+    }
+}
+
+fn load_at_gap(model: &Model) -> asperity_table {
+    let view = model.load_table();
+    let heaviest = view.pull_off + view.begin_of(view.row_count);
+    let (at_zero, zero_slope) = model.load_and_slope_at_gap(0.0);
+    asperity_table {
+        zero_force: at_zero,
+        zero_slope: 0.0 - zero_slope,
+        heavy_force: model.load_at_gap(-heaviest),
+        ..rows_of(view)
+    }
 }
 
 /// The rows of a table, and nothing of what lies beside them.

@@ -8,8 +8,9 @@ use super::status::asperity_status;
 
 /// Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
 ///
-/// K_t = 8 G^ times the sum of the contact radii. The friction force over K_t is the length before gross slip: what
-/// solvers call bristle deflection or elastic slip. At a constant load the tangential force is `asperity_tangential_at_load`.
+/// K_t = 8 G^ times the sum of the contact radii (`stiffness_per_radius` of `asperity_summary_of`). The friction force over K_t is
+/// the length before gross slip: what solvers call bristle deflection or elastic slip. At a constant load the tangential force
+/// is `asperity_tangential_at_load`.
 ///
 /// @param model  a model
 /// @param load   normal load [force]
@@ -51,8 +52,7 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
 /// @param force         receives T [force]
 /// @param stiffness     receives dT/d(displacement) [force/length]
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a displacement that is not finite),
-///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
-///         `ASPERITY_OUT_OF_MEMORY`
+///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_at_load(
     model: *const asperity_model,

@@ -69,8 +69,8 @@ struct Units {
     force: f64,
     /// 8 G^ N b: stiffness, of a mean contact radius in b.
     stiffness: f64,
-    /// 1/(8 G^): sum of contact radii, of a stiffness.
-    radius_sum: f64,
+    /// 8 G^.
+    stiffness_per_radius: f64,
     /// N b^2.
     area: f64,
     /// sigma.
@@ -101,6 +101,10 @@ pub struct Summary {
     pub pull_off_friction_force: f64,
     /// Friction force at zero load [force].
     pub zero_load_friction_force: f64,
+    /// 8 G^ [stress]: tangential stiffness over the sum of the radii of all contacts over psi, which is 1 where the nominal area
+    /// is not known. The constriction conductance is 2 k times that sum, k the harmonic mean of the conductivities of the two
+    /// bodies.
+    pub stiffness_per_radius: f64,
     /// The lightest load the compiled law covers [force].
     pub min_table_load: f64,
     /// The heaviest load the compiled law covers [force].
@@ -233,24 +237,6 @@ impl Model {
         self.value_and_slope(Quantity::Radius, load).0
     }
 
-    /// Sum of the radii of all contacts over psi, which is 1 where the nominal area is not known [length]: the constriction
-    /// conductance is 2 k times it, k the harmonic mean of the conductivities of the two bodies. 0 below pull-off; NaN for a load that is not finite or too heavy.
-    pub fn contact_radius_sum_at_load(&self, load: f64) -> f64 {
-        self.contact_radius_sum_and_slope(load).0
-    }
-
-    /// The sum of contact radii and its slope by load [length/force], which is infinite at the pull-off load itself and 0 below
-    /// it. Without adhesion the slope at zero load and below is that of the lightest load of the table.
-    pub fn contact_radius_sum_and_slope(&self, load: f64) -> (f64, f64) {
-        let (stiffness, slope) = self.value_and_slope(Quantity::Radius, load);
-        (stiffness * self.units.radius_sum, slope * self.units.radius_sum)
-    }
-
-    /// 1/(8 G^): the sum of contact radii, of a tangential stiffness.
-    pub(crate) fn radius_sum_by_stiffness(&self) -> f64 {
-        self.units.radius_sum
-    }
-
     /// Friction force or stiffness, and its slope.
     fn value_and_slope(&self, quantity: Quantity, load: f64) -> (f64, f64) {
         let answer = self.tabulated(quantity, load).or_else(|| self.known_value(quantity, load));
@@ -357,6 +343,7 @@ impl Model {
             pull_off_load: self.pull_off_load(),
             pull_off_friction_force: pull_off.map_or(0.0, |point| point.sums.friction * self.units.force),
             zero_load_friction_force: self.friction_force_at_load(0.0),
+            stiffness_per_radius: self.units.stiffness_per_radius,
             min_table_load: self.law.table(Quantity::Friction).range().0,
             max_table_load: self.law.table(Quantity::Friction).range().1,
             table_error: self.law.error(Quantity::Friction),
@@ -415,11 +402,12 @@ fn ratio(a: f64, b: f64) -> f64 {
 impl Units {
     fn new(params: &Params) -> Self {
         let area = params.burgers_vector * params.burgers_vector * params.asperity_count;
+        let stiffness_per_radius = 8.0 * params.effective_tangential_modulus();
         Self {
             load: params.composite_modulus * area,
             force: params.effective_shear_modulus * area,
-            stiffness: 8.0 * params.effective_tangential_modulus() * params.burgers_vector * params.asperity_count,
-            radius_sum: 1.0 / (8.0 * params.effective_tangential_modulus()),
+            stiffness: stiffness_per_radius * params.burgers_vector * params.asperity_count,
+            stiffness_per_radius,
             area,
             length: params.height_std,
             count: params.asperity_count,

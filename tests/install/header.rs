@@ -25,13 +25,10 @@ const GROUPS: [(&str, &[&str]); 7] = [
         ],
     ),
     (
-        "Ask: friction, stiffness and conductance of one contact or of many, for the inner loop of a solver.",
-        &["evaluate", "slope", "pressures", "pairs", "tangential", "conductance", "microslip", "gap", "summits"],
+        "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
+        &["evaluate", "slope", "pairs", "tangential", "microslip", "gap", "summits"],
     ),
-    (
-        "Explain: exact states, the constants of a model, and which parameter matters how much.",
-        &["state", "sensitivities"],
-    ),
+    ("Explain: exact states and the constants of a model.", &["state"]),
     ("Limits: which assumptions fail at which loads, and the remedy.", &["validity"]),
     ("Errors and versions.", &["last_error", "about"]),
     ("The table: for code that cannot call a library, such as GPU kernels.", &["table"]),

@@ -46,6 +46,8 @@ ASPERITY_WARNING_BROAD = 128
 ASPERITY_WARNING_STRONG = 256
 ASPERITY_WARNING_FEW_WAVES = 512
 ASPERITY_TABLE_LAYOUT = 1
+ASPERITY_TABLE_FRICTION = 0
+ASPERITY_TABLE_LOAD_AT_GAP = 1
 
 _double = POINTER(c_double)
 
@@ -215,34 +217,10 @@ class asperity_summary(Structure):
         ("pull_off_load", c_double),
         ("pull_off_friction_force", c_double),
         ("zero_load_friction_force", c_double),
+        ("stiffness_per_radius", c_double),
         ("min_table_load", c_double),
         ("max_table_load", c_double),
         ("table_error", c_double),
-    ]
-
-
-class asperity_sensitivities(Structure):
-    _fields_ = [
-        ("struct_size", c_uint64),
-        ("composite_modulus", c_double),
-        ("effective_shear_modulus", c_double),
-        ("work_of_adhesion", c_double),
-        ("adhesion_range", c_double),
-        ("burgers_vector", c_double),
-        ("height_std", c_double),
-        ("summit_radius", c_double),
-        ("asperity_count", c_double),
-        ("weibull_shape", c_double),
-        ("radius_amplitude", c_double),
-        ("radius_rate", c_double),
-        ("slip_radius_1", c_double),
-        ("slip_stress_1", c_double),
-        ("slip_radius_2", c_double),
-        ("slip_stress_2", c_double),
-        ("skew", c_double),
-        ("kurtosis", c_double),
-        ("hardness", c_double),
-        ("pressure_coefficient", c_double),
     ]
 
 
@@ -276,7 +254,6 @@ _interface = POINTER(asperity_interface_data)
 _microslip = POINTER(asperity_microslip)
 _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
-_sensitivities = POINTER(asperity_sensitivities)
 _table = POINTER(asperity_table)
 
 # name: (what it returns, what it takes)
@@ -319,12 +296,6 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_friction_force_at_loads": (c_int32, [_model, c_size_t, _double, _double, _double]),
     "asperity_friction_and_slope_at_load": (c_double, [_model, c_double, _double]),
     "asperity_friction_force_and_slope_at_load": (c_double, [_model, c_double, _double]),
-    "asperity_friction_at_pressure": (c_double, [_model, c_double, c_double, _double]),
-    "asperity_shear_stress_at_pressure": (c_double, [_model, c_double, c_double, _double]),
-    "asperity_slip_force": (c_double, [_model, c_double, c_double, c_double, _double, _double]),
-    "asperity_friction_at_pressures": (c_int32, [_model, c_size_t, _double, c_double, _double, _double]),
-    "asperity_shear_stresses_at_pressures": (c_int32, [_model, c_size_t, _double, c_double, _double, _double]),
-    "asperity_slip_forces": (c_int32, [_model, c_size_t, _double, _double, c_double, _double, _double, _double]),
     "asperity_friction_force_at_loads_of": (
         c_int32,
         [POINTER(_model), c_size_t, c_size_t, POINTER(c_uint32), _double, _double, _double],
@@ -332,20 +303,16 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_tangential_stiffness_at_load": (c_double, [_model, c_double]),
     "asperity_tangential_stiffness_at_loads": (c_int32, [_model, c_size_t, _double, _double]),
     "asperity_tangential_at_load": (c_int32, [_model, c_double, c_double, _double, _double]),
-    "asperity_contact_radius_sum_at_load": (c_double, [_model, c_double]),
-    "asperity_contact_radius_sum_at_loads": (c_int32, [_model, c_size_t, _double, _double, _double]),
     "asperity_microslip_length": (c_size_t, [_model]),
     "asperity_microslip_step": (c_int32, [_model, c_double, _double, _double, _double, _microslip]),
     "asperity_microslip_steps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double, _double]),
     "asperity_microslip_turn": (c_int32, [_double, c_double, c_double]),
-    "asperity_load_at_gap": (c_double, [_model, c_double]),
     "asperity_load_and_slope_at_gap": (c_double, [_model, c_double, _double]),
     "asperity_loads_at_gaps": (c_int32, [_model, c_size_t, _double, _double, _double]),
     "asperity_summits_at_overlaps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double]),
     "asperity_state_at_load": (c_int32, [_model, c_double, _state]),
     "asperity_state_at_gap": (c_int32, [_model, c_double, _state]),
     "asperity_summary_of": (c_int32, [_model, _summary]),
-    "asperity_sensitivities_at_load": (c_int32, [_model, c_double, _sensitivities]),
     "asperity_check_loads": (c_int32, [_model, c_double, c_double, POINTER(c_uint64)]),
     "asperity_warning_string": (c_char_p, [c_uint64]),
     "asperity_warning_loads": (c_int32, [_model, c_uint64, _double, _double]),
@@ -354,8 +321,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_status_string": (c_char_p, [c_int32]),
     "asperity_abi_version": (c_uint32, []),
     "asperity_version": (c_char_p, []),
-    "asperity_table_of": (c_int32, [_model, _table]),
-    "asperity_load_table_of": (c_int32, [_model, _table]),
+    "asperity_table_of": (c_int32, [_model, c_int32, _table]),
 }
 
 # The words of parameters that are one of several constants.
@@ -407,6 +373,7 @@ UNITS = {
     "pull_off_load": "force",
     "pull_off_friction_force": "force",
     "zero_load_friction_force": "force",
+    "stiffness_per_radius": "stress",
     "min_table_load": "force",
     "max_table_load": "force",
 }

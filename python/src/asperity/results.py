@@ -272,6 +272,9 @@ class Summary(_WithUnits):
         pull_off_friction_force: Friction force at the pull-off load [force].
         zero_load_friction_force: Friction force at zero load [force]. Of a surface that hardly adheres, where
             `min_table_load` is above zero, it is a continuation of the law.
+        stiffness_per_radius: 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From
+            the sum follows the thermal or electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k =
+            (1/k1 + 1/k2)/2 of the conductivities of both bodies.
         min_table_load: Lightest load of the compiled table [force]. Below it the law continues with its slope, as a
             power of the distance from the pull-off load.
         max_table_load: Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a
@@ -291,6 +294,7 @@ class Summary(_WithUnits):
     pull_off_load: float
     pull_off_friction_force: float
     zero_load_friction_force: float
+    stiffness_per_radius: float
     min_table_load: float
     max_table_load: float
     table_error: float
