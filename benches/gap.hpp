@@ -1,5 +1,5 @@
-// What the calls beside friction by load cost: load against gap, contacts of many models in one call, batches by
-// pressure and of slip forces; each against the scalar call that it stands for or beside, in the same run.
+// What the calls beside friction by load cost: load against gap, contacts of many models in one call; each against the scalar
+// call that it stands for or beside, in the same run.
 #pragma once
 
 #include "asperity.h"
@@ -16,14 +16,13 @@
 class Gap {
 public:
     static void report() {
-        std::printf("\n### Load against gap, many pairs, pressures and slip\n\n"
+        std::printf("\n### Load against gap, and many pairs\n\n"
                     "Time per contact over that of the call named, median (least to most), of %zu contacts in random order. "
                     "Separations are from where the load is 1e-8 of that at half touch to 6 height_std of compression, *all kinds* are "
                     "those and open gaps and up to 9e3 height_std of compression in equal parts.\n\n"
                     "| call | surface | time | over | ratio | limit | |\n|---|---|---|---|---|---|---|\n", kCount);
         for (const Surface &surface : all_surfaces()) Gap(surface).gaps();
         pairs();
-        Gap({"default", default_surface()}).batches();
     }
 
 private:
@@ -83,8 +82,8 @@ private:
         };
         const Interleaved times({
             each("scalar F", [this, model](size_t i) { return asperity_friction_force_at_load(model, load_[i]); }),
-            each("load at gap", [this, model](size_t i) { return asperity_load_at_gap(model, close_[i]); }),
-            each("load at gap, all kinds", [this, model](size_t i) { return asperity_load_at_gap(model, all_[i]); }),
+            each("load at gap", [this, model](size_t i) { return asperity_load_and_slope_at_gap(model, close_[i], nullptr); }),
+            each("load at gap, all kinds", [this, model](size_t i) { return asperity_load_and_slope_at_gap(model, all_[i], nullptr); }),
             call("loads at gaps", [this, batch] { batch(close_, nullptr); }),
             call("loads at gaps and slopes", [this, batch] { batch(close_, slope); }),
             call("loads at gaps, all kinds", [this, batch] { batch(all_, nullptr); }),
@@ -125,26 +124,6 @@ private:
         rows("16 of them", times, {
             {"forces of 16 models", "a call each", 1.0},
             {"forces and slopes of 16 models", "a call each, with its slope", 1.0},
-        });
-    }
-
-    void batches() {
-        const asperity_model *model = model_.get();
-        static double value[kCount], slope[kCount], by_rate[kCount];
-        const auto kept = [] { asm volatile("" : : "r"(value), "r"(slope), "r"(by_rate) : "memory"); };
-        const size_t n = kCount;
-        const Interleaved times({
-            each("mu at a pressure", [&](size_t i) { return asperity_friction_at_pressure(model, load_[i], 0.7, &slope[i]); }),
-            each("stress at a pressure", [&](size_t i) { return asperity_shear_stress_at_pressure(model, load_[i], 0.7, &slope[i]); }),
-            each("slip force", [&](size_t i) { return asperity_slip_force(model, load_[i], close_[i], 0.5, &slope[i], &by_rate[i]); }),
-            call("mu at pressures", [&] { asperity_friction_at_pressures(model, n, load_.data(), 0.7, value, slope), kept(); }),
-            call("stresses at pressures", [&] { asperity_shear_stresses_at_pressures(model, n, load_.data(), 0.7, value, slope), kept(); }),
-            call("slip forces", [&] { asperity_slip_forces(model, n, load_.data(), close_.data(), 0.5, value, slope, by_rate), kept(); }),
-        }, kSchedule);
-        rows(surface_.name, times, {
-            {"mu at pressures", "mu at a pressure", 0.7},
-            {"stresses at pressures", "stress at a pressure", 0.7},
-            {"slip forces", "slip force", 0.8},
         });
     }
 

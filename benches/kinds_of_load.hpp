@@ -66,14 +66,14 @@ private:
         silicon.height_std = 20e-9;
         silicon.summit_radius = 1e-6;
         silicon.asperity_count = 1e5;
-        require(asperity_params_set_skew(&skewed, 0.8));
+        set_skew(skewed, 0.8);
         steep.radius_amplitude = -0.5;
         asperity_params johnson = default_surface();
         johnson.height_distribution = ASPERITY_HEIGHTS_JOHNSON;
         johnson.skew = 0.5;
         johnson.kurtosis = 4.0;
         asperity_params hardly = default_surface();  // a pull-off load of -3e-138
-        require(asperity_params_set_skew(&hardly, 1.0));
+        set_skew(hardly, 1.0);
         return {{"default", default_surface()}, {"Si/SiO2, sigma 20 nm", silicon},
                 {"Hertz", surface_of(0.01, 1000.0, 0.0)}, {"Weibull, skew .8", skewed},
                 {"epsilon -.5", steep}, {"Johnson", johnson}, {"hardly adheres", hardly}};
@@ -92,7 +92,7 @@ private:
     std::vector<double> in_a_row_with_parts() const {
         asperity_table table;
         table.struct_size = sizeof table;
-        require(asperity_table_of(model_.get(), &table));
+        require(asperity_table_of(model_.get(), ASPERITY_TABLE_FRICTION, &table));
         std::vector<double> loads;
         for (uint64_t row = table.row_count; row-- > 0 && loads.empty();) {
             if (table.rows[8 * row] == table.rows[8 * row]) continue;

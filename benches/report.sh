@@ -30,12 +30,7 @@ instructions() {
 
 of_processor() { awk -F'[ \t]*: *' -v key="$1" '$1 == key { print $2; exit }' /proc/cpuinfo; }
 
-vectors() {
-    if grep -qw avx512dq /proc/cpuinfo; then echo AVX-512
-    elif grep -qw avx2 /proc/cpuinfo; then echo AVX2
-    else echo "no AVX2"
-    fi
-}
+vectors() { grep -qw avx2 /proc/cpuinfo && echo AVX2 || echo "no AVX2"; }
 
 results=$work/results.md
 "$program" --list >"$work/calls.txt"

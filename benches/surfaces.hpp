@@ -34,6 +34,12 @@ inline asperity_params surface_of(double alpha, double beta, double gamma) {
     return params;
 }
 
+// Weibull heights of this skew.
+inline void set_skew(asperity_params &params, double skew) {
+    const char *const name = "skew";
+    require(asperity_params_set_values(&params, 1, &name, &skew));
+}
+
 inline asperity_params default_surface() { return surface_of(0.01, 1000.0, 0.001); }
 
 inline std::vector<Surface> all_surfaces() {
@@ -44,7 +50,7 @@ inline std::vector<Surface> all_surfaces() {
     };
     for (double skew : {-1.0, 1.0}) {
         asperity_params params = default_surface();
-        require(asperity_params_set_skew(&params, skew));
+        set_skew(params, skew);
         surfaces.push_back({skew < 0.0 ? "skew -1" : "skew 1", params});
     }
     asperity_params narrow = default_surface();

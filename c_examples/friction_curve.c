@@ -127,12 +127,16 @@ static int evaluate(const asperity_model *model, double lowest, double highest, 
 static int print_warnings(const asperity_model *model, const options *o)
 {
     uint64_t warnings;
+    char text[512];
 
     if (asperity_check_loads(model, o->lowest, o->highest, &warnings) != ASPERITY_OK)
         return library_failed("asperity_check_loads");
-    for (uint64_t bit = 1; bit <= warnings; bit *= 2)
-        if (warnings & bit)
-            fprintf(stderr, "friction_curve: warning: %s\n", asperity_warning_string(bit));
+    for (uint64_t bit = 1; bit <= warnings; bit *= 2) {
+        if (!(warnings & bit))
+            continue;
+        asperity_warnings_text(bit, text, sizeof text);
+        fprintf(stderr, "friction_curve: warning: %s\n", text);
+    }
     return 0;
 }
 

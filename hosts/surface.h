@@ -32,8 +32,11 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
         printf("surface: %s\n", message);
         return 0;
     }
-    for (uint64_t bit = 1; bit <= warnings; bit *= 2)
-        if (warnings & bit) printf("surface from %.4g to %.4g: %s\n", lightest, heaviest, asperity_warning_string(bit));
+    for (uint64_t bit = 1; bit <= warnings; bit *= 2) {
+        if (!(warnings & bit)) continue;
+        asperity_warnings_text(bit, message, sizeof message);
+        printf("surface from %.4g to %.4g: %s\n", lightest, heaviest, message);
+    }
     if (!(params.hardness > 0)) printf("surface: the hardness is not given: whether summits yield is not known\n");
     warnings &= ~(uint64_t)ASPERITY_WARNING_UNCALIBRATED;
     if (warnings != 0 || !(params.hardness > 0)) return 0;

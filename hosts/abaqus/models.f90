@@ -112,15 +112,14 @@ contains
     real(c_double), intent(in) :: surface  ! its number, as a property of the input file
     real(c_double), intent(in), contiguous :: pressure(:)
     real(c_double), intent(out), contiguous :: mu(:), slope(:)
-    integer :: i, number, stat
+    integer :: number, stat
     mu = 0
     slope = 0
     if (.not. is_ready(surface)) return
     number = nint(surface)
-    do i = 1, size(pressure)
-      ! stat: NaN gives NaN, and separation 0, without a stop
-      mu(i) = laws(number)%friction_at_pressure(pressure(i), nominal_areas(number), slope(i), stat)
-    end do
+    ! With stat a pressure that is NaN gives NaN, and does not stop the program.
+    mu = laws(number)%friction_at_load(pressure * nominal_areas(number), slope, stat)
+    slope = slope * nominal_areas(number)
   end subroutine friction_coefficients
 
   ! Shear stress that slips [stress] at a pressure [stress], and its slope [-]. Adhesion makes it positive also at zero
@@ -133,7 +132,7 @@ contains
     slope = 0
     if (.not. is_ready(surface)) return
     number = nint(surface)
-    strength = laws(number)%shear_stress_at_pressure(pressure, nominal_areas(number), slope, stat)
+    strength = laws(number)%friction_force_at_load(pressure * nominal_areas(number), slope, stat) / nominal_areas(number)
     slope = min(slope, huge(slope))  ! infinite at the pull-off pressure itself
   end subroutine shear_strength
 

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "asperity.h"
+#include "asperity_loads.h"
 #include "slv_c_utils.h"
 
 adams_c_Cffsub Cffsub;
@@ -82,13 +83,13 @@ void Cffsub(const struct sAdamsContactFriction *contact, double time, const doub
     const asperity_model *model = model_of(contact->contact.ID, contact->PAR);
     /* Not 0: the solver asks which variables the force depends on, or saves; there is nothing beyond the arguments. */
     if (model == NULL || iflag) return;
-    const double slip = hypot(xdot[0], xdot[1]);
-    const double friction = asperity_slip_force(model, nforce, slip, contact->PAR[SPEED], NULL, NULL);
-    if (isnan(friction)) {
+    const double slip = hypot(xdot[0], xdot[1]), strength = asperity_friction_force_at_load(model, nforce);
+    if (!isgreater(contact->PAR[SPEED], 0) || !isfinite(slip) || isnan(strength)) {
         stop(contact->contact.ID, "v0 must be > 0, and normal force and slip velocity must be finite");
         return;
     }
     if (slip > 0) {
+        const double friction = asperity_slip_force(strength, slip, contact->PAR[SPEED]);
         force[0] = -friction * (xdot[0] / slip);
         force[1] = -friction * (xdot[1] / slip);
     }

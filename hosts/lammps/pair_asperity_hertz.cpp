@@ -27,6 +27,12 @@ enum { EXTRA = 8, SINGLE = 9 };
 // A run is warned of if the model holds for less of the load: a few light contacts, of which there are always some, say little.
 const double least_held = 0.99;
 
+std::string said_by(std::uint64_t warning) {
+    char text[512];
+    asperity_warnings_text(warning, text, sizeof text);
+    return text;
+}
+
 }    // namespace
 
 PairAsperityHertz::PairAsperityHertz(LAMMPS *lmp) : Pair(lmp) {
@@ -306,12 +312,12 @@ void PairAsperityHertz::finish() {
     MPI_Allreduce(&sums_.warnings, &warnings, 1, MPI_UINT64_T, MPI_BOR, world);
     MPI_Allreduce(&sums_.told, &told, 1, MPI_UINT64_T, MPI_BOR, world);
     for (std::uint64_t bit = 1; comm->me == 0 && bit <= told; bit *= 2)
-        if (told & bit) error->warning(FLERR, "pair_style asperity/hertz: {}", asperity_warning_string(bit));
+        if (told & bit) error->warning(FLERR, "pair_style asperity/hertz: {}", said_by(bit));
     if (comm->me != 0 || !(all[1] < least_held * all[0])) return;
     for (std::uint64_t bit = 1; bit <= warnings; bit *= 2)
         if (warnings & bit)
             error->warning(FLERR, "pair_style asperity/hertz: the model holds for contacts with {:.3g} % of the load: {}",
-                           100 * all[1] / all[0], asperity_warning_string(bit));
+                           100 * all[1] / all[0], said_by(bit));
 }
 
 // ---- Restart files: the words of the script, from which the laws are made anew ----

@@ -351,10 +351,12 @@ static void tell_warnings(const mjModel *m, const mjData *d, int instance) {
         const double load = known->pairs[i].taken ? known->pairs[i].known.load : 0;
         uint64_t warnings = asperity_told_anew(&here->told, here->model, load);
         if (warnings && here->said) warnings &= ~atomic_fetch_or(here->said, warnings);
-        for (uint64_t bit = 1; bit <= warnings; bit *= 2)
-            if (warnings & bit)
-                mju_warning(PLUGIN ", instance '%s', at a load of %g: %s", instance_name(m, instance), load,
-                            asperity_warning_string(bit));
+        for (uint64_t bit = 1; bit <= warnings; bit *= 2) {
+            if (!(warnings & bit)) continue;
+            char text[512];
+            asperity_warnings_text(bit, text, sizeof text);
+            mju_warning(PLUGIN ", instance '%s', at a load of %g: %s", instance_name(m, instance), load, text);
+        }
     }
 }
 

@@ -62,9 +62,13 @@ static inline double asperity_modelica_force(void *object, double load)
     const uint64_t warnings = asperity_told_anew(&law->told, law->model, load);
     uint64_t bit;
 
-    for (bit = 1; bit <= warnings; bit *= 2)
-        if (warnings & bit)
-            ModelicaFormatMessage("asperity: warning at a load of %g N: %s\n", load, asperity_warning_string(bit));
+    for (bit = 1; bit <= warnings; bit *= 2) {
+        char text[512];
+        if (!(warnings & bit))
+            continue;
+        asperity_warnings_text(bit, text, sizeof text);
+        ModelicaFormatMessage("asperity: warning at a load of %g N: %s\n", load, text);
+    }
     return asperity_friction_force_at_load(law->model, load);
 }
 
