@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests the JavaScript package and the explorer: types, bits and messages against the native library and the Python package
-# of the source tree, layouts against a C compiler, copied programs, and the page in Chromium.
+# Tests the JavaScript package and the explorer: types, every function, the numbers of the Python package of the source
+# tree, layouts against a C compiler, copied programs, and the page in Chromium.
 #
 # usage: js/test.sh [--quick]     --quick: the package alone, without the explorer
 # CARGO_TARGET_DIR is honoured, CHROMIUM names the browser; FIREFOX=/usr/bin/firefox-esr has the page tried in Firefox in its
@@ -11,7 +11,7 @@ cd "$(dirname "$0")/.."
 
 if [ "${1:-}" = --quick ]; then
     tests/setup.sh node
-    tests=(test/package.test.mjs test/guide.test.mjs test/layout.test.mjs)
+    tests=(test/package.test.mjs test/smoke.test.mjs test/guide.test.mjs test/layout.test.mjs)
 else
     tests/setup.sh validation web
     cd js && tests=(test/*.test.mjs) && cd ..

@@ -32,15 +32,27 @@ export function curveOf(library, params, [lightest, heaviest], text) {
 }
 
 /**
- * Finds between which loads of a curve each of its warnings holds, once: `span`, its ends those of the curve if it holds there.
- * It takes about as long as the curve itself.
+ * Finds between which loads of a curve each of its warnings holds, once: `span`, its ends those of the curve if it holds there;
+ * NaN if it holds between two points of the curve alone.
  */
-export function findSpans({ model, loads, warnings }) {
+export function findSpans({ model, loads, states, warnings }) {
   for (const warning of warnings) {
     if (warning.span) continue;
-    const [lightest, heaviest] = model.warningLoads(warning.bit) ?? [NaN, NaN];
-    warning.span = [Math.max(lightest, loads[0]), Math.min(heaviest, loads.at(-1))];
+    const holds = (state) => (state.warnings & warning.bit) !== 0;
+    const [first, last] = [states.findIndex(holds), states.findLastIndex(holds)];
+    const edge = (inside, outside) => (outside in loads ? bisected(loads[inside], loads[outside], (load) => holds(model.stateAtLoad(load))) : loads[inside]);
+    warning.span = first < 0 ? [NaN, NaN] : [edge(first, first - 1), edge(last, last + 1)];
   }
+}
+
+/** The load next to `outside` at which something holds that holds at `inside`, to some 1e-5. */
+function bisected(inside, outside, holds) {
+  for (let i = 0; i < 13; i++) {
+    const middle = Math.sqrt(inside * outside);
+    if (holds(middle)) inside = middle;
+    else outside = middle;
+  }
+  return inside;
 }
 
 /** Whether a warning holds in a part of the curve only, from one load to another. */

@@ -24,17 +24,19 @@ const UNITS = {
 const BODIES = ["E1", "nu1", "E2", "nu2"];
 const MEASURED = ["calibration_load", "calibration_friction_coefficient"];
 const MOMENTS = ["m0", "m2", "nominal_area"];
-const YIELDING = ["contact_law", "hardness", "work_of_adhesion"];
 
-/** The parameters that are set one by one: not by the setters of two bodies, of summits that yield, of moments and of a measured point. */
+/** The parameters that are set one by one: not by the setters of two bodies, of moments and of a measured point. */
 function single(params) {
-  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), ...("contact_law" in params ? YIELDING : []), ...MEASURED];
+  const set = [...BODIES, ...("m0" in params ? MOMENTS : []), ...MEASURED];
   return Object.entries(params).filter(([name]) => !set.includes(name));
 }
 
 const isMeasured = (params) => MEASURED.every((name) => name in params);
 
 const list = (params, names, form) => names.map((name) => form(params[name])).join(", ");
+
+/** A constant of the library, or a number. */
+const constantOr = (form) => (value) => (value === "elastic-plastic" ? "ASPERITY_CONTACT_ELASTIC_PLASTIC" : form(value));
 
 /** A number as all of these languages write one that is not whole: shortest, and with all its digits. */
 function real(value) {
@@ -45,13 +47,12 @@ function real(value) {
 function c(params, surface, load) {
   const lines = [`asperity_params_set_materials(&params, ${list(params, BODIES, real)}); /* E [Pa], nu */`];
   for (const [name, value] of single(params))
-    lines.push(`params.${name} = ${real(value)};${UNITS[name] ? ` /* [${UNITS[name]}] */` : ""}`);
+    lines.push(`params.${name} = ${constantOr(real)(value)};${UNITS[name] ? ` /* [${UNITS[name]}] */` : ""}`);
   if ("m0" in params)
     lines.push(
       "/* variances of height [m^2] and slope along profiles, of curvature (0: not known), nominal area [m^2] */",
       `asperity_params_set_spectral_moments(&params, ${list({ ...params, m4: 0 }, ["m0", "m2", "m4", "nominal_area"], real)});`,
     );
-  if (params.contact_law) lines.push(`asperity_params_set_elastic_plastic(&params, ${real(params.hardness)}); /* hardness [Pa] */`);
   if ("kurtosis" in params) lines.push("params.height_distribution = ASPERITY_HEIGHTS_JOHNSON;");
   const calibrate = isMeasured(params)
     ? `asperity_params_calibrate(&params, ${list(params, MEASURED, real)}) != ASPERITY_OK || /* measured: load [N], friction coefficient */\n        `
@@ -78,8 +79,7 @@ int main(void) {
 }
 
 function cpp(params, surface, load) {
-  const law = (value) => (value === "elastic-plastic" ? "ASPERITY_CONTACT_ELASTIC_PLASTIC" : real(value));
-  const pairs = Object.entries(params).map(([name, value]) => `{"${name}", ${law(value)}},`);
+  const pairs = Object.entries(params).map(([name, value]) => `{"${name}", ${constantOr(real)(value)}},`);
   return `// ${surface.first} on ${surface.second}, in SI units. c++ -std=c++17 friction.cpp $(pkg-config --cflags --libs asperity)
 #include <asperity.hpp>
 
@@ -104,14 +104,12 @@ function fortran(params, surface, load) {
   const kind = (value) => `${real(value)}_c_double`;
   const lines = [`call asperity_check(asperity_params_set_materials(params, ${list(params, BODIES, kind)}))  ! E [Pa], nu`];
   for (const [name, value] of single(params))
-    lines.push(`params%${name} = ${kind(value)}${UNITS[name] ? `  ! [${UNITS[name]}]` : ""}`);
+    lines.push(`params%${name} = ${constantOr(kind)(value)}${UNITS[name] ? `  ! [${UNITS[name]}]` : ""}`);
   if ("m0" in params)
     lines.push(
       "call asperity_check(asperity_params_set_spectral_moments(params, &",
       `                    ${list({ ...params, m4: 0 }, ["m0", "m2", "m4", "nominal_area"], kind)}))  ! m0 [m^2], m2, m4: not known, area [m^2]`,
     );
-  if (params.contact_law)
-    lines.push(`call asperity_check(asperity_params_set_elastic_plastic(params, ${kind(params.hardness)}))  ! hardness [Pa]`);
   if ("kurtosis" in params) lines.push("params%height_distribution = ASPERITY_HEIGHTS_JOHNSON");
   if (isMeasured(params))
     lines.push("! Measured: load [N], friction coefficient", `call asperity_check(asperity_params_calibrate(params, ${list(params, MEASURED, kind)}))`);

@@ -4,14 +4,12 @@ import { AsperityError, Library } from "./library.js";
 import { estimate, estimateText } from "./estimate.js";
 import { materialsOf } from "./materials.js";
 import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
-import { calibrate, calibrateForce, paper, readEstimate, readText, toText, withElasticPlastic, withInterface } from "./params.js";
-import { mccoolSummits } from "./roughness.js";
+import { calibrate, calibrateForce, paper, readEstimate, readText, toText, withInterface } from "./params.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./estimate.js").Estimate} Estimate */
 /** @typedef {import("./model.js").State} State */
 /** @typedef {import("./model.js").Summary} Summary */
-/** @typedef {import("./model.js").Sensitivities} Sensitivities */
 /** @typedef {import("./model.js").Warning} Warning */
 /** @typedef {import("./materials.js").Material} Material */
 /** @typedef {import("./materials.js").Pair} Pair */
@@ -24,8 +22,6 @@ import { mccoolSummits } from "./roughness.js";
  * @property {string} version of the library
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
  * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
- * @property {(moments: import("./roughness.js").Moments, nominal_area: number) => Params} mccoolSummits roughness from
- *   spectral moments as McCool has it, all summits with one radius
  * @property {<T extends number | ArrayLike<number>>(text: string, load: T) => T extends number ? Estimate : Estimate[]} estimate
  *   friction at loads with its band, from the text of a surface alone
  * @property {(text: string, load: number | ArrayLike<number>) => string} estimateText the same for people
@@ -37,8 +33,6 @@ import { mccoolSummits } from "./roughness.js";
  *   of the interface from one measured friction coefficient
  * @property {(params: Params, load: number, frictionForce: number) => Params} calibrateForce the same from a measured friction
  *   force, for loads that are 0 or pull
- * @property {(params: Params, hardness: number) => Params} withElasticPlastic the same surfaces with summits that yield, which do
- *   not adhere
  * @property {(params: Params, name: string) => Params} withInterface the same surfaces with the strength of one of INTERFACES, in SI
  *   units
  * @property {() => number} memorySize how much memory the instance has taken [bytes]
@@ -56,7 +50,6 @@ export const Status = Object.freeze({
   SEPARATED: CONSTANTS.SEPARATED,
   OUT_OF_RANGE: CONSTANTS.OUT_OF_RANGE,
   NOT_CONVERGED: CONSTANTS.NOT_CONVERGED,
-  OUT_OF_MEMORY: CONSTANTS.OUT_OF_MEMORY,
   INTERNAL: CONSTANTS.INTERNAL,
 });
 
@@ -79,7 +72,6 @@ export async function instantiate(source) {
     warningsOf: (bits) => warningsOf(library, bitsOf("bits", bits)),
     warningsText: (bits) => warningsText(library, bitsOf("bits", bits)),
     ...materialsOf(library),
-    mccoolSummits: (moments, nominal_area) => mccoolSummits(library, moments, nominal_area),
     estimate: (text, load) => estimate(library, text, load),
     estimateText: (text, load) => estimateText(library, text, load),
     readText: (text, params) => readText(library, text, params),
@@ -88,7 +80,6 @@ export async function instantiate(source) {
     paper: () => paper(library),
     calibrate: (params, load, frictionCoefficient) => calibrate(library, params, load, frictionCoefficient),
     calibrateForce: (params, load, frictionForce) => calibrateForce(library, params, load, frictionForce),
-    withElasticPlastic: (params, hardness) => withElasticPlastic(library, params, hardness),
     withInterface: (params, name) => withInterface(library, params, name),
     memorySize: () => library.memory.buffer.byteLength,
   };

@@ -146,9 +146,13 @@ export class Library {
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
-  /** Lays a name into the block, for one call. The library reads no more of it than this. @param {string} name */
+  /**
+   * Lays a name into the block, for one call that may also write a text. The library reads no more of it than this.
+   * @param {string} name
+   */
   text(name) {
-    return this.bytes(new TextEncoder().encode(`${name.slice(0, 64)}\0`));
+    new Uint8Array(this.memory.buffer).set(new TextEncoder().encode(`${name.slice(0, 64)}\0`), this.out);
+    return this.out;
   }
 
   /**

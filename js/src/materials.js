@@ -1,5 +1,5 @@
 // Materials, pairs of them and interfaces, with sources, in SI units, as the library has them.
-import { CONSTANTS, LAYOUTS } from "./header.js";
+import { CONSTANTS } from "./header.js";
 import { AsperityError } from "./library.js";
 import { readStruct, writeParams } from "./params.js";
 
@@ -81,8 +81,9 @@ export function materialsOf(library) {
     return { adhesion_range: found.burgers_vector, ...found };
   };
   const interfaceOf = (/** @type {string} */ name) => interfaceNamed(library, name);
-  const [MATERIALS, PAIRS] = [table(library, "material", material), table(library, "pair", pair)];
-  const INTERFACES = table(library, "interface", interfaceOf);
+  const MATERIALS = table(library, CONSTANTS.NAMES_MATERIALS, material);
+  const PAIRS = table(library, CONSTANTS.NAMES_PAIRS, pair);
+  const INTERFACES = table(library, CONSTANTS.NAMES_INTERFACES, interfaceOf);
   return { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact };
 }
 
@@ -96,17 +97,18 @@ function ofPair(library, name) {
 }
 
 /**
+ * All entries of a kind, by name.
  * @template Entry
  * @param {import("./library.js").Library} library
- * @param {string} of
+ * @param {number} kind
  * @param {(name: string) => Entry} read
  * @returns {Readonly<Record<string, Entry>>}
  */
-function table(library, of, read) {
+function table(library, kind, read) {
   /** @type {Record<string, Entry>} */
   const found = {};
   for (let index = 0; ; index++) {
-    const pointer = library.call(`${of}_name`, index);
+    const pointer = library.call("name", kind, index);
     if (!pointer) return Object.freeze(found);
     const name = library.string(pointer);
     found[name] = read(name);
@@ -115,61 +117,40 @@ function table(library, of, read) {
 
 /** @param {import("./library.js").Library} library @param {string} name @returns {Material} */
 function materialOf(library, name) {
-  const data = named(library, "material", name);
-  return {
-    name: data.name,
-    young: data.young,
-    young_range: range(data.young_low, data.young_high),
-    poisson: data.poisson,
-    hardness: known(data.hardness),
-    hardness_range: range(data.hardness_low, data.hardness_high),
-    burgers_vector: known(data.burgers_vector),
-    reference: data.reference,
-  };
+  const { young_low, young_high, hardness_low, hardness_high, ...found } = described(library, "MATERIALS", name);
+  return { hardness: null, burgers_vector: null, ...found, young_range: range(young_low, young_high),
+    hardness_range: range(hardness_low, hardness_high) };
 }
 
 /** @param {import("./library.js").Library} library @param {string} name @returns {Pair} */
 function pairOf(library, name) {
-  const data = named(library, "pair", name);
-  const [first, second] = data.name.split("/");
-  return {
-    name: data.name,
-    first,
-    second,
-    work_of_adhesion: data.work_of_adhesion,
-    work_of_adhesion_range: range(data.work_of_adhesion_low, data.work_of_adhesion_high),
-    hamaker: known(data.hamaker),
-    slip_stress_1: known(data.slip_stress_1),
-    reference: data.reference,
-  };
+  const { work_of_adhesion_low, work_of_adhesion_high, ...found } = described(library, "PAIRS", name);
+  const [first, second] = found.name.split("/");
+  return { first, second, hamaker: null, slip_stress_1: null, ...found,
+    work_of_adhesion_range: range(work_of_adhesion_low, work_of_adhesion_high) };
 }
+
+const UNKNOWN = { shear_strength: null, pressure_coefficient: null, friction_coefficient: null, load: null };
 
 /** @param {import("./library.js").Library} library @param {string} name @returns {Interface} */
-function interfaceNamed(library, name) {
-  const data = named(library, "interface", name);
-  return {
-    name: data.name,
-    shear_strength: known(data.shear_strength),
-    pressure_coefficient: known(data.pressure_coefficient),
-    friction_coefficient: known(data.friction_coefficient),
-    load: known(data.load),
-    conditions: data.conditions,
-    source: data.source,
-    reference: data.reference,
-  };
+const interfaceNamed = (library, name) => ({ ...UNKNOWN, ...described(library, "INTERFACES", name) });
+
+/**
+ * What the library tells of a name, by key; what it leaves out is not known.
+ * @param {import("./library.js").Library} library
+ * @param {"MATERIALS" | "PAIRS" | "INTERFACES"} kind
+ * @param {string} name
+ * @returns {any}
+ */
+function described(library, kind, name) {
+  if (typeof name !== "string") throw new TypeError(`${kind.toLowerCase().slice(0, -1)} = ${String(name)}: must be a name`);
+  const asked = library.text(name);
+  const lines = library.written((buffer, length) => library.call("describe", CONSTANTS[`NAMES_${kind}`], asked, buffer, length));
+  if (!lines) throw new AsperityError(library.lastError(), CONSTANTS.INVALID_PARAMETER);
+  // Strings and numbers of TOML as the library writes them are those of JSON.
+  const values = [...lines.matchAll(/^(\w+) = ("(?:[^"\\]|\\.)*"|[^\s#]+)/gm)];
+  return Object.fromEntries(values.map(([, key, value]) => [key, JSON.parse(value)]));
 }
 
-/** The struct of this name, with its strings. @param {import("./library.js").Library} library @param {string} of @param {string} name */
-function named(library, of, name) {
-  if (typeof name !== "string") throw new TypeError(`${of} = ${String(name)}: must be a name`);
-  const struct = `asperity_${of}_data`;
-  const found = library.fill(struct, of, library.text(name));
-  for (const { name: field, type, offset } of LAYOUTS[struct].fields)
-    if (type === "pointer") found[field] = library.string(library.data().getUint32(library.out + offset, true));
-  return found;
-}
-
-/** 0 is the library's word for what no source is known for. @param {number} value */
-const known = (value) => (value > 0 ? value : null);
-/** @param {number} low @param {number} high */
-const range = (low, high) => (high > 0 ? [low, high] : null);
+/** @param {number | undefined} low @param {number | undefined} high */
+const range = (low, high) => (low === undefined || high === undefined ? null : [low, high]);

@@ -6,7 +6,6 @@ import { readParams, writeParams } from "./params.js";
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./header.js").State} State */
 /** @typedef {import("./header.js").Summary} Summary */
-/** @typedef {import("./header.js").Sensitivities} Sensitivities */
 /** An assumption of the model that fails, and what to do about it. @typedef {{ name: string, bit: number, text: string }} Warning */
 /** @typedef {ArrayLike<number>} Loads */
 
@@ -110,34 +109,15 @@ export class Model {
   }
 
   /**
-   * Tangential stiffness K_t [force/length] at a load, or at many: force by displacement while all contacts stick.
+   * Tangential stiffness K_t [force/length] at a load, or at many: force by displacement while all contacts stick. Divided by
+   * `stiffness_per_radius` of the summary it is the sum of the radii of all contacts. Their conductance, thermal or electrical, is
+   * 2 k times that sum, with 1/k the mean of both bodies' 1/conductivity.
    * @template {number | Loads} T
    * @param {T} load normal load [force]
    * @returns {T extends number ? number : Float64Array}
    */
   tangentialStiffnessAtLoad(load) {
     return this.#values("tangential_stiffness_at_loads", load);
-  }
-
-  /**
-   * Sum of the radii of all contacts [length] at a load, or at many: the conductance of the contacts, thermal or electrical, is 2 k
-   * times it, with 1/k the mean of both bodies' 1/conductivity.
-   * @template {number | Loads} T
-   * @param {T} load normal load [force]
-   * @returns {T extends number ? number : Float64Array}
-   */
-  contactRadiusSumAtLoad(load) {
-    return this.#values("contact_radius_sum_at_loads", load);
-  }
-
-  /**
-   * Sum of the radii of all contacts and its slope by the load [length/force].
-   * @template {number | Loads} T
-   * @param {T} load normal load [force]
-   * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
-   */
-  contactRadiusSumAndSlopeAtLoad(load) {
-    return this.#valuesAndSlopes("contact_radius_sum_at_loads", load);
   }
 
   /**
@@ -190,16 +170,6 @@ export class Model {
     return this.library.fill("asperity_state", "state_at_gap", this.#open, gap);
   }
 
-  /**
-   * Logarithmic derivatives of the friction force at a load with respect to each parameter: per cent of friction for each per
-   * cent of the parameter.
-   * @param {number} load normal load [force], above the pull-off load
-   * @returns {Sensitivities}
-   */
-  sensitivitiesAtLoad(load) {
-    return this.library.fill("asperity_sensitivities", "sensitivities_at_load", this.#open, load);
-  }
-
   /** The constants of the model: dimensionless groups, pull-off, extent and error of the table. @returns {Summary} */
   summary() {
     return this.library.fill("asperity_summary", "summary_of", this.#open);
@@ -214,19 +184,6 @@ export class Model {
   checkLoads(lightest, heaviest) {
     this.library.run("check_loads", this.#open, lightest, heaviest, this.library.out);
     return warningsOf(this.library, this.library.data().getBigUint64(this.library.out, true));
-  }
-
-  /**
-   * The loads of the compiled table between which a warning holds.
-   * @param {number} warning one bit, the `bit` of a `Warning`
-   * @returns {[lightest: number, heaviest: number] | null} normal loads [force]; null if it holds at none
-   * @throws {AsperityError} not one known bit
-   */
-  warningLoads(warning) {
-    const { out } = this.library;
-    this.library.run("warning_loads", this.#open, bitsOf("warning", warning), out, out + 8);
-    const lightest = this.library.data().getFloat64(out, true);
-    return Number.isNaN(lightest) ? null : [lightest, this.library.data().getFloat64(out + 8, true)];
   }
 
   /**
@@ -317,7 +274,7 @@ export function warningsOf(library, bits) {
   for (let bit = 1n; bit <= bits; bit <<= 1n) {
     if (!(bits & bit)) continue;
     const name = WARNINGS.find((warning) => BigInt(warning.bit) === bit)?.name ?? `bit ${bit}`;
-    found.push({ name, bit: Number(bit), text: library.string(library.call("warning_string", bit)) });
+    found.push({ name, bit: Number(bit), text: warningsText(library, bit) });
   }
   return found;
 }

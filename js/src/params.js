@@ -101,22 +101,8 @@ function measuredBy(library, call, params, measurement) {
 export function withInterface(library, params, name) {
   if (typeof name !== "string") throw new TypeError(`interface = ${String(name)}: must be a name`);
   const surfaces = withoutPoint(params);
-  writeParams(library, surfaces);
-  library.run("params_set_interface", library.struct, library.text(name));
-  return { ...surfaces, ...only(readStruct(library), ["slip_stress_1", "slip_stress_2", "pressure_coefficient"]) };
-}
-
-/**
- * The same surfaces with summits that yield, which do not adhere: for metals.
- * @param {import("./library.js").Library} library
- * @param {Params} params
- * @param {number} hardness indentation hardness of the softer body [stress]
- * @returns {Params}
- */
-export function withElasticPlastic(library, params, hardness) {
-  initParams(library);
-  library.run("params_set_elastic_plastic", library.struct, number("hardness", hardness));
-  return { ...params, ...only(readStruct(library), ["contact_law", "hardness", "work_of_adhesion"]) };
+  const found = readText(library, `interface = ${JSON.stringify(name)}`, surfaces);
+  return { ...surfaces, ...only(found, ["slip_stress_1", "slip_stress_2", "pressure_coefficient"]) };
 }
 
 /**

@@ -1,6 +1,5 @@
 // Spectral moments of a rough surface, from areal parameters or from a height map, as asperity.Params.from_iso25178 and
-// asperity.surface of the Python package compute them; and summits from moments.
-import { initParams, number, only, readStruct } from "./params.js";
+// asperity.surface of the Python package compute them.
 
 /** Variances of height, slope and, where it is known, curvature along profiles. @typedef {{ m0: number, m2: number, m4?: number }} Moments */
 
@@ -18,25 +17,6 @@ export function momentsOfAreal({ Sq, Sdq, Sds, Ssc }) {
   const moments = { m0: Sq * Sq, m2 };
   if (Ssc !== undefined) return { ...moments, m4: ((9 * Math.PI) / 64) * Ssc * Ssc };
   return Sds === undefined ? moments : { ...moments, m4: 6 * Math.PI * Math.sqrt(3) * m2 * Sds };
-}
-
-/** What `asperity_params_set_mccool_summits` sets. */
-const SUMMITS = ["height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "radius_amplitude", "radius_rate",
-  "summit_mean_height", "rms_slope"];
-
-/**
- * The summits of a Gaussian surface, all with one radius (McCool, 1987), to compare with literature: right for narrow spectra
- * alone. Moments as parameters, `new Model({ m0, m2, nominal_area, ... })`, are right for all. m4 must be known.
- * @param {import("./library.js").Library} library
- * @param {Moments} moments
- * @param {number} nominal_area [length^2]
- * @returns {import("./params.js").Params}
- */
-export function mccoolSummits(library, { m0, m2, m4 }, nominal_area) {
-  const values = Object.entries({ m0, m2, m4, nominal_area }).map(([name, value]) => number(name, value));
-  initParams(library);
-  library.run("params_set_mccool_summits", library.struct, ...values);
-  return only(readStruct(library), SUMMITS);
 }
 
 /**

@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { root, scratch } from "./native.mjs";
+import { root, scratch } from "./paths.mjs";
 
 const js = fileURLToPath(new URL("..", import.meta.url));
 const folder = resolve(scratch, "user");

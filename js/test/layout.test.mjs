@@ -5,7 +5,7 @@ import { writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { test } from "node:test";
 import { LAYOUTS } from "../dist/header.js";
-import { root, scratch } from "./native.mjs";
+import { root, scratch } from "./paths.mjs";
 
 /** Compiles assertions of the layouts for wasm32; throws with the compiler's words if one fails. */
 function compile(layouts) {

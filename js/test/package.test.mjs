@@ -1,89 +1,36 @@
-// The package in Node: every number is the native library's, bit for bit, and so is every message.
+// The package in Node: what JavaScript adds to the library. That every function answers is asked in smoke.test.mjs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, interfaceOf, material, memorySize, mccoolSummits, pair, paper, readEstimate, readText, toText, version, warningsOf, warningsText, withElasticPlastic, withInterface } from "asperity";
+import { AsperityError, INTERFACES, MATERIALS, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, interfaceOf, material, memorySize, pair, paper, readEstimate, readText, toText, version, warningsOf, warningsText, withInterface } from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { answers, bits, contactOf, entries, entryOf, mccoolOf, warningLoads, warningsText as nativeText } from "./native.mjs";
 
 const silicon = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5, nominal_area: 1e-8 };
-const surfaces = {
-  silicon,
-  "a pair with a measured slip stress": { ...contact("mica", "Au"), m0: 4e-18, m2: 0.002, m4: 8e12, nominal_area: 1e-9 },
-  "Weibull heights": { ...silicon, skew: -0.4 },
-  "Johnson heights": { ...silicon, skew: 0.3, kurtosis: 3.5 },
-  "radii that grow with height": { ...silicon, radius_amplitude: 0.5, radius_rate: 1 },
-  "no adhesion": { ...silicon, work_of_adhesion: 0, attraction: 0 },
-  "strong adhesion": { ...silicon, work_of_adhesion: 2, adhesion_range: 2e-10 },
-  "summits that yield": { ...contact("steel", "steel"), contact_law: 1, work_of_adhesion: 0, height_std: 2e-7,
-    summit_radius: 2e-5, asperity_count: 1e4, nominal_area: 1e-6 },
-  "a strength that grows with pressure": { ...silicon, pressure_coefficient: 0.1 },
-  "one measured point": { ...silicon, pressure_coefficient: 0.02, calibration_load: 1e-3, calibration_friction_coefficient: 0.2 },
-};
-/** The bits of all warnings. */
-const KNOWN = Object.entries(CONSTANTS).flatMap(([name, bit]) => (name.startsWith("WARNING_") ? [bit] : []));
-const loads = Array.from({ length: 25 }, (_, i) => 1e-7 * 10 ** (i / 3));
+const sticky = { ...silicon, work_of_adhesion: 2, adhesion_range: 2e-10 };
+const yielding = { ...contact("steel", "steel"), contact_law: 1, work_of_adhesion: 0, height_std: 2e-7, summit_radius: 2e-5,
+  asperity_count: 1e4, nominal_area: 1e-6 };
 
-for (const [name, params] of Object.entries(surfaces)) {
-  test(`the load at a gap is that of the exact state: ${name}`, () => {
-    const model = new Model(params);
-    const { gap, dload_dgap: slope } = model.stateAtLoad(1e-3);
-    const found = model.loadAndSlopeAtGap(gap);
-    assert.ok(Math.abs(found.value / 1e-3 - 1) < 1e-8 && Math.abs(found.slope / slope - 1) < 1e-6);
-    assert.equal(model.loadAtGap(gap), found.value);
-    assert.deepEqual([...model.loadAtGap([1, gap])], [0, found.value]);
-    assert.throws(() => model.loadAtGap([gap, NaN]), /element 1: gap = NaN/);
-  });
-
-  test(`answers have the bits of the native library: ${name}`, () => {
-    const native = answers(params, loads);
-    assert.ok(native.loads, native.refused);
-    const model = new Model(params);
-    const friction = model.frictionAndSlopeAtLoad(loads);
-    const force = model.frictionForceAndSlopeAtLoad(loads);
-    const stiffness = model.tangentialStiffnessAtLoad(loads);
-    const radii = model.contactRadiusSumAndSlopeAtLoad(loads);
-    loads.forEach((load, i) => {
-      const numbers = [friction.value[i], friction.slope[i], force.value[i], force.slope[i], stiffness[i], radii.value[i], radii.slope[i]];
-      const { warnings, ...state } = model.stateAtLoad(load);
-      const ours = [...numbers, ...Object.values(state), ...Object.values(model.sensitivitiesAtLoad(load))].map(bits);
-      ours.splice(numbers.length + Object.keys(model.stateAtLoad(load)).indexOf("warnings"), 0, BigInt(warnings));
-      assert.deepEqual(ours, native.loads[i], `at ${load} N`);
-    });
-    const warnings = model.checkLoads(loads[0], loads.at(-1)).reduce((sum, { bit }) => sum + bit, 0);
-    assert.equal(BigInt(warnings), native.warnings);
-    const between = KNOWN.map((bit) => (model.warningLoads(bit) ?? [NaN, NaN]).map(bits));
-    assert.deepEqual(between, warningLoads(params, KNOWN));
-    model.free();
-  });
-}
+test("a load and a gap belong together, as in the exact state", () => {
+  const model = new Model(silicon);
+  const { gap, dload_dgap: slope } = model.stateAtLoad(1e-3);
+  const found = model.loadAndSlopeAtGap(gap);
+  assert.ok(Math.abs(found.value / 1e-3 - 1) < 1e-8 && Math.abs(found.slope / slope - 1) < 1e-6);
+  assert.equal(model.loadAtGap(gap), found.value);
+  assert.deepEqual([...model.loadAtGap([1, gap])], [0, found.value]);
+  assert.throws(() => model.loadAtGap([gap, NaN]), /element 1: gap = NaN/);
+});
 
 test("parameters that the library refuses are refused in its words", () => {
-  const bad = [
-    { ...silicon, height_std: -1 },
-    { ...silicon, heigth_std: 1 },
-    { ...silicon, summit_radius: NaN },
-    { ...silicon, skew: 0, kurtosis: 1 },
-    { ...silicon, work_of_adhesion: 63 },
-    { ...silicon, contact_law: 1 },
-    { ...silicon, slip_radius_1: 0.5 },
-    { ...silicon, nominal_area: 1e-2 },
-    { ...silicon, calibration_error: 5 },
-    { ...silicon, m0: 1e-18 },
-    contact("Si", "Si"),
-  ];
-  for (const params of bad) {
-    const { refused } = answers(params, [1]);
-    assert.ok(refused, JSON.stringify(params));
-    assert.throws(() => new Model(params), { name: "AsperityError", message: refused });
-  }
+  const bad = { height_std: /^height_std = -1: must be/, heigth_std: /^heigth_std: .*height_std/, contact_law: /hardness/ };
+  for (const [name, message] of Object.entries(bad))
+    assert.throws(() => new Model({ ...silicon, hardness: 0, [name]: name === "contact_law" ? 1 : -1 }), { name: "AsperityError", message });
+  assert.throws(() => new Model(contact("Si", "Si")), { name: "AsperityError", message: /^height_std: must be set/ });
 });
 
 test("loads that the library refuses are refused in its words, in arrays by their index", () => {
   const model = new Model(silicon);
-  const [heavy] = answers(silicon, [1e300]).loads;
-  assert.throws(() => model.frictionAtLoad(1e300), { message: heavy.refused, status: Status.OUT_OF_RANGE });
+  assert.throws(() => model.frictionAtLoad(1e300), { message: /^load = 1e300: must be at most/, status: Status.OUT_OF_RANGE });
   const many = new Float64Array(5000).fill(1e-3);
   many[4321] = NaN;
   const message = "element 4321: load = NaN: must be finite";
@@ -107,26 +54,10 @@ test("warnings come with what to do about them", () => {
   assert.equal(few.name, "FEW");
   assert.match(few.text, /^fewer than 20 summits touch, .* use heavier loads or a larger area/);
   assert.deepEqual(others.map(({ name }) => name), ["UNCALIBRATED", "BROAD"]);
-  assert.deepEqual(warningsOf(CONSTANTS.WARNING_STEEP | CONSTANTS.WARNING_FEW).map(({ name }) => name), ["STEEP", "FEW"]);
-});
-
-test("a warning holds between two loads, or at none", () => {
-  const model = new Model(silicon);
-  const [lightest, heaviest] = model.warningLoads(CONSTANTS.WARNING_FEW) ?? [];
-  assert.ok(lightest > 0 && heaviest > lightest);
-  const names = (load) => warningsOf(model.stateAtLoad(load).warnings).map(({ name }) => name);
-  assert.ok(names(0.999 * heaviest).includes("FEW") && !names(1.001 * heaviest).includes("FEW"));
-  assert.equal(new Model({ ...silicon, hardness: 0 }).warningLoads(CONSTANTS.WARNING_PLASTIC), null);
-  const [{ refused }] = warningLoads(silicon, [3]);
-  assert.throws(() => model.warningLoads(3), { name: "AsperityError", message: refused, status: Status.INVALID_PARAMETER });
-  for (const wrong of ["FEW", 1.5, -1]) assert.throws(() => model.warningLoads(/** @type {any} */ (wrong)), TypeError);
-});
-
-test("several warnings are told in the library's words, a line each", () => {
-  for (const bits of [0, CONSTANTS.WARNING_FEW, KNOWN.reduce((sum, bit) => sum + bit), 2 ** 40])
-    assert.equal(warningsText(bits), nativeText(bits));
+  const both = CONSTANTS.WARNING_STEEP | CONSTANTS.WARNING_FEW;
+  assert.deepEqual(warningsOf(both).map(({ name }) => name), ["STEEP", "FEW"]);
+  assert.equal(warningsText(both), warningsOf(both).map(({ text }) => text).join("\n"));
   assert.equal(warningsText(0), "no warning");
-  assert.equal(warningsText(CONSTANTS.WARNING_STEEP + CONSTANTS.WARNING_FEW).split("\n").length, 2);
   assert.throws(() => warningsText(/** @type {any} */ ("FEW")), TypeError);
 });
 
@@ -149,7 +80,7 @@ test("words stand for heights and contact laws, and parameters come back", () =>
   assert.throws(() => model.setParams({ ...silicon, height_std: -1 }), AsperityError);
   assert.equal(copy.frictionAtLoad(1e-3), model.frictionAtLoad(1e-3));
   model.setParams(silicon);
-  assert.equal(bits(model.frictionAtLoad(1e-3)), answers(silicon, [1e-3]).loads[0][0]);
+  assert.equal(model.frictionAtLoad(1e-3), new Model(silicon).frictionAtLoad(1e-3));
 });
 
 test("a table of heights is read, and handed back", () => {
@@ -167,7 +98,7 @@ test("a table of heights is read, and handed back", () => {
 
 test("a measured point is met, changes the slip stresses alone, and is kept", () => {
   const [load, mu] = [2e-3, 0.15];
-  for (const params of [silicon, { ...silicon, pressure_coefficient: 0.1 }, surfaces["summits that yield"]]) {
+  for (const params of [silicon, { ...silicon, pressure_coefficient: 0.1 }, yielding]) {
     const made = calibrate(params, load, mu);
     const model = new Model(made);
     assert.ok(Math.abs(model.frictionAtLoad(load) / mu - 1) < 1e-8);
@@ -184,7 +115,6 @@ test("a measured point is met, changes the slip stresses alone, and is kept", ()
     assert.deepEqual(calibrate({ ...params, ...other }, load, mu), made);
   }
   // With adhesion there is friction at no load.
-  const sticky = surfaces["strong adhesion"];
   const force = new Model(sticky).frictionForceAtLoad(0) / 3;
   assert.ok(Math.abs(new Model(calibrateForce(sticky, 0, force)).frictionForceAtLoad(0) / force - 1) < 1e-8);
 });
@@ -206,18 +136,6 @@ test("a measurement that is kept goes with the surfaces, and does not calibrate 
   assert.equal(again.params.calibrated.calibration_load, 2e-3);
   assert.equal(withInterface({ ...contact("steel", "steel"), ...params }, "MoS2 film in dry air").calibrated, undefined);
   assert.throws(() => new Model({ ...silicon, calibrated: /** @type {any} */ ({ calibration_load: 1 }) }), TypeError);
-});
-
-test("the strength counts as the default until something of it is given", () => {
-  const names = (params) => new Model(params).checkLoads(1e-4, 1e-2).map(({ name }) => name);
-  const one = { ...silicon, asperity_count: 1, nominal_area: 0 };
-  for (const params of [silicon, one, { ...silicon, slip_radius_1: 30 }]) assert.ok(names(params).includes("UNCALIBRATED"));
-  const given = { slip_stress_1: 0.01 };
-  for (const params of [calibrate(one, 1e-3, 0.2), { ...silicon, ...given }, { ...silicon, pressure_coefficient: 0.1 }])
-    assert.ok(!names(params).includes("UNCALIBRATED"));
-  // Measured is measured, also where the default was right.
-  const { friction_force } = new Model(silicon).stateAtLoad(1e-3);
-  assert.ok(!names(calibrateForce(silicon, 1e-3, friction_force)).includes("UNCALIBRATED"));
 });
 
 test("the paper's case has its groups", () => {
@@ -280,10 +198,9 @@ test("a text alone has friction with its band", () => {
 test("surfaces come back from their text, bit for bit", () => {
   const height = Float64Array.from({ length: 256 }, (_, i) => i + Math.sin(i) / 3);
   const table = { table_height: height, table_density: height.map((z) => Math.exp(-(((z - 128) / 30) ** 2))) };
-  const others = { paper: paper(), "a text": readText(STEEL), "a long table": { ...silicon, ...table } };
-  for (const [name, params] of Object.entries({ ...surfaces, ...others })) {
+  for (const params of [paper(), readText(STEEL), { ...silicon, ...table }]) {
     const { params: whole } = new Model(params);
-    assert.deepEqual(readText(toText(whole)), whole, name);
+    assert.deepEqual(readText(toText(whole)), whole);
   }
 });
 
@@ -295,13 +212,6 @@ test("a text that is wrong is refused with the line and the key", () => {
   assert.throws(() => readText("#".repeat(2 ** 20 + 1)), { status, message: /1048576|1 MiB/ });
   assert.ok(readText("#".repeat(2 ** 20)));
   assert.throws(() => readText(/** @type {any} */ (undefined)), TypeError);
-});
-
-test("summits that yield do not adhere", () => {
-  const made = withElasticPlastic(silicon, 11e9);
-  assert.deepEqual(made, { ...silicon, contact_law: "elastic-plastic", hardness: 11e9, work_of_adhesion: 0 });
-  assert.ok(new Model(made).frictionAtLoad(1e-3) > 0);
-  assert.throws(() => withElasticPlastic(silicon, 0), { status: Status.INVALID_PARAMETER, message: /^hardness = 0/ });
 });
 
 test("a measured point is that of the table of heights that is given with it", () => {
@@ -322,31 +232,6 @@ test("measured points that no strength gives are refused with the numbers", () =
   assert.throws(() => calibrateForce(silicon, 1e-3, 0), { status, message: /^friction_force = 0/ });
   assert.throws(() => calibrate(silicon, 1e-3, /** @type {any} */ (undefined)), TypeError);
   assert.throws(() => new Model({ ...silicon, calibration_load: 1e-3 }), /^AsperityError: calibration_load: must be given together/);
-});
-
-test("without adhesion a pressure coefficient adds itself to friction", () => {
-  const params = { ...silicon, work_of_adhesion: 0, attraction: false };
-  const [plain, pressed] = [new Model(params), new Model({ ...params, pressure_coefficient: 0.1 })];
-  for (const load of [1e-5, 1e-3, 1e-1]) {
-    assert.ok(Math.abs(pressed.frictionAtLoad(load) / (plain.frictionAtLoad(load) + 0.1) - 1) < 1e-9);
-    assert.ok(Math.abs(pressed.stateAtLoad(load).hertz_load / load - 1) < 1e-9);
-    const { pressure_coefficient } = plain.sensitivitiesAtLoad(load);
-    assert.ok(Math.abs(pressure_coefficient * plain.frictionAtLoad(load) - 1) < 1e-8);
-  }
-  const amontons = new Model({ ...params, pressure_coefficient: 0.1, slip_stress_1: 0, slip_stress_2: 0 });
-  assert.ok(Math.abs(amontons.frictionAtLoad(1e-3) / 0.1 - 1) < 1e-9);
-});
-
-test("the tangential force starts with the stiffness and ends at the friction force", () => {
-  const model = new Model(silicon);
-  const start = model.tangentialAtLoad(1e-3, 1e-15);
-  assert.ok(Math.abs(start.stiffness / model.tangentialStiffnessAtLoad(1e-3) - 1) < 1e-6);
-  assert.ok(Math.abs(model.tangentialAtLoad(1e-3, 1e-3).force / model.frictionForceAtLoad(1e-3) - 1) < 1e-9);
-});
-
-test("the sum of contact radii is that of the exact state", () => {
-  const model = new Model(silicon);
-  assert.ok(Math.abs(model.contactRadiusSumAtLoad(1e-3) / model.stateAtLoad(1e-3).contact_radius_sum - 1) < 1e-8);
 });
 
 test("a model that was freed says so, and can be freed again", () => {
@@ -390,21 +275,14 @@ test("constants of a model are read from its struct", () => {
   assert.ok(summary.pull_off_load < 0 && summary.table_error < 1e-8);
 });
 
-/** The numbers of a material, pair or interface in the order of C's struct; what is not known is 0 there. */
-const inOrder = ({ name, first, second, conditions, source, reference, ...numbers }) =>
-  Object.entries(numbers).flatMap(([key, value]) => (key.endsWith("_range") ? value ?? [0, 0] : [value ?? 0])).map(bits);
-
-test("materials, pairs and interfaces are those of the native library", () => {
-  for (const [what, ours] of Object.entries({ materials: MATERIALS, pairs: PAIRS, interfaces: INTERFACES })) {
-    const native = entries(what);
-    assert.ok(native.length > 20, what);
-    assert.deepEqual(Object.keys(ours), native.map(({ name }) => name));
-    for (const { name, reference, numbers } of native) {
-      assert.equal(ours[name].name, name);
-      assert.equal(ours[name].reference, reference);
-      assert.deepEqual(inOrder(ours[name]), numbers, name);
-    }
+test("materials, pairs and interfaces have their numbers and sources", () => {
+  for (const table of [MATERIALS, PAIRS, INTERFACES]) {
+    assert.ok(Object.keys(table).length > 20);
+    for (const [name, one] of Object.entries(table)) assert.ok(one.name === name && one.reference.length > 5, name);
   }
+  const { young, young_range, poisson } = MATERIALS.Si;
+  assert.ok(young_range[0] <= young && young <= young_range[1] && poisson > 0.1 && poisson < 0.5);
+  for (const { name, first, second } of Object.values(PAIRS)) assert.deepEqual(pair(`${second}/${first}`), PAIRS[name]);
 });
 
 test("what no source is known for is null", () => {
@@ -417,9 +295,9 @@ test("what no source is known for is null", () => {
 
 test("unknown names are refused in the library's words, with the nearest", () => {
   const status = Status.INVALID_PARAMETER;
-  for (const name of ["steal", "", "x".repeat(200), "Žlezo"])
-    assert.throws(() => material(name), { name: "AsperityError", message: entryOf("material", name).refused, status });
-  assert.throws(() => pair("steel/steal"), { message: entryOf("pair", "steel/steal").refused, status });
+  for (const name of ["steal", "", "x".repeat(200), "Žlezo"]) assert.throws(() => material(name), { name: "AsperityError", status });
+  assert.throws(() => material("steal"), /^AsperityError: steal: .*steel/);
+  assert.throws(() => pair("steel/steal"), { message: /steel/, status });
   assert.throws(() => contact("Si", "steal"), /steel/);
   assert.throws(() => contact("SiC", "WC"), { message: "work_of_adhesion: none is known for SiC/WC: give that of your surfaces, 0 for none", status });
   assert.equal(contact("SiC", "WC", { work_of_adhesion: 0.05 }).burgers_vector, material("SiC").burgers_vector);
@@ -439,44 +317,8 @@ test("an interface by its name sets its strength, or tells the friction coeffici
   assert.ok(!warningsOf(state.warnings).some(({ name }) => name === "UNCALIBRATED"));
   model.free();
   const status = Status.INVALID_PARAMETER;
-  assert.throws(() => interfaceOf("MoS2"), { message: entryOf("interface", "MoS2").refused, status });
+  assert.throws(() => interfaceOf("MoS2"), { message: /^MoS2: .*MoS2 film/, status });
   assert.throws(() => withInterface(measured, "steel/steel dry"), /only a friction coefficient of 0.57 at 12 N/);
   assert.throws(() => withInterface(summits, film.name), /effective_shear_modulus = NaN: must be in Pa/);
   assert.throws(() => withInterface(measured, /** @type {any} */ (1)), TypeError);
-});
-
-test("a contact has the parameters of the native library's pair, in either order", () => {
-  const summits = { height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
-  for (const { name, first, second } of Object.values(PAIRS)) {
-    assert.deepEqual(pair(`${second}/${first}`), PAIRS[name]);
-    const native = contactOf(name, ...Object.values(summits));
-    if (native.refused) {
-      assert.match(native.refused, /adhesion_range: must be set/);
-      assert.throws(() => contact(first, second), /^AsperityError: burgers_vector: none is known of a body of PDMS\/PDMS: give one$/);
-      assert.equal(contact(first, second, { burgers_vector: 1e-8 }).adhesion_range, 1e-8);
-      continue;
-    }
-    const model = new Model({ ...contact(first, second), ...summits });
-    for (const [key, value] of Object.entries(native)) assert.equal(bits(model.params[key]), value, `${name}: ${key}`);
-    model.free();
-  }
-});
-
-test("summits of McCool are those of the native library, and moments need no m4", () => {
-  const moments = { m0: 25e-18, m2: 0.0032, m4: 0.72e12 };
-  const made = mccoolSummits(moments, 1e-8);
-  const native = mccoolOf(...Object.values(moments), 1e-8);
-  for (const [key, value] of Object.entries(made)) assert.equal(bits(value), native[key], key);
-  assert.equal(Object.keys(made).length, 9);
-  const law = new Model({ ...contact("Si", "Si"), ...made });
-  assert.ok(law.frictionAtLoad(1e-3) > 0);
-  const { m4, ...two } = moments;
-  const { params } = new Model({ ...contact("Si", "Si"), ...two, nominal_area: 1e-8 });
-  assert.ok(params.radius_amplitude < 0 && params.bandwidth === 0 && params.rms_slope === 0.08);
-  const known = new Model({ ...contact("Si", "Si"), ...two, bandwidth: (m4 * moments.m0) / moments.m2 ** 2, nominal_area: 1e-8 }).params;
-  const same = new Model({ ...contact("Si", "Si"), ...moments, nominal_area: 1e-8 }).params;
-  assert.ok(Math.abs(known.summit_radius / same.summit_radius - 1) < 1e-14 && known.bandwidth === 0);
-  const narrow = { ...moments, m4: 0.5e12 };
-  assert.throws(() => mccoolSummits(narrow, 1e-8), { message: mccoolOf(...Object.values(narrow), 1e-8).refused });
-  assert.throws(() => mccoolSummits(moments, NaN), { message: mccoolOf(...Object.values(moments), NaN).refused });
 });

@@ -2,7 +2,7 @@
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { resolve } from "node:path";
-import { root, target } from "./native.mjs";
+import { root, target } from "./paths.mjs";
 
 const python = process.env.JS_TEST_PYTHON ?? resolve(target, "validation-venv/bin/python");
 const env = {

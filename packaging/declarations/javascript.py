@@ -20,6 +20,10 @@ WORDS = """
 /** The words of parameters that are one of several constants. @type {Record<string, Record<string, number>>} */
 export const WORDS = {"""
 
+FUNCTIONS = """
+/** The C functions: what each returns, then its arguments. @type {Record<string, string[]>} */
+export const FUNCTIONS = {"""
+
 
 def module(header):
     """js/src/header.js."""
@@ -38,6 +42,10 @@ def module(header):
     for name, words in header.words.items():
         listed = ", ".join(f'"{word(one)}": {constant.value}' for one, constant in words.items())
         yield f"  {name}: {{ {listed} }},"
+    yield "};"
+    yield from FUNCTIONS.splitlines()
+    for one in header.functions:
+        yield f"  {one.name}: {json.dumps([one.result, *(f'{a.type} {a.name}' for a in one.arguments)])},"
     yield "};"
     for struct, name in (("state", "State"), ("summary", "Summary")):
         fields = header.structs[f"asperity_{struct}"].fields[1:]
