@@ -35,8 +35,6 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_RANGE = 5
   ! An iteration did not converge: please report the parameters
   integer(c_int32_t), parameter, public :: ASPERITY_NOT_CONVERGED = 6
-  ! The system refused memory that the call needs; nothing was made or changed
-  integer(c_int32_t), parameter, public :: ASPERITY_OUT_OF_MEMORY = 7
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255  ! A bug in the library: please report it
   ! Of strength_source: the default strength, an order of magnitude
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_DEFAULT = 0

@@ -76,8 +76,6 @@
 #define ASPERITY_OUT_OF_RANGE 5
 /** An iteration did not converge: please report the parameters. */
 #define ASPERITY_NOT_CONVERGED 6
-/** The system refused memory that the call needs; nothing was made or changed. */
-#define ASPERITY_OUT_OF_MEMORY 7
 /** A bug in the library: please report it. */
 #define ASPERITY_INTERNAL 255
 /** Of `strength_source`: the default strength, an order of magnitude. */
@@ -792,7 +790,7 @@ asperity_status asperity_params_set_interface(struct asperity_params *params, co
  * @param friction_coefficient  measured at that load [-], > 0 and at most 20
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a coefficient that no strength
  *         gives: the message has the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`,
- *         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY` */
+ *         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_params_calibrate(struct asperity_params *params, double load, double friction_coefficient);
 
 /** Sets the strength of the interface from a measured friction force, as `asperity_params_calibrate` does from a coefficient:
@@ -822,8 +820,8 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
  * @param params  initialised parameters
  * @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
  * @param length  of the text [bytes], without a NUL; at most 1 MiB
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
- *         `ASPERITY_OUT_OF_MEMORY`; with a measured friction also what `asperity_params_calibrate_force` returns */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`;
+ *         with a measured friction also what `asperity_params_calibrate_force` returns */
 asperity_status asperity_params_set_text(struct asperity_params *params, const char *text, size_t length);
 
 /** Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
@@ -879,8 +877,7 @@ asperity_status asperity_params_read(struct asperity_params *params, const char 
  * @param params  the surfaces
  * @param model   receives the model
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
- *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`; `asperity_last_error` says which parameter and what is
- *         allowed */
+ *         `ASPERITY_NOT_CONVERGED`; `asperity_last_error` says which parameter and what is allowed */
 asperity_status asperity_create(const struct asperity_params *params, struct asperity_model **model);
 
 /** Gives a model other parameters; on failure the model is as before.
@@ -1205,7 +1202,7 @@ asperity_status asperity_summary_of(const struct asperity_model *model, struct a
  *                  to fail
  * @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
  *         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
- *         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY` */
+ *         `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_check_loads(const struct asperity_model *model, double lightest, double heaviest,
     uint64_t *warnings);
 
@@ -1226,8 +1223,7 @@ const char *asperity_warning_string(uint64_t warning);
  *                  none
  * @param heaviest  receives the heaviest [force], likewise
  * @return `ASPERITY_OK`, also if the warning holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`
- *         (`warning` is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
- *         `ASPERITY_OUT_OF_MEMORY` */
+ *         (`warning` is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_warning_loads(const struct asperity_model *model, uint64_t warning, double *lightest,
     double *heaviest);
 

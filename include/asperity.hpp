@@ -711,8 +711,7 @@ class Model {
 public:
     /// Checks the parameters and compiles the law, in milliseconds.
     ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED,
-    /// ASPERITY_OUT_OF_MEMORY).
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
     explicit Model(const Params &params) {
         asperity_model *model = nullptr;
         check(asperity_create(&params.c(), &model));

@@ -27,10 +27,6 @@
 //! println!("{} of the summits touch, warnings {:#b}", state.contacting, model.check_loads(1.0, 100.0)?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
-//!
-//! The default feature `memory-reserve` sets the program's global allocator, the system's with a reserve behind it, by which a
-//! caller in C gets a status where memory runs out. A Rust program gains nothing by it. One that sets its own allocator does not
-//! compile with it: depend on the crate with `default-features = false`.
 
 // A library says what it has to say by its answers.
 #![cfg_attr(not(test), deny(clippy::print_stdout, clippy::print_stderr))]

@@ -14,7 +14,6 @@ export const CONSTANTS = /** @type {const} */ ({
   "SEPARATED": 4,
   "OUT_OF_RANGE": 5,
   "NOT_CONVERGED": 6,
-  "OUT_OF_MEMORY": 7,
   "INTERNAL": 255,
   "STRENGTH_DEFAULT": 0,
   "STRENGTH_TABLE": 1,

@@ -18,7 +18,6 @@ pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_ch
         ASPERITY_SEPARATED => c"load below pull-off: the surfaces are apart",
         ASPERITY_OUT_OF_RANGE => c"outside the range the model can be evaluated for",
         ASPERITY_NOT_CONVERGED => c"an iteration did not converge",
-        ASPERITY_OUT_OF_MEMORY => c"out of memory",
         ASPERITY_INTERNAL => c"internal error: a bug in asperity",
         _ => c"unknown status",
     }

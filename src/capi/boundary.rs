@@ -2,7 +2,6 @@
 
 use super::status::{
     asperity_status, ASPERITY_INTERNAL, ASPERITY_INVALID_PARAMETER, ASPERITY_NULL_POINTER, ASPERITY_OK,
-    ASPERITY_OUT_OF_MEMORY,
 };
 use super::{fp_environment, last_error};
 use crate::error::Error;
@@ -22,11 +21,6 @@ impl Failure {
     fn new(status: asperity_status, message: &dyn Display) -> Self {
         last_error::set(message);
         Self(status)
-    }
-
-    /// The system refuses memory.
-    pub fn out_of_memory() -> Self {
-        Self::new(ASPERITY_OUT_OF_MEMORY, &"out of memory: nothing was made or changed; free some and call again")
     }
 
     /// A file is refused, for what it has or what the system says of it.

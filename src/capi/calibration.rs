@@ -2,7 +2,6 @@
 
 use super::boundary::{self, Failure};
 use super::params::asperity_params;
-use super::reserve;
 use super::setters::change;
 use super::status::asperity_status;
 use crate::error::Error;
@@ -18,7 +17,7 @@ impl asperity_params {
         set: impl FnOnce(&mut Params) -> Result<(), Error>,
     ) -> Result<(), Failure> {
         let mut params = self.to_params()?;
-        reserve::held(|| Ok(set(&mut params)?))?;
+        set(&mut params)?;
         (self.slip_stress_1, self.slip_stress_2) = (params.slip.stress_1, params.slip.stress_2);
         (self.calibration_load, self.calibration_friction_force) =
             (params.calibration_load, params.calibration_friction_force);
@@ -46,7 +45,7 @@ impl asperity_params {
 /// @param friction_coefficient  measured at that load [-], > 0 and at most 20
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a coefficient that no strength
 ///         gives: the message has the numbers; a parameter that `asperity_create` refuses), `ASPERITY_INVALID_LOAD`,
-///         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+///         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_calibrate(
     params: *mut asperity_params,

@@ -2,7 +2,6 @@
 
 use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
 use super::last_error::asperity_last_error;
-use super::reserve;
 use super::status::{asperity_status, ASPERITY_OK};
 use super::surface_text::bytes;
 use super::text::write_text;
@@ -76,14 +75,12 @@ unsafe fn estimated(
         not_null(load, "load")?;
     }
     let text = bytes(surface, length);
-    reserve::held(|| {
-        let loads: Vec<f64> = (0..n).map(|i| load.add(i).read_unaligned()).collect();
-        let estimate = Estimate::new(text, &loads)?;
-        let of = |(i, &load): (usize, &f64)| estimate.at_load(load).map_err(|error| Failure::of_element(i, &error));
-        let answers = loads.iter().enumerate().map(of).collect::<Result<Vec<_>, _>>()?;
-        let warnings = estimate.warnings(&loads)?;
-        Ok((estimate, answers, warnings))
-    })
+    let loads: Vec<f64> = (0..n).map(|i| load.add(i).read_unaligned()).collect();
+    let estimate = Estimate::new(text, &loads)?;
+    let of = |(i, &load): (usize, &f64)| estimate.at_load(load).map_err(|error| Failure::of_element(i, &error));
+    let answers = loads.iter().enumerate().map(of).collect::<Result<Vec<_>, _>>()?;
+    let warnings = estimate.warnings(&loads)?;
+    Ok((estimate, answers, warnings))
 }
 
 /// Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is
@@ -186,13 +183,11 @@ pub unsafe extern "C" fn asperity_estimate_text(
     let mut whole = 0;
     let status = boundary::status(|| {
         let (estimate, answers, warnings) = estimated(surface, length, n, load)?;
-        reserve::held(|| {
-            let mut text = String::new();
-            // Writing to a string does not fail.
-            let _ = write(&estimate, bytes(surface, length), &answers, warnings, &mut text);
-            whole = write_text(buffer, buffer_length, [text.as_bytes()]);
-            Ok(())
-        })
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        let _ = write(&estimate, bytes(surface, length), &answers, warnings, &mut text);
+        whole = write_text(buffer, buffer_length, [text.as_bytes()]);
+        Ok(())
     });
     if status != ASPERITY_OK {
         let _ = asperity_last_error(buffer, buffer_length);

@@ -24,8 +24,6 @@ mod names;
 mod output;
 mod pairs;
 mod params;
-#[cfg_attr(not(feature = "memory-reserve"), allow(dead_code))]
-mod reserve;
 mod scalar;
 mod setters;
 mod slope;

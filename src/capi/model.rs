@@ -3,12 +3,9 @@
 use super::batch::Quantity;
 use super::boundary::{self, reference, reference_mut, Failure};
 use super::params::{asperity_params, check_size};
-use super::reserve;
 use super::scalar::{self, ScalarCall};
 use super::status::asperity_status;
-use crate::error::Error;
 use crate::model::Model;
-use crate::population::NodeTable;
 
 /// A friction law ready for use; opaque. `asperity_create` makes it, `asperity_free` frees it.
 pub struct asperity_model {
@@ -33,16 +30,6 @@ pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, 
     model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, at))
 }
 
-/// Evaluates exact states of a model, which then keeps the table that they are made of.
-pub(super) fn exact<T>(model: &Model, evaluate: impl FnOnce(&Model) -> Result<T, Error>) -> Result<T, Failure> {
-    let population = model.population();
-    if population.lacks_table() {
-        // Apart: what stays is not to be taken from the reserve.
-        population.keep_table(reserve::held(|| Ok(NodeTable::new(population)))?);
-    }
-    reserve::held(|| Ok(evaluate(model)?))
-}
-
 impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
         let params = asperity_params::read(params)?.to_params()?;
@@ -57,8 +44,7 @@ impl asperity_model {
 /// @param params  the surfaces
 /// @param model   receives the model
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`; `asperity_last_error` says which parameter and what is
-///         allowed
+///         `ASPERITY_NOT_CONVERGED`; `asperity_last_error` says which parameter and what is allowed
 #[no_mangle]
 pub unsafe extern "C" fn asperity_create(
     params: *const asperity_params,
@@ -66,7 +52,7 @@ pub unsafe extern "C" fn asperity_create(
 ) -> asperity_status {
     boundary::status(|| {
         let out = reference_mut(model, "model")?;
-        *out = Box::into_raw(reserve::held(|| Ok(Box::new(asperity_model::new(params)?)))?);
+        *out = Box::into_raw(Box::new(asperity_model::new(params)?));
         Ok(())
     })
 }
@@ -85,7 +71,7 @@ pub unsafe extern "C" fn asperity_set_params(
 ) -> asperity_status {
     boundary::status(|| {
         let handle = reference_mut(model, "model")?;
-        *handle = reserve::held(|| asperity_model::new(params))?;
+        *handle = asperity_model::new(params)?;
         Ok(())
     })
 }

@@ -129,7 +129,7 @@ unsafe fn exact(
     boundary::status(|| {
         let model = model::of(model)?;
         fill(out, "state", || {
-            let state = model::exact(model, state)?;
+            let state = state(model)?;
             Ok(same_fields! { asperity_state of state;
                 load gap friction_force friction_coefficient dforce_dload dmu_dload dload_dgap real_area
                 contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1

@@ -19,8 +19,6 @@ pub const ASPERITY_SEPARATED: i32 = 4;
 pub const ASPERITY_OUT_OF_RANGE: i32 = 5;
 /// An iteration did not converge: please report the parameters.
 pub const ASPERITY_NOT_CONVERGED: i32 = 6;
-/// The system refused memory that the call needs; nothing was made or changed.
-pub const ASPERITY_OUT_OF_MEMORY: i32 = 7;
 /// A bug in the library: please report it.
 pub const ASPERITY_INTERNAL: i32 = 255;
 

@@ -2,7 +2,6 @@
 
 use super::boundary::{self, not_null, Failure};
 use super::params::asperity_params;
-use super::reserve;
 use super::setters::change;
 use super::status::asperity_status;
 use crate::error::Error;
@@ -23,9 +22,7 @@ pub unsafe extern "C" fn asperity_params_read(params: *mut asperity_params, path
         change(params, |params| {
             not_null(path, "path")?;
             let path = CStr::from_ptr(path);
-            let text = reserve::held(|| {
-                with_path(path, |path| file::read(path).map_err(|error| Failure::of_file(path, &error)))
-            })?;
+            let text = with_path(path, |path| file::read(path).map_err(|error| Failure::of_file(path, &error)))?;
             with_path(path, |path| params.set_text(&text, |error| Failure::of_file(path, &error)))
         })
     })

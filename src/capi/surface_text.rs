@@ -2,7 +2,6 @@
 
 use super::boundary::{self, not_null, Failure};
 use super::params::asperity_params;
-use super::reserve;
 use super::setters::change;
 use super::status::{asperity_status, ASPERITY_OK};
 use super::tables::{keep, Kept};
@@ -32,19 +31,16 @@ impl asperity_params {
     /// # Safety
     /// As that of `to_params`.
     unsafe fn set_draft(&mut self, set: impl FnOnce(&mut Draft) -> Result<(), Failure>) -> Result<(), Failure> {
-        let (draft, table) = reserve::held(|| {
-            let mut draft = self.draft()?;
-            // A table that cannot be read is refused unless other heights are chosen.
-            draft.params.heights = self.readable_table().unwrap_or(HeightFamily::Gaussian);
-            let before = table_at(&draft.params.heights);
-            set(&mut draft)?;
-            let after = table_at(&draft.params.heights);
-            let table = match replace(&mut draft.params.heights, HeightFamily::Gaussian) {
-                HeightFamily::Tabulated { height, density } if after != before => Some(Kept::new(height, density)),
-                _ => None,
-            };
-            Ok((draft, table))
-        })?;
+        let mut draft = self.draft()?;
+        // A table that cannot be read is refused unless other heights are chosen.
+        draft.params.heights = self.readable_table().unwrap_or(HeightFamily::Gaussian);
+        let before = table_at(&draft.params.heights);
+        set(&mut draft)?;
+        let after = table_at(&draft.params.heights);
+        let table = match replace(&mut draft.params.heights, HeightFamily::Gaussian) {
+            HeightFamily::Tabulated { height, density } if after != before => Some(Kept::new(height, density)),
+            _ => None,
+        };
         self.take(&draft);
         if let Some(table) = table.map(keep) {
             (self.table_height, self.table_density) = (table.height.as_ptr(), table.density.as_ptr());
@@ -87,8 +83,8 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 /// @param params  initialised parameters
 /// @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
 /// @param length  of the text [bytes], without a NUL; at most 1 MiB
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_OUT_OF_MEMORY`; with a measured friction also what `asperity_params_calibrate_force` returns
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`;
+///         with a measured friction also what `asperity_params_calibrate_force` returns
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_text(
     params: *mut asperity_params,
@@ -144,15 +140,13 @@ pub unsafe extern "C" fn asperity_params_text(
     let mut whole = 0;
     let status = boundary::status(|| {
         let params = asperity_params::read(params)?;
-        reserve::held(|| {
-            let mut draft = params.whole_draft()?;
-            let is_measured = is_of_these_surfaces(&draft.clone().into_params()?);
-            let mut text = String::new();
-            // Writing to a string does not fail.
-            let _ = by_name::write(&mut draft, is_measured, &mut text);
-            whole = write_text(buffer, length, [text.as_bytes()]);
-            Ok(())
-        })
+        let mut draft = params.whole_draft()?;
+        let is_measured = is_of_these_surfaces(&draft.clone().into_params()?);
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        let _ = by_name::write(&mut draft, is_measured, &mut text);
+        whole = write_text(buffer, length, [text.as_bytes()]);
+        Ok(())
     });
     if status != ASPERITY_OK {
         return write_text(buffer, length, []);

@@ -63,7 +63,7 @@ pub unsafe extern "C" fn asperity_tangential_at_load(
 ) -> asperity_status {
     boundary::status(|| {
         let model = model::of(model)?;
-        let found = model::exact(model, |model| model.tangential_at_load(load, displacement))?;
+        let found = model.tangential_at_load(load, displacement)?;
         write(force, 0, found.0);
         write(stiffness, 0, found.1);
         Ok(())

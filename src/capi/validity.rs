@@ -74,7 +74,7 @@ const _: () = {
 ///                  to fail
 /// @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
 ///         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_NOT_CONVERGED`, `ASPERITY_OUT_OF_MEMORY`
+///         `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_check_loads(
     model: *const asperity_model,
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn asperity_check_loads(
     boundary::status(|| {
         let model = model::of(model)?;
         let warnings = reference_mut(warnings, "warnings")?;
-        *warnings = model::exact(model, |model| model.check_loads(lightest, heaviest))?;
+        *warnings = model.check_loads(lightest, heaviest)?;
         Ok(())
     })
 }
@@ -110,8 +110,7 @@ pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
 ///                  none
 /// @param heaviest  receives the heaviest [force], likewise
 /// @return `ASPERITY_OK`, also if the warning holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`
-///         (`warning` is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`,
-///         `ASPERITY_OUT_OF_MEMORY`
+///         (`warning` is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warning_loads(
     model: *const asperity_model,
@@ -123,7 +122,7 @@ pub unsafe extern "C" fn asperity_warning_loads(
         let model = model::of(model)?;
         not_null(lightest, "lightest")?;
         not_null(heaviest, "heaviest")?;
-        let found = model::exact(model, |model| model.warning_loads(warning))?;
+        let found = model.warning_loads(warning)?;
         let (light, heavy) = found.unwrap_or((f64::NAN, f64::NAN));
         write(lightest, 0, light);
         write(heaviest, 0, heavy);

@@ -175,11 +175,6 @@ impl Model {
         Ok(model)
     }
 
-    /// The summits.
-    pub(crate) fn population(&self) -> &Population {
-        self.branch.population()
-    }
-
     /// Finds a quantity at loads beside its table.
     fn find_known(&self, quantity: Quantity) -> Known {
         let at = |load: f64| self.tabulated(quantity, load).unwrap_or_else(|| self.continued(quantity, load));

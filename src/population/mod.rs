@@ -24,7 +24,6 @@ mod tangential;
 mod walk;
 
 pub use changes::{Change, Changes};
-pub use node_table::NodeTable;
 pub use one_summit::OneSummit;
 pub use statistics::Statistics;
 pub use sums::Sums;
@@ -41,6 +40,7 @@ use crate::groups::Groups;
 use crate::numerics::root::LAST_STEP;
 use break_away::Edge;
 use crowding::Crowding;
+use node_table::NodeTable;
 use radius::RadiusProfile;
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
@@ -187,18 +187,6 @@ impl Population {
     /// Gives the table back, which is made again once sums are asked for: it takes more memory than a compiled law.
     pub fn forget_table(&mut self) {
         self.nodes = self.nodes.take().map(|_| Arc::default());
-    }
-
-    /// Whether the next sums make a table.
-    pub fn lacks_table(&self) -> bool {
-        self.nodes.as_ref().is_some_and(|nodes| nodes.get().is_none())
-    }
-
-    /// Keeps a table that it lacks, unless another thread was first.
-    pub fn keep_table(&self, table: NodeTable) {
-        if let Some(nodes) = &self.nodes {
-            nodes.get_or_init(|| table);
-        }
     }
 
     /// The mean summit radius in standard deviations of height.

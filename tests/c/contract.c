@@ -67,7 +67,7 @@ static void every_status_has_its_own_words(void)
 {
     const asperity_status known[] = { ASPERITY_OK, ASPERITY_NULL_POINTER, ASPERITY_INVALID_PARAMETER,
                                       ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE,
-                                      ASPERITY_NOT_CONVERGED, ASPERITY_OUT_OF_MEMORY, ASPERITY_INTERNAL };
+                                      ASPERITY_NOT_CONVERGED, ASPERITY_INTERNAL };
     const int n = sizeof known / sizeof *known;
     for (int i = 0; i < n; i++) {
         const char *words = asperity_status_string(known[i]);

@@ -89,16 +89,18 @@ WORK work(void *argument)
 
 int main(void)
 {
-    const asperity_params p = surface(6);
-    asperity_model *model = NULL;
+    const asperity_params p = surface(4);
+    asperity_model *model = NULL, *other = NULL;
     task *tasks = calloc(THREADS, sizeof *tasks);
     thread threads[THREADS];
     answers *alone = malloc(sizeof *alone);
 
-    if (tasks == NULL || alone == NULL || asperity_create(&p, &model) != ASPERITY_OK)
+    if (tasks == NULL || alone == NULL || asperity_create(&p, &model) != ASPERITY_OK ||
+        asperity_create(&p, &other) != ASPERITY_OK)
         return 1;
     provoke(THREADS);
-    answer(model, alone);
+    answer(other, alone); /* the threads are the first to ask the model for exact states */
+    asperity_free(other);
     for (int i = 0; i < THREADS; i++) {
         tasks[i].model = model;
         tasks[i].index = i;

@@ -1,18 +1,59 @@
-/* What a host may do to the library: cycles of create and free, fork, signals during a batch. What it may do to the
- * floating-point environment: tests/c/environments.c.
- *
- * usage: faults CYCLES */
+/* What a host may do to the library: fork, interrupt a batch by signals, and ask in a loop that may not allocate. */
 
 #define _GNU_SOURCE
-#include "answers.h"
-#include "resident.h"
+#include <asperity.h>
 
 #include <pthread.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "../c/check.h"
+#include "../c/surfaces.h"
+
+enum { LOADS = 96 };
+
+typedef struct answers {
+    double load[LOADS], mu[LOADS], force[LOADS], batch[LOADS], slope[LOADS];
+    asperity_state exact;
+} answers;
+
+/* ---- Allocations: the program's own functions stand before those of the C library ---- */
+
+extern void *__libc_malloc(size_t);
+extern void *__libc_calloc(size_t, size_t);
+extern void *__libc_realloc(void *, size_t);
+extern void *__libc_memalign(size_t, size_t);
+
+static atomic_long allocations;
+
+void *malloc(size_t size)
+{
+    allocations++;
+    return __libc_malloc(size);
+}
+
+void *calloc(size_t count, size_t size)
+{
+    allocations++;
+    return __libc_calloc(count, size);
+}
+
+void *realloc(void *block, size_t size)
+{
+    allocations++;
+    return __libc_realloc(block, size);
+}
+
+int posix_memalign(void **block, size_t alignment, size_t size)
+{
+    allocations++;
+    *block = __libc_memalign(alignment, size);
+    return *block == NULL;
+}
 
 static asperity_model *create(int which)
 {
@@ -23,31 +64,62 @@ static asperity_model *create(int which)
     return model;
 }
 
-static void cycles(long count)
+/* The calls of a loop, at loads from the pull-off to far beyond the table, one of them none. */
+static void loop(const asperity_model *model, answers *out)
 {
-    /* Surfaces whose models are made fast, and one that is refused each time. */
-    const int cheap[] = { 1, 0, 4, 8 };
-    asperity_params refused = surface(0);
-    long before = 0, after;
+    double stiffness[LOADS];
 
-    refused.summit_radius = -1;
-    for (long i = 0; i < count; i++) {
-        const asperity_params p = surface(cheap[i % 4]), other = surface(cheap[(i + 1) % 4]);
-        asperity_model *model = NULL, *none = NULL;
+    for (int i = 0; i < LOADS; i++) {
+        out->mu[i] = asperity_friction_at_load(model, out->load[i]);
+        out->force[i] = asperity_friction_force_at_load(model, out->load[i]);
+        asperity_load_and_slope_at_gap(model, out->load[i], &out->slope[i]);
+    }
+    asperity_friction_at_loads(model, LOADS, out->load, out->batch, out->slope);
+    asperity_tangential_stiffness_at_loads(model, LOADS, out->load, stiffness);
+    asperity_friction_force_at_loads(model, LOADS, out->load, out->batch, out->slope);
+}
 
-        if (i == count / 2) /* the heap has found its size by then */
-            before = resident();
-        if (asperity_create(&p, &model) != ASPERITY_OK || asperity_create(&refused, &none) != ASPERITY_INVALID_PARAMETER)
-            CHECK(0, "cycle %ld", i);
-        if (i % 64 == 0 && asperity_set_params(model, &other) != ASPERITY_OK)
-            CHECK(0, "cycle %ld", i);
+static void answer(const asperity_model *model, answers *out)
+{
+    asperity_summary s = { .struct_size = sizeof s };
+
+    memset(out, 0, sizeof *out);
+    asperity_summary_of(model, &s);
+    for (int i = 0; i < LOADS; i++)
+        out->load[i] = i == 0 ? NAN : s.pull_off_load + s.max_table_load * pow(10, -20 + 0.25 * i);
+    loop(model, out);
+    out->exact.struct_size = sizeof out->exact;
+    asperity_state_at_load(model, 0.1 * s.max_table_load, &out->exact);
+}
+
+static void loops_allocate_nothing(void)
+{
+    static answers out;
+
+    for (int which = 0; which < SURFACES; which++) {
+        const long before = allocations;
+        asperity_model *model = create(which);
+        asperity_params p, copy = { .struct_size = sizeof copy };
+        char message[128];
+        long made;
+
+        CHECK(allocations > before, "allocations are not counted");
+        answer(model, &out);
+        made = allocations;
+        loop(model, &out);
+        asperity_get_params(model, &copy);
+        asperity_params_init(&p, sizeof p);
+        asperity_params_set_materials(&p, 1, 0.3, 2, 0.4);
+        asperity_params_set_materials(&p, -1, 0.3, 2, 0.4); /* refused, with a message */
+        asperity_last_error(message, sizeof message);
+        made = allocations - made;
+        CHECK(made == 0, "calls on %s make %ld allocations", SURFACE_NAMES[which], made);
         asperity_free(model);
     }
-    after = resident();
-    CHECK(before > 0 && after - before <= 64, "%ld pages after half of the cycles, %ld at the end", before, after);
-    printf("%ld cycles of create and free: %ld kB resident after half, %ld kB at the end\n", count,
-        before * sysconf(_SC_PAGESIZE) / 1024, after * sysconf(_SC_PAGESIZE) / 1024);
+    printf("the calls of a solver's loop make no allocation, within the table or beyond it\n");
 }
+
+/* ---- Children ---- */
 
 static void *evaluate(void *argument)
 {
@@ -76,7 +148,7 @@ static void fork_after_create(void)
 
         if (child == 0) {
             answer(model, &in_child);
-            const int kept = same(&before, &in_child) && asperity_set_params(model, &other) == ASPERITY_OK;
+            const int kept = SAME(before, in_child) && asperity_set_params(model, &other) == ASPERITY_OK;
             asperity_free(model);
             _exit(kept ? 0 : 1);
         }
@@ -85,10 +157,12 @@ static void fork_after_create(void)
     }
     pthread_join(thread, &done);
     answer(model, &in_child);
-    CHECK(done == model && same(&before, &in_child), "the parent answers otherwise after forking");
+    CHECK(done == model && SAME(before, in_child), "the parent answers otherwise after forking");
     asperity_free(model);
     printf("fork: 10 children of a parent with two threads answer the same bits\n");
 }
+
+/* ---- Signals ---- */
 
 static asperity_model *interrupted;
 static volatile sig_atomic_t signals;
@@ -132,11 +206,9 @@ static void signal_during_batch(void)
     printf("signals: %d during %d batches of %d loads, which have the same bits\n", (int)signals, batches, (int)N);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 1000;
-
-    cycles(count);
+    loops_allocate_nothing();
     fork_after_create();
     signal_during_batch();
     return checks_report("faults");

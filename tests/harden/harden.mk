@@ -6,7 +6,6 @@
 #   make fuzz            10^7 calls of random bytes, with oracles         FUZZ_CALLS, FUZZ_SEED
 #   make fuzz-coverage   libFuzzer with AddressSanitizer                  FUZZ_SECONDS; needs cargo-fuzz
 #   make domain          20,000 surfaces against a second evaluation      DOMAIN_SETS; rewrites docs/domain.svg
-#   make faults          10^5 cycles, 1000 reloads, soak of 10^9 calls
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make miri            every C function in Miri, by two rules of aliasing,
@@ -40,11 +39,11 @@ MIRI_PROCESSOR = $(if $(findstring x86_64,$(HOST)),-Ctarget-feature=+avx2$(COMMA
 MIRI_OPTIONS := -Zmiri-strict-provenance -Zmiri-deterministic-floats
 COMMA := ,
 
-.PHONY: harden fuzz fuzz-coverage domain faults memory races miri processors supply-chain oldest-rust coverage constants mutants
+.PHONY: harden fuzz fuzz-coverage domain memory races miri processors supply-chain oldest-rust coverage constants mutants
 
 harden:
 	tests/setup.sh core hosts harden dist
-	$(MAKE) --no-print-directory fuzz fuzz-coverage domain faults memory races miri processors supply-chain \
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain memory races miri processors supply-chain \
 	    oldest-rust coverage
 
 fuzz:
@@ -61,9 +60,6 @@ domain:
 	ASPERITY_DOMAIN_SETS=$(DOMAIN_SETS) ASPERITY_DOMAIN_MAP=$(TARGET)/domain \
 	    $(LOW) $(CARGO) test --release --locked --test numerics -- --nocapture domain::
 	cp $(TARGET)/domain/domain.svg docs/domain.svg
-
-faults:
-	$(LOW) tests/harden/run.sh long
 
 memory:
 	$(LOW) tests/harden/memory.sh long

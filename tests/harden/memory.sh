@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Invalid accesses, undefined values, leaks, races: C, C++ and Fortran programs under sanitizers and valgrind.
+# Invalid accesses, undefined values, leaks: C, C++ and Fortran programs under sanitizers and valgrind.
 #
 # usage: tests/harden/memory.sh [quick|long]   quick by default: sanitizers, valgrind on C callers;
 #                                              long: valgrind on all programs, also on native hosts
@@ -29,11 +29,9 @@ for program in $sanitized; do
     gcc -std=c11 "${sanitize[@]}" "tests/c/$program.c" -o "$build/$program-sanitized" "${link[@]}"
     passes "$build/$program-sanitized"
 done
-gcc -std=c11 "${sanitize[@]}" tests/harden/soak.c -o "$build/soak-sanitized" "${link[@]}"
-passes "$build/soak-sanitized" 200000 200000
 g++ -std=c++17 "${sanitize[@]}" tests/cpp/wrapper.cpp -o "$build/wrapper-sanitized" "${link[@]}"
 passes "$build/wrapper-sanitized"
-echo "address and undefined-behaviour sanitizers: 4 programs, nothing found"
+echo "address and undefined-behaviour sanitizers: 3 programs, nothing found"
 
 # ---- valgrind: memcheck with undefined values, every leak ----
 memcheck=(valgrind --quiet --error-exitcode=9 --leak-check=full)
@@ -54,8 +52,6 @@ if [ "$mode" = quick ]; then
     echo "valgrind memcheck: $checked programs, no error, no leak"
     exit 0
 fi
-gcc -std=c11 -g -O1 -Iinclude tests/harden/soak.c -o "$build/soak" "${link[@]}"
-clean "$build/soak" 200000 200000
 gcc -std=c11 -g -O1 -Iinclude c_examples/friction_curve.c -o "$build/curve-c" "${link[@]}"
 clean "$build/curve-c" "$build/curve.svg"
 gcc -std=c11 -g -O1 -Iinclude tests/consumers/greenwood_williamson.c -o "$build/consumer" "${link[@]}"
@@ -73,14 +69,6 @@ for source in fortran/tests/{c_interface,friction_law}.f90 fortran/examples/*.f9
     checked=$((checked + 1))
 done
 echo "valgrind memcheck: $checked programs, no error, no undefined value used, no leak"
-
-# ---- valgrind: races ----
-for program in threads soak; do
-    arguments=()
-    [ "$program" = soak ] && arguments=(100000 100000)
-    passes valgrind --tool=helgrind --quiet --error-exitcode=9 "$build/$program" "${arguments[@]}"
-done
-echo "valgrind helgrind: evaluation beside evaluation, messages and rebuilding: no race"
 
 # ---- Hosts: their libraries have findings of their own; none may pass through this one ----
 hosts=0

@@ -26,8 +26,8 @@ Array = npt.NDArray[np.float64]
 _OTHERS = ("hardness", "tangential_modulus", "nominal_area", "bandwidth", "max_friction_coefficient")
 # Names that choose the heights, which are put one after the other.
 _HEIGHTS = ("skew", "kurtosis", "weibull_shape")
-# No verdict on a surface, but on the library or the machine.
-_FAILURES = (Status.INTERNAL, Status.OUT_OF_MEMORY)
+# No verdict on a surface, but on the library.
+_FAILURES = (Status.INTERNAL,)
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
 
 

@@ -23,7 +23,6 @@ class Status(IntEnum):
         OUT_OF_RANGE: A quantity is finite, but outside the domain of the library; the message says the bound and what
             to use instead.
         NOT_CONVERGED: An iteration did not converge: please report the parameters.
-        OUT_OF_MEMORY: The system refused memory that the call needs; nothing was made or changed.
         INTERNAL: A bug in the library: please report it.
     """
 
@@ -35,7 +34,6 @@ class Status(IntEnum):
     SEPARATED = _header.ASPERITY_SEPARATED
     OUT_OF_RANGE = _header.ASPERITY_OUT_OF_RANGE
     NOT_CONVERGED = _header.ASPERITY_NOT_CONVERGED
-    OUT_OF_MEMORY = _header.ASPERITY_OUT_OF_MEMORY
     INTERNAL = _header.ASPERITY_INTERNAL
     # end of statuses
 
