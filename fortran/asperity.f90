@@ -61,6 +61,17 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_SLIP_PARTIAL = 0
   ! Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them
   integer(c_int32_t), parameter, public :: ASPERITY_SLIP_WHOLE = 1
+  ! Kind of names: parameters that are one number, in an order in which all can be copied
+  integer(c_int32_t), parameter, public :: ASPERITY_NAMES_PARAMETERS = 0
+  integer(c_int32_t), parameter, public :: ASPERITY_NAMES_MATERIALS = 1  ! Kind of names: materials
+  ! Kind of names: pairs of materials whose work of adhesion is known
+  integer(c_int32_t), parameter, public :: ASPERITY_NAMES_PAIRS = 2
+  ! Kind of names: interfaces whose strength or friction was measured
+  integer(c_int32_t), parameter, public :: ASPERITY_NAMES_INTERFACES = 3
+  ! Kind of names: warnings, named as their constants without ASPERITY_WARNING_
+  integer(c_int32_t), parameter, public :: ASPERITY_NAMES_WARNINGS = 4
+  ! Kind of names: statuses, named as their constants without ASPERITY_
+  integer(c_int32_t), parameter, public :: ASPERITY_NAMES_STATUSES = 5
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, but the contact law is elastic
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act independently
   ! contacts are not small compared with their summits
@@ -183,56 +194,6 @@ module asperity
     real(c_double) :: rms_slope                     ! Root mean square slope of the surface [-], Sdq, 0 to 5, with which
                                                     ! warnings judge; 0, the default, means not known
   end type asperity_params
-
-  ! What is known of a material, in SI units
-  type, bind(c), public :: asperity_material_data
-    integer(c_int64_t) :: struct_size = 88          ! bytes of this type; leave it
-    real(c_double) :: young                         ! Young's modulus [Pa], > 0
-    real(c_double) :: young_low                     ! The smallest published value [Pa]; 0 if no range is known
-    real(c_double) :: young_high                    ! The largest published value [Pa]; 0 if no range is known
-    real(c_double) :: poisson                       ! Poisson's ratio [-]
-    real(c_double) :: hardness                      ! Indentation hardness [Pa]; 0 if it is not known
-    real(c_double) :: hardness_low                  ! The smallest published value [Pa]; 0 if no range is known
-    real(c_double) :: hardness_high                 ! The largest published value [Pa]; 0 if no range is known
-    real(c_double) :: burgers_vector                ! Burgers vector [m]; for a glass the distance of like atoms; 0 if
-                                                    ! there is none
-    type(c_ptr) :: name = c_null_ptr                ! The name; a constant string
-    type(c_ptr) :: reference = c_null_ptr           ! The source of the numbers; a constant string
-  end type asperity_material_data
-
-  ! What is known of two bodies in contact, in SI units
-  type, bind(c), public :: asperity_pair_data
-    integer(c_int64_t) :: struct_size = 64          ! bytes of this type; leave it
-    real(c_double) :: work_of_adhesion              ! Work of adhesion w [J/m^2]
-    real(c_double) :: work_of_adhesion_low          ! The smallest measurement or estimate [J/m^2]; 0 if no range is
-                                                    ! known
-    real(c_double) :: work_of_adhesion_high         ! The largest measurement or estimate [J/m^2]; 0 if no range is
-                                                    ! known
-    real(c_double) :: hamaker                       ! Hamaker constant A [J] from which w is estimated, w = A/(12 pi
-                                                    ! D^2) with D = 0.165 nm; 0 if w was measured
-    real(c_double) :: slip_stress_1                 ! Measured shear strength of small contacts over G* [-]; 0 if none
-                                                    ! is known
-    type(c_ptr) :: name = c_null_ptr                ! The name, both materials with a slash between; a constant string
-    type(c_ptr) :: reference = c_null_ptr           ! The source of w and of the strength; a constant string
-  end type asperity_pair_data
-
-  ! The measured strength of an interface, in SI units
-  type, bind(c), public :: asperity_interface_data
-    integer(c_int64_t) :: struct_size = 72          ! bytes of this type; leave it
-    real(c_double) :: shear_strength                ! tau_0 [Pa]: friction force of a contact per real area, at no
-                                                    ! pressure; 0 where only a friction coefficient is known
-    real(c_double) :: pressure_coefficient          ! kappa [-]: increase of the strength per increase of pressure; 0 if
-                                                    ! it is not known
-    real(c_double) :: friction_coefficient          ! Friction coefficient [-] measured over many contacts, where the
-                                                    ! strength of one is not known; otherwise 0
-    real(c_double) :: load                          ! The lightest load [N] of that measurement; 0 if it is not known
-    type(c_ptr) :: name = c_null_ptr                ! The name; a constant string
-    type(c_ptr) :: conditions = c_null_ptr          ! Bodies, film, humidity, vacuum, temperature and loads of the
-                                                    ! measurement, as far as they are known; a constant string
-    type(c_ptr) :: source = c_null_ptr              ! "read": the numbers were read in the text that the reference
-                                                    ! names; "quoted": in another that quotes it
-    type(c_ptr) :: reference = c_null_ptr           ! The source of the numbers; a constant string
-  end type asperity_interface_data
 
   ! What resists a displacement of the surfaces along each other
   type, bind(c), public :: asperity_microslip
@@ -408,16 +369,6 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_materials
     end function asperity_params_set_materials
 
-    ! Chooses summits that yield, for metals: sets contact_law to ASPERITY_CONTACT_ELASTIC_PLASTIC, hardness, and
-    ! work_of_adhesion to 0, which this law needs
-    function asperity_params_set_elastic_plastic(params, hardness) bind(c)
-      import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: hardness ! indentation hardness of the softer body [stress] > 0, 1e-5 to 100
-                                                    ! E*
-      integer(c_int32_t) :: asperity_params_set_elastic_plastic
-    end function asperity_params_set_elastic_plastic
-
     ! Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales
     function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) bind(c)
       import
@@ -430,36 +381,23 @@ module asperity
       integer(c_int32_t) :: asperity_params_set_spectral_moments
     end function asperity_params_set_spectral_moments
 
-    ! Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison
-    ! with literature
-    function asperity_params_set_mccool_summits(params, m0, m2, m4, nominal_area) bind(c)
+    ! Sets what is known of two materials in contact, in SI units; you set the roughness
+    function asperity_params_set_pair_c(params, name) bind(c, name='asperity_params_set_pair')
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: m0       ! as for asperity_params_set_spectral_moments; m4 must be known
-      real(c_double), intent(in), value :: m2       ! as for asperity_params_set_spectral_moments; m4 must be known
-      real(c_double), intent(in), value :: m4       ! as for asperity_params_set_spectral_moments; m4 must be known
-      real(c_double), intent(in), value :: nominal_area ! as for asperity_params_set_spectral_moments; m4 must be known
-      integer(c_int32_t) :: asperity_params_set_mccool_summits
-    end function asperity_params_set_mccool_summits
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: two materials of asperity_name
+                                                    ! with a slash between
+      integer(c_int32_t) :: asperity_params_set_pair_c
+    end function asperity_params_set_pair_c
 
-    ! Chooses Weibull heights of a given skew: sets height_distribution and weibull_shape
-    function asperity_params_set_skew(params, skew) bind(c)
+    ! Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver
+    function asperity_params_set_units(params, length, force) bind(c)
       import
       type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: skew     ! [-], -1.1100 to 2, which are the skews of omega from 200 to 1; 0
-                                                    ! gives omega = 3.602
-      integer(c_int32_t) :: asperity_params_set_skew
-    end function asperity_params_set_skew
-
-    ! Sets one parameter by its name, as asperity_params_set_values does with one name
-    function asperity_params_set_value(params, name, value) bind(c)
-      import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_params_name
-      real(c_double), intent(in), value :: value    ! the number, in the units of the other parameters; an integer for
-                                                    ! attraction, contact_law and height_distribution
-      integer(c_int32_t) :: asperity_params_set_value
-    end function asperity_params_set_value
+      real(c_double), intent(in), value :: length   ! the new unit of length in the present one, > 0: 1e-3 from m to mm
+      real(c_double), intent(in), value :: force    ! the new unit of force in the present one, > 0
+      integer(c_int32_t) :: asperity_params_set_units
+    end function asperity_params_set_units
 
     ! Sets parameters by their names, in any order, all or none: for hosts whose input file has names and numbers
     function asperity_params_set_values(params, count, names, values) bind(c)
@@ -477,79 +415,10 @@ module asperity
     function asperity_params_get_value(params, name, value) bind(c)
       import
       type(asperity_params), intent(in) :: params   ! initialised parameters
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_params_name
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_name
       type(c_ptr), intent(in), value :: value       ! real(c_double): receives the number
       integer(c_int32_t) :: asperity_params_get_value
     end function asperity_params_get_value
-
-    ! Returns the name of a parameter that is one number, by its index: for messages, and to copy parameters
-    function asperity_params_name(index) bind(c)
-      import
-      integer(c_size_t), intent(in), value :: index ! from 0
-      type(c_ptr) :: asperity_params_name
-    end function asperity_params_name
-
-    ! Looks a material up by its name, "steel" or "SiO2", and fills its data
-    function asperity_material_c(name, material) bind(c, name='asperity_material')
-      import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_material_name
-      type(asperity_material_data), intent(inout) :: material ! receives the data
-      integer(c_int32_t) :: asperity_material_c
-    end function asperity_material_c
-
-    ! Returns the name of a material by its index
-    function asperity_material_name(index) bind(c)
-      import
-      integer(c_size_t), intent(in), value :: index ! from 0
-      type(c_ptr) :: asperity_material_name
-    end function asperity_material_name
-
-    ! Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data
-    function asperity_pair_c(name, pair) bind(c, name='asperity_pair')
-      import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_pair_name
-      type(asperity_pair_data), intent(inout) :: pair ! receives the data
-      integer(c_int32_t) :: asperity_pair_c
-    end function asperity_pair_c
-
-    ! Returns the name of a pair by its index
-    function asperity_pair_name(index) bind(c)
-      import
-      integer(c_size_t), intent(in), value :: index ! from 0
-      type(c_ptr) :: asperity_pair_name
-    end function asperity_pair_name
-
-    ! Sets what is known of two materials in contact, in SI units; you set the roughness
-    function asperity_params_set_pair_c(params, name) bind(c, name='asperity_params_set_pair')
-      import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: two of asperity_material_name
-                                                    ! with a slash between
-      integer(c_int32_t) :: asperity_params_set_pair_c
-    end function asperity_params_set_pair_c
-
-    ! Looks an interface up by its name, "MoS2 film in dry air", and fills its data
-    function asperity_interface_c(name, data) bind(c, name='asperity_interface')
-      import
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name
-      type(asperity_interface_data), intent(inout) :: data ! receives the data
-      integer(c_int32_t) :: asperity_interface_c
-    end function asperity_interface_c
-
-    ! Returns the name of an interface by its index
-    function asperity_interface_name(index) bind(c)
-      import
-      integer(c_size_t), intent(in), value :: index ! from 0
-      type(c_ptr) :: asperity_interface_name
-    end function asperity_interface_name
-
-    ! Sets the strength of the interface to one that was measured on other specimens, in SI units
-    function asperity_params_set_interface_c(params, name) bind(c, name='asperity_params_set_interface')
-      import
-      type(asperity_params), intent(inout) :: params ! parameters whose bodies are set
-      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_interface_name
-      integer(c_int32_t) :: asperity_params_set_interface_c
-    end function asperity_params_set_interface_c
 
     ! Sets the strength of the interface from one measured point: scales slip_stress_1 and slip_stress_2 by one factor,
     ! so that the friction coefficient at this load is the measured one
@@ -605,15 +474,6 @@ module asperity
       integer(c_size_t) :: asperity_params_text_c
     end function asperity_params_text_c
 
-    ! Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver
-    function asperity_params_set_units(params, length, force) bind(c)
-      import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
-      real(c_double), intent(in), value :: length   ! the new unit of length in the present one, > 0: 1e-3 from m to mm
-      real(c_double), intent(in), value :: force    ! the new unit of force in the present one, > 0
-      integer(c_int32_t) :: asperity_params_set_units
-    end function asperity_params_set_units
-
     ! Sets parameters from a surface file, as asperity_params_set_text does from its text
     function asperity_params_read_c(params, path) bind(c, name='asperity_params_read')
       import
@@ -653,6 +513,27 @@ module asperity
       type(c_ptr), intent(in), value :: model       ! a model that has not been freed; c_null_ptr is allowed and does
                                                     ! nothing
     end subroutine asperity_free
+
+    ! Returns the name of a parameter, material, pair, interface, warning or status, by its index
+    function asperity_name(kind, index) bind(c)
+      import
+      integer(c_int32_t), intent(in), value :: kind ! one of ASPERITY_NAMES_...
+      integer(c_size_t), intent(in), value :: index ! from 0
+      type(c_ptr) :: asperity_name
+    end function asperity_name
+
+    ! Writes what is known by a name, a line "key = value" for each number or text, in TOML, with the unit of a number
+    ! in a comment
+    function asperity_describe(kind, name, buffer, length) bind(c)
+      import
+      integer(c_int32_t), intent(in), value :: kind ! one of ASPERITY_NAMES_...
+      type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_name; a material
+                                                    ! also by other words, as "gold", a pair in either order
+      type(c_ptr), intent(in), value :: buffer      ! characters: receives the text, NUL-terminated, cut to fit;
+                                                    ! c_null_ptr to ask for the length only
+      integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
+      integer(c_size_t) :: asperity_describe
+    end function asperity_describe
 
     ! Returns the friction coefficient F/P at a normal load
     pure function asperity_friction_at_load(model, load) bind(c)
@@ -889,24 +770,6 @@ module asperity
       integer(c_int32_t) :: asperity_check_loads
     end function asperity_check_loads
 
-    ! Returns the text of one warning: what fails and what to do about it
-    function asperity_warning_string(warning) bind(c)
-      import
-      integer(c_int64_t), intent(in), value :: warning ! one bit ASPERITY_WARNING_...
-      type(c_ptr) :: asperity_warning_string
-    end function asperity_warning_string
-
-    ! Finds the loads between which a warning holds, within the loads of the compiled table
-    function asperity_warning_loads(model, warning, lightest, heaviest) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_int64_t), intent(in), value :: warning ! one bit ASPERITY_WARNING_...
-      type(c_ptr), intent(in), value :: lightest    ! real(c_double): receives the lightest load of the table at which
-                                                    ! the warning holds [force], NaN if it holds at none
-      type(c_ptr), intent(in), value :: heaviest    ! real(c_double): receives the heaviest [force], likewise
-      integer(c_int32_t) :: asperity_warning_loads
-    end function asperity_warning_loads
-
     ! Copies the texts of several warnings, one line each: what fails and what to do about it
     function asperity_warnings_text(warnings, buffer, length) bind(c)
       import
@@ -960,22 +823,19 @@ module asperity
 
   end interface
 
-  public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_elastic_plastic
-  public :: asperity_params_set_spectral_moments, asperity_params_set_mccool_summits, asperity_params_set_skew
-  public :: asperity_params_set_value, asperity_params_set_values, asperity_params_get_value, asperity_params_name
-  public :: asperity_material, asperity_material_name, asperity_pair, asperity_pair_name, asperity_params_set_pair
-  public :: asperity_interface, asperity_interface_name, asperity_params_set_interface, asperity_params_calibrate
-  public :: asperity_params_calibrate_force, asperity_params_set_text, asperity_params_set_estimate
-  public :: asperity_params_set_units, asperity_params_read, asperity_create, asperity_set_params, asperity_free
-  public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
-  public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
+  public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_spectral_moments
+  public :: asperity_params_set_pair, asperity_params_set_units, asperity_params_set_values, asperity_params_get_value
+  public :: asperity_params_calibrate, asperity_params_calibrate_force, asperity_params_set_text
+  public :: asperity_params_set_estimate, asperity_params_read, asperity_create, asperity_set_params, asperity_free
+  public :: asperity_name, asperity_describe, asperity_friction_at_load, asperity_friction_force_at_load
+  public :: asperity_friction_at_loads, asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
   public :: asperity_friction_force_and_slope_at_load, asperity_friction_force_at_loads_of
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
   public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn
   public :: asperity_load_and_slope_at_gap, asperity_loads_at_gaps, asperity_summits_at_overlaps
   public :: asperity_state_at_load, asperity_state_at_gap, asperity_summary_of, asperity_check_loads
-  public :: asperity_warning_string, asperity_warning_loads, asperity_warnings_text, asperity_last_error
-  public :: asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
+  public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
+  public :: asperity_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -2131,60 +1991,16 @@ contains
   end function joined
 
   ! ---- generated by packaging/declarations: texts ----
-  ! Looks a material up by its name, "steel" or "SiO2", and fills its data
-  subroutine asperity_material(name, material, stat, errmsg)
-    character(*), intent(in) :: name                ! one of asperity_material_name
-    type(asperity_material_data), intent(inout) :: material ! receives the data
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: characters(len(name) + 1)
-    characters = c_string(name, size(characters))
-    call report(asperity_material_c(c_loc(characters), material), stat, errmsg)
-  end subroutine asperity_material
-
-  ! Looks a pair of materials up by its name, "steel/steel" or "mica/Au" in either order, and fills its data
-  subroutine asperity_pair(name, pair, stat, errmsg)
-    character(*), intent(in) :: name                ! one of asperity_pair_name
-    type(asperity_pair_data), intent(inout) :: pair ! receives the data
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: characters(len(name) + 1)
-    characters = c_string(name, size(characters))
-    call report(asperity_pair_c(c_loc(characters), pair), stat, errmsg)
-  end subroutine asperity_pair
-
   ! Sets what is known of two materials in contact, in SI units; you set the roughness
   subroutine asperity_params_set_pair(params, name, stat, errmsg)
     type(asperity_params), intent(inout) :: params  ! initialised parameters
-    character(*), intent(in) :: name                ! two of asperity_material_name with a slash between
+    character(*), intent(in) :: name                ! two materials of asperity_name with a slash between
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     character(kind=c_char), target :: characters(len(name) + 1)
     characters = c_string(name, size(characters))
     call report(asperity_params_set_pair_c(params, c_loc(characters)), stat, errmsg)
   end subroutine asperity_params_set_pair
-
-  ! Looks an interface up by its name, "MoS2 film in dry air", and fills its data
-  subroutine asperity_interface(name, data, stat, errmsg)
-    character(*), intent(in) :: name                ! one of asperity_interface_name
-    type(asperity_interface_data), intent(inout) :: data ! receives the data
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: characters(len(name) + 1)
-    characters = c_string(name, size(characters))
-    call report(asperity_interface_c(c_loc(characters), data), stat, errmsg)
-  end subroutine asperity_interface
-
-  ! Sets the strength of the interface to one that was measured on other specimens, in SI units
-  subroutine asperity_params_set_interface(params, name, stat, errmsg)
-    type(asperity_params), intent(inout) :: params  ! parameters whose bodies are set
-    character(*), intent(in) :: name                ! one of asperity_interface_name
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: characters(len(name) + 1)
-    characters = c_string(name, size(characters))
-    call report(asperity_params_set_interface_c(params, c_loc(characters)), stat, errmsg)
-  end subroutine asperity_params_set_interface
 
   ! Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused
   subroutine asperity_params_set_text(params, text, stat, errmsg)

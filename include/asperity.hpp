@@ -564,7 +564,7 @@ public:
     Params &max_friction_coefficient(double value) noexcept { return assign(c_.max_friction_coefficient, value); }
 
     /// Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
-    /// value: call `asperity_params_set_skew` for Weibull heights of a given skew.
+    /// value; by its name it also chooses Weibull heights: `asperity_params_set_values`.
     double skew() const noexcept { return c_.skew; }
     /// Sets it.
     Params &skew(double value) noexcept { return assign(c_.skew, value); }

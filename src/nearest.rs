@@ -75,7 +75,7 @@ impl<'a> Instead<'a> {
 }
 
 /// A constant name as text.
-pub fn text(name: &'static CStr) -> &'static str {
+pub fn text(name: &CStr) -> &str {
     name.to_str().unwrap_or_default()
 }
 

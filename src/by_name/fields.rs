@@ -12,6 +12,8 @@ pub struct Field {
     pub name: &'static str,
     /// The same, for C.
     pub c_name: &'static CStr,
+    /// Its dimension, as the header writes it: "1" of a number without one.
+    pub unit: &'static str,
     /// The words for 0, 1, ... where it is a choice.
     pub words: &'static [&'static str],
     of: fn(&mut Draft) -> &mut dyn Number,
@@ -23,10 +25,13 @@ pub const FLAG: &[&str] = &["false", "true"];
 macro_rules! fields {
     (@words) => { &[] };
     (@words $words:expr) => { $words };
-    ($($name:ident: $($place:ident).+ $(as $words:expr)?;)*) => {
+    (@unit) => { "1" };
+    (@unit $unit:literal) => { $unit };
+    ($($name:ident $($unit:literal)?: $($place:ident).+ $(as $words:expr)?;)*) => {
         &[$(Field {
             name: stringify!($name),
             c_name: c_string!(stringify!($name)),
+            unit: fields!(@unit $($unit)?),
             words: fields!(@words $($words)?),
             of: |draft| &mut draft.$($place).+,
         }),*]
@@ -36,13 +41,13 @@ macro_rules! fields {
 /// All of them. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last, setting one after
 /// another what another surface has copies that surface.
 pub static FIELDS: &[Field; 30] = fields! {
-    composite_modulus: params.composite_modulus;
-    effective_shear_modulus: params.effective_shear_modulus;
-    work_of_adhesion: params.work_of_adhesion;
-    adhesion_range: params.adhesion_range;
-    burgers_vector: params.burgers_vector;
-    height_std: params.height_std;
-    summit_radius: params.summit_radius;
+    composite_modulus "stress": params.composite_modulus;
+    effective_shear_modulus "stress": params.effective_shear_modulus;
+    work_of_adhesion "force/length": params.work_of_adhesion;
+    adhesion_range "length": params.adhesion_range;
+    burgers_vector "length": params.burgers_vector;
+    height_std "length": params.height_std;
+    summit_radius "length": params.summit_radius;
     asperity_count: params.asperity_count;
     attraction: params.attraction as FLAG;
     radius_amplitude: params.radius_amplitude;
@@ -52,13 +57,13 @@ pub static FIELDS: &[Field; 30] = fields! {
     slip_radius_2: params.slip.radius_2;
     slip_stress_2: params.slip.stress_2;
     max_friction_coefficient: params.max_friction_coefficient;
-    hardness: params.hardness;
-    tangential_modulus: params.tangential_modulus;
-    nominal_area: params.nominal_area;
+    hardness "stress": params.hardness;
+    tangential_modulus "stress": params.tangential_modulus;
+    nominal_area "length^2": params.nominal_area;
     pressure_coefficient: params.pressure_coefficient;
     bandwidth: params.bandwidth;
     calibration_error: params.calibration_error;
-    summit_mean_height: params.summit_mean_height;
+    summit_mean_height "length": params.summit_mean_height;
     rms_slope: params.rms_slope;
     contact_law: params.contact_law as &["maugis", "elastic-plastic"];
     slip_onset: params.slip_onset as &["partial", "whole"];
@@ -116,6 +121,11 @@ choice! { SlipOnset: SlipOnset::Partial, SlipOnset::Whole }
 impl Field {
     pub fn get(&self, draft: &mut Draft) -> f64 {
         (self.of)(draft).get()
+    }
+
+    /// Whether its words are more than false and true.
+    pub fn is_choice(&self) -> bool {
+        !self.words.is_empty() && self.words != FLAG
     }
 
     /// # Errors

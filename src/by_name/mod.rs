@@ -14,12 +14,12 @@ mod toml;
 mod write;
 
 pub use draft::Draft;
-pub use fields::FIELDS;
+pub use fields::{Field, FIELDS};
 pub use numbers::{Numbers, ARGUMENTS};
 pub use roughness::{Case, Machined};
 pub use surface::{describe, of_points, read, Described};
 pub use toml::LONGEST;
-pub use write::{is_of_these_surfaces, write};
+pub use write::{is_of_these_surfaces, write, Quoted, Real, Written};
 
 use crate::error::Error;
 use crate::params::Params;

@@ -1,7 +1,7 @@
 //! Parameters as a text, of which reading makes equal ones, bit for bit.
 
 use super::draft::{Draft, GAUSSIAN, TABULATED, WEIBULL};
-use super::fields::{Field, FIELDS, FLAG};
+use super::fields::{Field, FIELDS};
 use crate::params::{HeightFamily, Params};
 use std::fmt::{Display, Formatter, Result, Write};
 
@@ -71,21 +71,21 @@ fn write_numbers(name: &str, numbers: &[f64], out: &mut dyn Write) -> Result {
 }
 
 /// The value of a field: a word where it has one.
-struct Written<'a>(&'a Field, f64);
+pub struct Written<'a>(pub &'a Field, pub f64);
 
 impl Display for Written<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let Self(field, number) = self;
         match field.words.get(*number as usize) {
-            Some(word) if field.words == FLAG => f.write_str(word),
-            Some(word) => write!(f, "\"{word}\""),
+            Some(word) if field.is_choice() => Quoted(word).fmt(f),
+            Some(word) => f.write_str(word),
             None => Real(*number).fmt(f),
         }
     }
 }
 
 /// A number as TOML has it, in the fewest digits that read back as itself.
-struct Real(f64);
+pub struct Real(pub f64);
 
 impl Display for Real {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
@@ -93,5 +93,14 @@ impl Display for Real {
             number if number.is_nan() => f.write_str("nan"),
             number => write!(f, "{number:?}"),
         }
+    }
+}
+
+/// Words as TOML has them.
+pub struct Quoted<'a>(pub &'a str);
+
+impl Display for Quoted<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "\"{}\"", self.0.replace('\\', "\\\\").replace('"', "\\\""))
     }
 }

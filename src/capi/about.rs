@@ -2,7 +2,19 @@
 
 use super::status::*;
 use super::version::ASPERITY_ABI_VERSION;
-use std::ffi::c_char;
+use std::ffi::{c_char, CStr};
+
+/// The statuses: their names, and what each means in a few words.
+pub(super) static STATUSES: [(&CStr, asperity_status, &CStr); 8] = [
+    (c"OK", ASPERITY_OK, c"success"),
+    (c"NULL_POINTER", ASPERITY_NULL_POINTER, c"a pointer is NULL"),
+    (c"INVALID_PARAMETER", ASPERITY_INVALID_PARAMETER, c"invalid parameter"),
+    (c"INVALID_LOAD", ASPERITY_INVALID_LOAD, c"load is NaN or infinite"),
+    (c"SEPARATED", ASPERITY_SEPARATED, c"load below pull-off: the surfaces are apart"),
+    (c"OUT_OF_RANGE", ASPERITY_OUT_OF_RANGE, c"outside the range the model can be evaluated for"),
+    (c"NOT_CONVERGED", ASPERITY_NOT_CONVERGED, c"an iteration did not converge"),
+    (c"INTERNAL", ASPERITY_INTERNAL, c"internal error: a bug in asperity"),
+];
 
 /// Returns a status in a few words; `asperity_last_error` says more of the last failure.
 ///
@@ -10,18 +22,8 @@ use std::ffi::c_char;
 /// @return a constant string, never NULL; "unknown status" for any other number
 #[no_mangle]
 pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_char {
-    match status {
-        ASPERITY_OK => c"success",
-        ASPERITY_NULL_POINTER => c"a pointer is NULL",
-        ASPERITY_INVALID_PARAMETER => c"invalid parameter",
-        ASPERITY_INVALID_LOAD => c"load is NaN or infinite",
-        ASPERITY_SEPARATED => c"load below pull-off: the surfaces are apart",
-        ASPERITY_OUT_OF_RANGE => c"outside the range the model can be evaluated for",
-        ASPERITY_NOT_CONVERGED => c"an iteration did not converge",
-        ASPERITY_INTERNAL => c"internal error: a bug in asperity",
-        _ => c"unknown status",
-    }
-    .as_ptr()
+    let found = STATUSES.iter().find(|(_, other, _)| *other == status);
+    found.map_or(c"unknown status", |(.., says)| says).as_ptr()
 }
 
 /// Returns the version of the binary interface of the library loaded; compare it with `ASPERITY_ABI_VERSION`.

@@ -5,11 +5,20 @@ use super::given;
 use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
-use crate::by_name::{Numbers, ARGUMENTS, FIELDS};
+use crate::by_name::{Field, Numbers, ARGUMENTS, FIELDS};
 use std::ffi::c_char;
 
 fn position(name: &[u8]) -> Result<usize, Failure> {
     Numbers::position(name).ok_or_else(|| Failure::invalid(format_args!("{}", Numbers::unknown(name))))
+}
+
+/// The field of this name.
+pub(super) fn field(name: &[u8]) -> Result<&'static Field, Failure> {
+    let position = position(name)?;
+    FIELDS.get(position).ok_or_else(|| {
+        let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
+        Failure::invalid(format_args!("{}: {says}", ARGUMENTS[position - FIELDS.len()]))
+    })
 }
 
 /// What a caller gives by names.
@@ -42,33 +51,15 @@ impl asperity_params {
     }
 
     /// What is kept of a measurement, by the name of an argument; NaN for a coefficient that there is not.
-    fn measured(&self, argument: &str) -> Option<f64> {
+    fn measured(&self, argument: &[u8]) -> Option<f64> {
         let (load, force) = (self.calibration_load, self.calibration_friction_force);
         match argument {
-            "calibration_load" => Some(load),
-            "calibration_friction_force" => Some(force),
-            "calibration_friction_coefficient" => Some(if load > 0.0 { force / load } else { f64::NAN }),
+            b"calibration_load" => Some(load),
+            b"calibration_friction_force" => Some(force),
+            b"calibration_friction_coefficient" => Some(if load > 0.0 { force / load } else { f64::NAN }),
             _ => None,
         }
     }
-}
-
-/// Sets one parameter by its name, as `asperity_params_set_values` does with one name.
-///
-/// @param params  initialised parameters
-/// @param name    a name of `asperity_params_name`
-/// @param value   the number, in the units of the other parameters; an integer for `attraction`, `contact_law` and
-///                `height_distribution`
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
-///         is nearest; a number that must be an integer; a name that needs others in the same call),
-///         `ASPERITY_OUT_OF_RANGE`
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_value(
-    params: *mut asperity_params,
-    name: *const c_char,
-    value: f64,
-) -> asperity_status {
-    asperity_params_set_values(params, 1, &name, &value)
 }
 
 /// Sets parameters by their names, in any order, all or none: for hosts whose input file has names and numbers.
@@ -85,7 +76,8 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
 ///
 /// Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
-/// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it is `asperity_params_set_skew`.
+/// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it chooses the Weibull heights that have
+/// it, from -1.1100 to 2: 0 gives a shape of 3.602.
 /// `height_distribution`, if given, decides; `asperity_create` refuses a skew or kurtosis that these heights do not read.
 ///
 /// ```c
@@ -98,7 +90,9 @@ pub unsafe extern "C" fn asperity_params_set_value(
 /// @param count   number of names
 /// @param names   `count` strings, of which the library reads at most 64 bytes; not NULL unless `count` is 0
 /// @param values  `count` numbers; the last counts where a name is given twice; not NULL unless `count` is 0
-/// @return as `asperity_params_set_value`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest; a number that must be an integer; a name that needs others in the same call),
+///         `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_values(
     params: *mut asperity_params,
@@ -112,7 +106,7 @@ pub unsafe extern "C" fn asperity_params_set_values(
 /// Reads one parameter by its name.
 ///
 /// @param params  initialised parameters
-/// @param name    a name of `asperity_params_name`
+/// @param name    a name of `asperity_name`
 /// @param value   receives the number
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is not a
 ///         field, as `E1`: the struct keeps the moduli made from it)
@@ -126,27 +120,10 @@ pub unsafe extern "C" fn asperity_params_get_value(
         let whole = asperity_params::read(params)?;
         let name = given::read(name)?;
         let value = reference_mut(value, "value")?;
-        let position = position(name)?;
-        let Some(field) = FIELDS.get(position) else {
-            let name = ARGUMENTS[position - FIELDS.len()];
-            let says = "is not kept: read the fields that were made of it, as composite_modulus or height_std";
-            let measured = whole.measured(name);
-            *value = measured.ok_or_else(|| Failure::invalid(format_args!("{name}: {says}")))?;
-            return Ok(());
+        *value = match whole.measured(name) {
+            Some(measured) => measured,
+            None => field(name)?.get(&mut whole.draft()?),
         };
-        *value = field.get(&mut whole.draft()?);
         Ok(())
     })
-}
-
-/// Returns the name of a parameter that is one number, by its index: for messages, and to copy parameters.
-///
-/// To copy parameters, read all names with `asperity_params_get_value` and set them one after another in this order. Heights by a
-/// table and the measurement of a calibration are not among them: copy the struct, or `asperity_params_text`.
-///
-/// @param index  from 0
-/// @return a constant string; NULL after the last
-#[no_mangle]
-pub extern "C" fn asperity_params_name(index: usize) -> *const c_char {
-    FIELDS.get(index).map_or(std::ptr::null(), |field| field.c_name.as_ptr())
 }

@@ -83,7 +83,7 @@ pub struct asperity_params {
     /// without bound towards zero load.
     pub max_friction_coefficient: f64,
     /// Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
-    /// value: call `asperity_params_set_skew` for Weibull heights of a given skew.
+    /// value; by its name it also chooses Weibull heights: `asperity_params_set_values`.
     pub skew: f64,
     /// Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
     /// Gaussian. Other `height_distribution`s refuse any other value.

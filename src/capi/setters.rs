@@ -1,12 +1,14 @@
 //! Functions that set parameters, as C calls them.
 
 use super::boundary::{self, not_null, Failure};
+use super::given;
 use super::params::{asperity_params, check_size};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::materials::{Bodies, Interface};
+use crate::materials::{Bodies, NoPair};
 use crate::params::Params;
 use crate::spectrum::SpectralMoments;
+use std::ffi::c_char;
 
 /// Changes the caller's parameters; what `set` does not change stays bit for bit, and all of it where it fails.
 ///
@@ -22,62 +24,20 @@ pub(super) unsafe fn change(
     Ok(())
 }
 
-/// Takes fields of the same names.
-macro_rules! take {
-    ($from:expr => $to:ident; $($field:ident)*) => {{
-        let made = $from;
-        $($to.$field = made.$field;)*
+/// Changes the caller's parameters, all but a table of heights, as the library does.
+///
+/// # Safety
+/// As that of `change`.
+unsafe fn change_draft(
+    params: *mut asperity_params,
+    set: impl FnOnce(&mut Params) -> Result<(), Error>,
+) -> Result<(), Failure> {
+    change(params, |params| {
+        let mut draft = params.draft()?;
+        set(&mut draft.params)?;
+        params.take(&draft);
         Ok(())
-    }};
-}
-
-/// What a setter of the library makes of the default parameters.
-fn made(set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<asperity_params, Failure> {
-    let mut params = Params::paper();
-    set(&mut params)?;
-    Ok(asperity_params::from_params(&params))
-}
-
-/// What the functions below set, and those of pairs of materials and of interfaces.
-impl asperity_params {
-    pub(super) fn set_materials(&mut self, [young_1, poisson_1, young_2, poisson_2]: [f64; 4]) -> Result<(), Failure> {
-        take! { made(|params| params.set_materials(young_1, poisson_1, young_2, poisson_2))? => self;
-            composite_modulus effective_shear_modulus tangential_modulus
-        }
-    }
-
-    pub(super) fn set_bodies(&mut self, bodies: &Bodies) -> Result<(), Failure> {
-        let set = |params: &mut Params| {
-            params.slip.stress_1 = self.slip_stress_1;
-            params.set_bodies(bodies)
-        };
-        take! { made(set)? => self;
-            composite_modulus effective_shear_modulus tangential_modulus work_of_adhesion adhesion_range burgers_vector
-            hardness slip_stress_1
-        }
-    }
-
-    pub(super) fn set_interface(&mut self, interface: &'static Interface) -> Result<(), Failure> {
-        let set = |params: &mut Params| {
-            params.effective_shear_modulus = self.effective_shear_modulus;
-            params.set_interface(interface)
-        };
-        take! { made(set)? => self; slip_stress_1 slip_stress_2 pressure_coefficient calibration_load calibration_friction_force }
-    }
-
-    /// What one of two ways makes of spectral moments.
-    fn set_summits(&mut self, set: impl FnOnce(&mut Params) -> Result<(), Error>) -> Result<(), Failure> {
-        take! { made(set)? => self;
-            height_std summit_radius asperity_count nominal_area bandwidth radius_amplitude radius_rate summit_mean_height
-            rms_slope
-        }
-    }
-
-    pub(super) fn set_skew(&mut self, skew: f64) -> Result<(), Failure> {
-        take! { made(|params| params.set_skew(skew))? => self;
-            height_distribution weibull_shape skew kurtosis
-        }
-    }
+    })
 }
 
 /// Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset.
@@ -131,14 +91,7 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
     b_over_h: f64,
     poisson: f64,
 ) -> asperity_status {
-    boundary::status(|| {
-        change(params, |params| {
-            take! { made(|changed| changed.set_dimensionless(alpha, beta, gamma, b_over_h, poisson))? => params;
-                composite_modulus effective_shear_modulus work_of_adhesion adhesion_range burgers_vector height_std
-                summit_radius asperity_count tangential_modulus
-            }
-        })
-    })
+    boundary::status(|| change_draft(params, |params| params.set_dimensionless(alpha, beta, gamma, b_over_h, poisson)))
 }
 
 /// Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
@@ -159,27 +112,7 @@ pub unsafe extern "C" fn asperity_params_set_materials(
     E2: f64,
     nu2: f64,
 ) -> asperity_status {
-    boundary::status(|| change(params, |params| params.set_materials([E1, nu1, E2, nu2])))
-}
-
-/// Chooses summits that yield, for metals: sets `contact_law` to `ASPERITY_CONTACT_ELASTIC_PLASTIC`, `hardness`, and
-/// `work_of_adhesion` to 0, which this law needs. The other parameters stay as they are.
-///
-/// @param params    initialised parameters
-/// @param hardness  indentation hardness of the softer body [stress] > 0, 1e-5 to 100 E*
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_elastic_plastic(
-    params: *mut asperity_params,
-    hardness: f64,
-) -> asperity_status {
-    boundary::status(|| {
-        change(params, |params| {
-            take! { made(|changed| changed.set_elastic_plastic(hardness))? => params;
-                contact_law hardness work_of_adhesion
-            }
-        })
-    })
+    boundary::status(|| change_draft(params, |params| params.set_materials(E1, nu1, E2, nu2)))
 }
 
 /// Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales.
@@ -205,42 +138,61 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
     nominal_area: f64,
 ) -> asperity_status {
     let moments = SpectralMoments { m0, m2, m4 };
-    boundary::status(|| {
-        change(params, |params| params.set_summits(|made| made.set_spectral_moments(moments, nominal_area)))
-    })
+    boundary::status(|| change_draft(params, |params| params.set_spectral_moments(moments, nominal_area)))
 }
 
-/// Sets the roughness to the summits of such a surface, all with one radius, as McCool (1987) does: for comparison with literature.
+/// Sets what is known of two materials in contact, in SI units; you set the roughness.
 ///
-/// Right for narrow spectra alone: at a bandwidth of 27 the real area is 0.6 of that of boundary elements. Sets the parameters
-/// that `asperity_params_set_spectral_moments` sets, with height_std = ((1 - 0.8968/alpha) m0)^(1/2), where 0.8968 is
-/// 1 + 16/pi - 3^(3/2), summit_radius = 3 pi^(1/2)/(8 m4^(1/2)), asperity_count = m4/(6 pi 3^(1/2) m2) nominal_area,
-/// radius_amplitude = 0, summit_mean_height = 4 (m0/(pi alpha))^(1/2) and bandwidth = alpha.
+/// It sets
 ///
-/// @param params                 initialised parameters
-/// @param m0,m2,m4,nominal_area  as for `asperity_params_set_spectral_moments`; m4 must be known
-/// @return as `asperity_params_set_spectral_moments`
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_mccool_summits(
-    params: *mut asperity_params,
-    m0: f64,
-    m2: f64,
-    m4: f64,
-    nominal_area: f64,
-) -> asperity_status {
-    let moments = SpectralMoments { m0, m2, m4 };
-    boundary::status(|| {
-        change(params, |params| params.set_summits(|made| made.set_mccool_summits(moments, nominal_area)))
-    })
-}
-
-/// Chooses Weibull heights of a given skew: sets `height_distribution` and `weibull_shape`.
+/// - E*, G* and `tangential_modulus` as `asperity_params_set_materials`
+/// - `work_of_adhesion`
+/// - `burgers_vector`, the longer one of both bodies, and `adhesion_range`, equal to it as in the paper
+/// - `hardness`, that of the softer body, or 0 if one is not known
+/// - `slip_stress_1`, where it is measured
+///
+/// The other parameters stay as they are, and must be in SI units too.
+///
+/// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`: the work of
+/// adhesion of what is no pair of `asperity_name`, and both lengths where a body has no Burgers vector. `asperity_create` then
+/// says what is left to set.
 ///
 /// @param params  initialised parameters
-/// @param skew    [-], -1.1100 to 2, which are the skews of omega from 200 to 1; 0 gives omega = 3.602
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (skew outside the family),
-///         `ASPERITY_OUT_OF_RANGE` (skew of a shape that is not evaluated)
+/// @param name    two materials of `asperity_name` with a slash between
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
+///         is nearest)
 #[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_skew(params: *mut asperity_params, skew: f64) -> asperity_status {
-    boundary::status(|| change(params, |params| params.set_skew(skew)))
+pub unsafe extern "C" fn asperity_params_set_pair(
+    params: *mut asperity_params,
+    name: *const c_char,
+) -> asperity_status {
+    boundary::status(|| {
+        let name = given::read(name)?;
+        let bodies = Bodies::find(name).ok_or_else(|| Failure::invalid(format_args!("{}", NoPair(name))))?;
+        change_draft(params, |params| params.set_bodies(&bodies))
+    })
+}
+
+/// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
+///
+/// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
+/// and tables of heights stay as they are, and so does what is unset.
+///
+/// From SI into mm, N and MPa:
+///
+/// ```c
+/// asperity_params_set_units(&params, 1e-3, 1.0);
+/// ```
+///
+/// @param params  initialised parameters
+/// @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
+/// @param force   the new unit of force in the present one, > 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+#[no_mangle]
+pub unsafe extern "C" fn asperity_params_set_units(
+    params: *mut asperity_params,
+    length: f64,
+    force: f64,
+) -> asperity_status {
+    boundary::status(|| change_draft(params, |params| params.set_units(length, force)))
 }

@@ -153,34 +153,3 @@ pub unsafe extern "C" fn asperity_params_text(
     }
     whole
 }
-
-/// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
-///
-/// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
-/// and tables of heights stay as they are, and so does what is unset.
-///
-/// From SI into mm, N and MPa:
-///
-/// ```c
-/// asperity_params_set_units(&params, 1e-3, 1.0);
-/// ```
-///
-/// @param params  initialised parameters
-/// @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
-/// @param force   the new unit of force in the present one, > 0
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_units(
-    params: *mut asperity_params,
-    length: f64,
-    force: f64,
-) -> asperity_status {
-    boundary::status(|| {
-        change(params, |params| {
-            let mut draft = params.draft()?;
-            draft.params.set_units(length, force)?;
-            params.take(&draft);
-            Ok(())
-        })
-    })
-}

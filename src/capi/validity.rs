@@ -1,6 +1,6 @@
 //! Where the model holds, as C asks: warnings of a range of loads, and what they mean.
 
-use super::boundary::{self, not_null, reference_mut, write};
+use super::boundary::{self, reference_mut};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use super::text::write_text;
@@ -90,46 +90,6 @@ pub unsafe extern "C" fn asperity_check_loads(
     })
 }
 
-/// Returns the text of one warning: what fails and what to do about it.
-///
-/// @param warning  one bit `ASPERITY_WARNING_...`
-/// @return a constant string, never NULL; "no warning" for 0, "unknown warning" for a number that is not one known
-///         bit
-#[no_mangle]
-pub extern "C" fn asperity_warning_string(warning: u64) -> *const c_char {
-    string(warning).as_ptr()
-}
-
-/// Finds the loads between which a warning holds, within the loads of the compiled table.
-///
-/// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.
-///
-/// @param model     a model
-/// @param warning   one bit `ASPERITY_WARNING_...`
-/// @param lightest  receives the lightest load of the table at which the warning holds [force], NaN if it holds at
-///                  none
-/// @param heaviest  receives the heaviest [force], likewise
-/// @return `ASPERITY_OK`, also if the warning holds nowhere; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`
-///         (`warning` is not one known bit), `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
-#[no_mangle]
-pub unsafe extern "C" fn asperity_warning_loads(
-    model: *const asperity_model,
-    warning: u64,
-    lightest: *mut f64,
-    heaviest: *mut f64,
-) -> asperity_status {
-    boundary::status(|| {
-        let model = model::of(model)?;
-        not_null(lightest, "lightest")?;
-        not_null(heaviest, "heaviest")?;
-        let found = model.warning_loads(warning)?;
-        let (light, heavy) = found.unwrap_or((f64::NAN, f64::NAN));
-        write(lightest, 0, light);
-        write(heaviest, 0, heavy);
-        Ok(())
-    })
-}
-
 /// Copies the texts of several warnings, one line each: what fails and what to do about it.
 ///
 /// @param warnings  bits `ASPERITY_WARNING_...` of a state or of `asperity_check_loads`; a line "unknown warning"
@@ -140,68 +100,87 @@ pub unsafe extern "C" fn asperity_warning_loads(
 /// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
-    let known = (0..validity::WARNINGS).map(|bit| warnings & 1 << bit).filter(|&bit| bit != 0);
-    let lines = known.chain(Some(warnings & !validity::ALL).filter(|&rest| rest != 0 || warnings == 0));
-    let pieces =
-        lines.enumerate().flat_map(|(i, line)| [if i > 0 { "\n".as_bytes() } else { b"" }, string(line).to_bytes()]);
-    write_text(buffer, length, pieces)
+    let known = WARNINGS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(.., says)| *says);
+    let rest = match warnings & !validity::ALL {
+        0 if warnings != 0 => None,
+        0 => Some(c"no warning"),
+        _ => Some(c"unknown warning"),
+    };
+    let lines = known.chain(rest).enumerate();
+    write_text(buffer, length, lines.flat_map(|(i, line)| [if i > 0 { &b"\n"[..] } else { b"" }, line.to_bytes()]))
 }
 
-/// What one warning means.
-fn string(warning: u64) -> &'static CStr {
-    match warning {
-        0 => c"no warning",
-        ASPERITY_WARNING_PLASTIC => {
-            c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
-              1; use the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, \
-              or lighter loads if only the pressure is too high"
-        }
-        ASPERITY_WARNING_CROWDED => {
-            c"summits do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
-              given, more than 10 % of the summits touch; areas are rough here, and stiffness no longer grows with neighbours from \
-              about half of nominal_area on; use lighter loads, or check height_std, asperity_count and nominal_area, which \
-              are usually too small"
-        }
-        ASPERITY_WARNING_STEEP => {
-            c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
-              above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
-              summit_radius: a height map that is noisy gives too steep a surface and too small a radius"
-        }
-        ASPERITY_WARNING_ATOMIC => {
-            c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
-              loads, or take the summits of a height map that is filtered at the size of the contacts"
-        }
-        ASPERITY_WARNING_FEW => {
-            c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
-              friction_scatter, and their mean friction exceeds that of the model by friction_bias (in an estimate \
-              specimen_scatter, and their mean is specimen_force); use heavier loads or a larger area (asperity_count)"
-        }
-        ASPERITY_WARNING_ADHESIVE => {
-            c"adhesion presses the surfaces together with more than the load, where models of independent summits are \
-              quantitatively wrong; use heavier loads, or check work_of_adhesion, height_std and summit_radius: input \
-              that is too smooth or too clean is the usual cause"
-        }
-        ASPERITY_WARNING_UNCALIBRATED => {
-            c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
-              with the default it was up to 14 times too low or 26 times too high; measure friction once and calibrate \
-              with it, or set slip stresses and pressure_coefficient to measured values"
-        }
-        ASPERITY_WARNING_BROAD => {
-            c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on \
-              summits: at a bandwidth of 27 they give 7 to 24 % less friction and 30 to 43 % less real area than boundary \
-              elements; give the mean squares of height and slope instead (m0 and m2, or Sq and Sdq), or calibrate at the \
-              load of use"
-        }
-        ASPERITY_WARNING_STRONG => {
-            c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
-              sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
-              lower slip stresses"
-        }
-        ASPERITY_WARNING_FEW_WAVES => {
-            c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
-              load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
-              surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights"
-        }
-        _ => c"unknown warning",
-    }
-}
+/// The warnings in the order of their bits: names, bits, and what each means.
+pub(super) static WARNINGS: [(&CStr, u64, &CStr); validity::WARNINGS] = [
+    (
+        c"PLASTIC",
+        ASPERITY_WARNING_PLASTIC,
+        c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
+          1; use the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, \
+          or lighter loads if only the pressure is too high",
+    ),
+    (
+        c"CROWDED",
+        ASPERITY_WARNING_CROWDED,
+        c"summits do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
+          given, more than 10 % of the summits touch; areas are rough here, and stiffness no longer grows with neighbours from \
+          about half of nominal_area on; use lighter loads, or check height_std, asperity_count and nominal_area, which \
+          are usually too small",
+    ),
+    (
+        c"STEEP",
+        ASPERITY_WARNING_STEEP,
+        c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
+          above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
+          summit_radius: a height map that is noisy gives too steep a surface and too small a radius",
+    ),
+    (
+        c"ATOMIC",
+        ASPERITY_WARNING_ATOMIC,
+        c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
+          loads, or take the summits of a height map that is filtered at the size of the contacts",
+    ),
+    (
+        c"FEW",
+        ASPERITY_WARNING_FEW,
+        c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
+          friction_scatter, and their mean friction exceeds that of the model by friction_bias (in an estimate \
+          specimen_scatter, and their mean is specimen_force); use heavier loads or a larger area (asperity_count)",
+    ),
+    (
+        c"ADHESIVE",
+        ASPERITY_WARNING_ADHESIVE,
+        c"adhesion presses the surfaces together with more than the load, where models of independent summits are \
+          quantitatively wrong; use heavier loads, or check work_of_adhesion, height_std and summit_radius: input \
+          that is too smooth or too clean is the usual cause",
+    ),
+    (
+        c"UNCALIBRATED",
+        ASPERITY_WARNING_UNCALIBRATED,
+        c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
+          with the default it was up to 14 times too low or 26 times too high; measure friction once and calibrate \
+          with it, or set slip stresses and pressure_coefficient to measured values",
+    ),
+    (
+        c"BROAD",
+        ASPERITY_WARNING_BROAD,
+        c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on \
+          summits: at a bandwidth of 27 they give 7 to 24 % less friction and 30 to 43 % less real area than boundary \
+          elements; give the mean squares of height and slope instead (m0 and m2, or Sq and Sdq), or calibrate at the \
+          load of use",
+    ),
+    (
+        c"STRONG",
+        ASPERITY_WARNING_STRONG,
+        c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
+          sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
+          lower slip stresses",
+    ),
+    (
+        c"FEW_WAVES",
+        ASPERITY_WARNING_FEW_WAVES,
+        c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
+          load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
+          surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights",
+    ),
+];

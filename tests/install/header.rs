@@ -8,22 +8,13 @@ const WRITE: &str = "ASPERITY_WRITE_HEADER";
 
 /// The groups of functions in the order in which a reader needs them: a heading, and the files of `src/capi/` whose functions
 /// follow.
-const GROUPS: [(&str, &[&str]); 7] = [
+const GROUPS: [(&str, &[&str]); 8] = [
     ("One call: friction with its band, from a text.", &["estimate"]),
     (
         "Make: parameters from what you know of the surfaces, then a model.",
-        &[
-            "params",
-            "setters",
-            "names",
-            "materials",
-            "interfaces",
-            "calibration",
-            "surface_text",
-            "surface_file",
-            "model",
-        ],
+        &["params", "setters", "names", "calibration", "surface_text", "surface_file", "model"],
     ),
+    ("Look up: names, and what is known of each.", &["look_up"]),
     (
         "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
         &["evaluate", "slope", "pairs", "tangential", "microslip", "gap", "summits"],

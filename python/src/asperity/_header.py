@@ -34,6 +34,12 @@ ASPERITY_CONTACT_MAUGIS = 0
 ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
 ASPERITY_SLIP_PARTIAL = 0
 ASPERITY_SLIP_WHOLE = 1
+ASPERITY_NAMES_PARAMETERS = 0
+ASPERITY_NAMES_MATERIALS = 1
+ASPERITY_NAMES_PAIRS = 2
+ASPERITY_NAMES_INTERFACES = 3
+ASPERITY_NAMES_WARNINGS = 4
+ASPERITY_NAMES_STATUSES = 5
 ASPERITY_WARNING_PLASTIC = 1
 ASPERITY_WARNING_CROWDED = 2
 ASPERITY_WARNING_STEEP = 4
@@ -114,49 +120,6 @@ class asperity_params(Structure):
         ("calibration_error", c_double),
         ("summit_mean_height", c_double),
         ("rms_slope", c_double),
-    ]
-
-
-class asperity_material_data(Structure):
-    _fields_ = [
-        ("struct_size", c_uint64),
-        ("young", c_double),
-        ("young_low", c_double),
-        ("young_high", c_double),
-        ("poisson", c_double),
-        ("hardness", c_double),
-        ("hardness_low", c_double),
-        ("hardness_high", c_double),
-        ("burgers_vector", c_double),
-        ("name", c_char_p),
-        ("reference", c_char_p),
-    ]
-
-
-class asperity_pair_data(Structure):
-    _fields_ = [
-        ("struct_size", c_uint64),
-        ("work_of_adhesion", c_double),
-        ("work_of_adhesion_low", c_double),
-        ("work_of_adhesion_high", c_double),
-        ("hamaker", c_double),
-        ("slip_stress_1", c_double),
-        ("name", c_char_p),
-        ("reference", c_char_p),
-    ]
-
-
-class asperity_interface_data(Structure):
-    _fields_ = [
-        ("struct_size", c_uint64),
-        ("shear_strength", c_double),
-        ("pressure_coefficient", c_double),
-        ("friction_coefficient", c_double),
-        ("load", c_double),
-        ("name", c_char_p),
-        ("conditions", c_char_p),
-        ("source", c_char_p),
-        ("reference", c_char_p),
     ]
 
 
@@ -247,9 +210,6 @@ class asperity_table(Structure):
 _model = POINTER(asperity_model)
 _estimate = POINTER(asperity_estimate)
 _params = POINTER(asperity_params)
-_material = POINTER(asperity_material_data)
-_pair = POINTER(asperity_pair_data)
-_interface = POINTER(asperity_interface_data)
 _microslip = POINTER(asperity_microslip)
 _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
@@ -262,33 +222,23 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_init": (c_int32, [_params, c_size_t]),
     "asperity_params_set_dimensionless": (c_int32, [_params, c_double, c_double, c_double, c_double, c_double]),
     "asperity_params_set_materials": (c_int32, [_params, c_double, c_double, c_double, c_double]),
-    "asperity_params_set_elastic_plastic": (c_int32, [_params, c_double]),
     "asperity_params_set_spectral_moments": (c_int32, [_params, c_double, c_double, c_double, c_double]),
-    "asperity_params_set_mccool_summits": (c_int32, [_params, c_double, c_double, c_double, c_double]),
-    "asperity_params_set_skew": (c_int32, [_params, c_double]),
-    "asperity_params_set_value": (c_int32, [_params, c_char_p, c_double]),
+    "asperity_params_set_pair": (c_int32, [_params, c_char_p]),
+    "asperity_params_set_units": (c_int32, [_params, c_double, c_double]),
     "asperity_params_set_values": (c_int32, [_params, c_size_t, POINTER(POINTER(c_char)), _double]),
     "asperity_params_get_value": (c_int32, [_params, c_char_p, _double]),
-    "asperity_params_name": (c_char_p, [c_size_t]),
-    "asperity_material": (c_int32, [c_char_p, _material]),
-    "asperity_material_name": (c_char_p, [c_size_t]),
-    "asperity_pair": (c_int32, [c_char_p, _pair]),
-    "asperity_pair_name": (c_char_p, [c_size_t]),
-    "asperity_params_set_pair": (c_int32, [_params, c_char_p]),
-    "asperity_interface": (c_int32, [c_char_p, _interface]),
-    "asperity_interface_name": (c_char_p, [c_size_t]),
-    "asperity_params_set_interface": (c_int32, [_params, c_char_p]),
     "asperity_params_calibrate": (c_int32, [_params, c_double, c_double]),
     "asperity_params_calibrate_force": (c_int32, [_params, c_double, c_double]),
     "asperity_params_set_text": (c_int32, [_params, c_char_p, c_size_t]),
     "asperity_params_set_estimate": (c_int32, [_params, c_char_p, c_size_t]),
     "asperity_params_text": (c_size_t, [_params, POINTER(c_char), c_size_t]),
-    "asperity_params_set_units": (c_int32, [_params, c_double, c_double]),
     "asperity_params_read": (c_int32, [_params, c_char_p]),
     "asperity_create": (c_int32, [_params, POINTER(_model)]),
     "asperity_set_params": (c_int32, [_model, _params]),
     "asperity_get_params": (c_int32, [_model, _params]),
     "asperity_free": (None, [_model]),
+    "asperity_name": (c_char_p, [c_int32, c_size_t]),
+    "asperity_describe": (c_size_t, [c_int32, c_char_p, POINTER(c_char), c_size_t]),
     "asperity_friction_at_load": (c_double, [_model, c_double]),
     "asperity_friction_force_at_load": (c_double, [_model, c_double]),
     "asperity_friction_at_loads": (c_int32, [_model, c_size_t, _double, _double, _double]),
@@ -313,8 +263,6 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_state_at_gap": (c_int32, [_model, c_double, _state]),
     "asperity_summary_of": (c_int32, [_model, _summary]),
     "asperity_check_loads": (c_int32, [_model, c_double, c_double, POINTER(c_uint64)]),
-    "asperity_warning_string": (c_char_p, [c_uint64]),
-    "asperity_warning_loads": (c_int32, [_model, c_uint64, _double, _double]),
     "asperity_warnings_text": (c_size_t, [c_uint64, POINTER(c_char), c_size_t]),
     "asperity_last_error": (c_size_t, [POINTER(c_char), c_size_t]),
     "asperity_status_string": (c_char_p, [c_int32]),

@@ -161,7 +161,7 @@ class Params:
         max_friction_coefficient: Upper bound of every friction coefficient returned [-], > 0; 1000 by default, infinity
             allowed. F/P grows without bound towards zero load.
         skew: Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
-            value.
+            value; by its name it also chooses Weibull heights.
         kurtosis: Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0
             is Gaussian. Other `height_distribution`s refuse any other value.
         hardness: H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not
