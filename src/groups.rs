@@ -2,9 +2,6 @@
 
 use std::f64::consts::PI;
 
-/// How many groups that are numbers there are.
-pub const GROUPS: usize = 5;
-
 /// What a contact depends on beside its heights and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Groups {
@@ -29,15 +26,6 @@ impl Groups {
     pub fn lambda_cubed(&self) -> f64 {
         let cube = self.b_over_h * self.b_over_h * self.b_over_h;
         4.5 / PI * self.beta * self.gamma * self.gamma * cube / self.alpha
-    }
-
-    /// With one of the groups larger by a change of its logarithm.
-    #[cfg(test)]
-    pub fn grown(&self, which: usize, log_change: f64) -> Self {
-        let mut groups = *self;
-        let Self { alpha, beta, gamma, b_over_h, hardness, .. } = &mut groups;
-        *[alpha, beta, gamma, b_over_h, hardness][which] *= log_change.exp();
-        groups
     }
 
     /// The range of adhesion in standard deviations of height, h/sigma.

@@ -51,7 +51,6 @@ mod nearest;
 mod neighbours;
 mod numerics;
 mod params;
-mod sensitivity;
 mod spectrum;
 
 // Parts of the physics, which tests of this crate ask one by one; no part of the interface.
@@ -73,5 +72,4 @@ pub use model::validity::{
 };
 pub use model::{MicroslipStep, Model, State, Summary, SummitState};
 pub use params::{ContactLawKind, HeightFamily, Params};
-pub use sensitivity::Sensitivities;
 pub use spectrum::SpectralMoments;

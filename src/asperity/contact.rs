@@ -1,7 +1,5 @@
 //! What the sums over a surface need of a law of contact. One law is one file.
 
-use crate::groups::GROUPS;
-
 /// Overlap, contact radius and load of one asperity, or what these change by with something else.
 ///
 /// Lengths: radius in b, overlap in sigma; load in E* b^2.
@@ -98,10 +96,6 @@ pub trait ContactLaw: std::fmt::Debug + Send + Sync {
     /// A guess of the parameter at an overlap.
     fn guess(&self, overlap: f64, g: f64) -> f64;
 
-    /// The derivatives of the state by the logarithm of each group, in the order of [`Groups`](crate::groups::Groups), at fixed
-    /// s and g.
-    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS];
-
     /// Distance from a parameter to the nearest point, real or complex, where the states are not analytic in it, but for
     /// the kinks.
     fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64;
@@ -126,18 +120,13 @@ pub(crate) mod tests {
         Groups { alpha, beta, gamma, b_over_h, hardness: f64::INFINITY, yields: false, nominal_area: 0.0 }
     }
 
-    /// By s, by g and by the groups, at these parameters and at three radii.
-    pub fn assert_rates_are_secants<L: ContactLaw>(law: fn(&Groups) -> L, groups: &Groups, parameters: &[f64]) {
-        let here = law(groups);
+    /// By s and by g, at these parameters and at three radii.
+    pub fn assert_rates_are_secants(here: &dyn ContactLaw, parameters: &[f64]) {
         for (s, g) in parameters.iter().flat_map(|&s| [0.3, 1.0, 1.8].map(|g| (s, g))) {
             let step = 1e-5 * s.clamp(0.01, 1.0);
             let contact = here.at(s, g);
             assert_rates([here.at(s - step, g), here.at(s + step, g)], step, contact.by_s, &format!("ds at {s}, {g}"));
             assert_rates([here.at(s, g - step), here.at(s, g + step)], step, contact.by_g, &format!("dg at {s}, {g}"));
-            for (i, rates) in here.by_groups(s, g).into_iter().enumerate() {
-                let ends = [-1e-5, 1e-5].map(|step| law(&groups.grown(i, step)).at(s, g));
-                assert_rates(ends, 1e-5, rates, &format!("group {i} at {s}, {g}"));
-            }
         }
     }
 

@@ -14,7 +14,7 @@
 use super::contact::{Contact, ContactLaw, Rates, KINKS};
 use super::hertz::Hertz;
 use crate::elementary::log;
-use crate::groups::{Groups, GROUPS};
+use crate::groups::Groups;
 use std::f64::consts::PI;
 
 /// K: the mean pressure at first yield over the hardness.
@@ -117,29 +117,6 @@ impl ContactLaw for ElasticPlastic {
         self.elastic.guess(overlap, g)
     }
 
-    /// At the overlap of the parameter. a^2 over beta^2 and the mean pressure over eta depend on u/u1, of which u1 is as
-    /// eta^2/alpha^2 and as g.
-    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS] {
-        let overlap = parameter * parameter;
-        if overlap <= self.first_yield * g {
-            return self.elastic.by_groups(parameter, g);
-        }
-        let (square, pressure) = self.yielding(overlap, g);
-        let change = |square_change: f64, pressure_change: f64| {
-            let load = PI * (square_change * pressure[0] + square[0] * pressure_change);
-            Rates { overlap: 0.0, radius: 0.5 * square_change / square[0].sqrt(), load, hertz_load: load }
-        };
-        // By ln u1.
-        let (square_change, pressure_change) = (g * square[2] - square[0], g * pressure[2]);
-        [
-            change(-2.0 * square_change, -2.0 * pressure_change),
-            change(2.0 * square[0], 0.0),
-            Rates::default(),
-            Rates::default(),
-            change(2.0 * square_change, 2.0 * pressure_change + pressure[0]),
-        ]
-    }
-
     fn distance_to_singularity(&self, parameter: f64, g: f64) -> f64 {
         let (overlap, first) = (parameter * parameter, self.first_yield * g);
         if overlap > NEXT_TO_YIELD * first && overlap < FLOW * first {
@@ -165,7 +142,7 @@ mod tests {
     #[test]
     fn rates_are_slopes_of_secants() {
         let first = first_yield(&GROUPS).sqrt();
-        assert_rates_are_secants(ElasticPlastic::new, &GROUPS, &[0.1, 0.5, 3.0, 6.0, 11.0].map(|part| part * first));
+        assert_rates_are_secants(&ElasticPlastic::new(&GROUPS), &[0.1, 0.5, 3.0, 6.0, 11.0].map(|part| part * first));
     }
 
     /// By the roots of 1 + 3 t^2 - 2 t^3 and of u: no singularity of the states lies within three times the distance.

@@ -1,7 +1,7 @@
 //! Hertz' contact of one asperity: Maugis' law without adhesion, eqs (5) and (6) with gamma = 0.
 
 use super::contact::{Contact, ContactLaw, Rates};
-use crate::groups::{Groups, GROUPS};
+use crate::groups::Groups;
 
 /// Hertz' law. Its parameter is the square root of the overlap.
 #[derive(Debug, Clone)]
@@ -50,14 +50,6 @@ impl ContactLaw for Hertz {
         overlap.max(0.0).sqrt()
     }
 
-    /// The overlap is that of the parameter; a is as beta, P as alpha beta^2.
-    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS] {
-        let Contact { radius, load, .. } = self.at(parameter, g);
-        let by_alpha = Rates { load, hertz_load: load, ..Rates::default() };
-        let by_beta = Rates { radius, load: 2.0 * load, hertz_load: 2.0 * load, ..Rates::default() };
-        [by_alpha, by_beta, Rates::default(), Rates::default(), Rates::default()]
-    }
-
     fn distance_to_singularity(&self, _parameter: f64, _g: f64) -> f64 {
         f64::INFINITY
     }
@@ -70,6 +62,6 @@ mod tests {
 
     #[test]
     fn rates_are_slopes_of_secants() {
-        assert_rates_are_secants(Hertz::new, &elastic([0.02, 300.0, 0.0, 1.0]), &[0.1, 1.0, 30.0]);
+        assert_rates_are_secants(&Hertz::new(&elastic([0.02, 300.0, 0.0, 1.0])), &[0.1, 1.0, 30.0]);
     }
 }

@@ -8,7 +8,7 @@
 
 use super::contact::{Contact, ContactLaw, Rates};
 use crate::elementary::{cbrt, sincos};
-use crate::groups::{Groups, GROUPS};
+use crate::groups::Groups;
 use crate::numerics::root::{self, LAST_STEP, MOST_STEPS};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -16,9 +16,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// theta = pi/2.
 pub const FOLD_LAMBDA_CUBED: f64 = 0.825_154_991_394_896_2;
 
-/// The coefficients of eqs (4)-(6), or what powers of a group they are.
+/// Maugis' contact law, by the coefficients of eqs (4)-(6).
 #[derive(Debug, Clone)]
-struct Coefficients {
+pub struct Maugis {
     /// alpha b / (pi beta h): the factor of the first bracket of eq (4), times g.
     bracket_2: f64,
     /// 4 gamma b^2 / (pi h^2): the factor of the second bracket of eq (4).
@@ -31,29 +31,6 @@ struct Coefficients {
     load_hertz: f64,
     /// 2 gamma b / h, the adhesive term of eq (5).
     load_adhesion: f64,
-}
-
-impl Coefficients {
-    /// In their order.
-    const fn of(coefficients: [f64; 6]) -> Self {
-        let [bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion] = coefficients;
-        Self { bracket_2, bracket_1, overlap_hertz, overlap_adhesion, load_hertz, load_adhesion }
-    }
-}
-
-/// Their powers of alpha, beta, gamma, b/h and hardness.
-const POWERS: [Coefficients; GROUPS] = [
-    Coefficients::of([1.0, 0.0, 0.0, -1.0, 1.0, 0.0]),
-    Coefficients::of([-1.0, 0.0, -2.0, -1.0, -1.0, 0.0]),
-    Coefficients::of([0.0, 1.0, 0.0, 1.0, 0.0, 1.0]),
-    Coefficients::of([1.0, 2.0, 0.0, 1.0, 0.0, 1.0]),
-    Coefficients::of([0.0; 6]),
-];
-
-/// Maugis' contact law.
-#[derive(Debug, Clone)]
-pub struct Maugis {
-    of: Coefficients,
     lambda_cubed: f64,
 }
 
@@ -61,15 +38,15 @@ impl Maugis {
     /// The contact law of a surface's groups, of which gamma > 0.
     pub fn new(groups: &Groups) -> Self {
         let Groups { alpha, beta, gamma, b_over_h, .. } = *groups;
-        let of = Coefficients {
+        Self {
             bracket_2: alpha * b_over_h / (PI * beta),
             bracket_1: 4.0 * gamma * b_over_h * b_over_h / PI,
             overlap_hertz: 1.0 / (beta * beta),
             overlap_adhesion: 2.0 * gamma * b_over_h / (alpha * beta),
             load_hertz: 4.0 * alpha / (3.0 * beta),
             load_adhesion: 2.0 * gamma * b_over_h,
-        };
-        Self { of, lambda_cubed: groups.lambda_cubed() }
+            lambda_cubed: groups.lambda_cubed(),
+        }
     }
 
     /// Whether the contact of a summit breaks at a > 0.
@@ -88,42 +65,41 @@ impl ContactLaw for Maugis {
         let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(theta);
         let inv_g = 1.0 / g;
         // Eq (4) as k2 c^2 + k1 c = 1; d(bracket)/dtheta = 2 theta sin 2theta and theta cos theta.
-        let factor_2 = self.of.bracket_2 * inv_g;
+        let factor_2 = self.bracket_2 * inv_g;
         let k2 = factor_2 * bracket_2;
-        let k1 = self.of.bracket_1 * bracket_1;
+        let k1 = self.bracket_1 * bracket_1;
         let root = (k1 * k1 + 4.0 * k2).sqrt();
         // c = 2/(k1 + root); 2 k2 c + k1 equals the root.
         let c_over_root = 2.0 / ((k1 + root) * root);
         let c = c_over_root * root;
         let k_rate = theta * cos * theta_rate;
-        let c_rate = -c_over_root * k_rate * (factor_2 * 4.0 * sin * c + self.of.bracket_1);
+        let c_rate = -c_over_root * k_rate * (factor_2 * 4.0 * sin * c + self.bracket_1);
         let c_by_g = c_over_root * k2 * c * inv_g;
 
         let a = c * cos;
         let a_rate = c_rate * cos - c * sin * theta_rate;
         let a_by_g = c_by_g * cos;
-        let hertz = self.of.overlap_hertz * inv_g;
-        let load_hertz = self.of.load_hertz * inv_g;
+        let hertz = self.overlap_hertz * inv_g;
+        let load_hertz = self.load_hertz * inv_g;
         // d(annulus)/dtheta = 2 cos^2.
         let annulus = sin * cos + theta;
         Contact {
             parameter,
-            overlap: hertz * a * a - self.of.overlap_adhesion * sin * c,
+            overlap: hertz * a * a - self.overlap_adhesion * sin * c,
             radius: a,
-            load: load_hertz * a * a * a - self.of.load_adhesion * annulus * c * c,
+            load: load_hertz * a * a * a - self.load_adhesion * annulus * c * c,
             hertz_load: load_hertz * a * a * a,
             by_s: Rates {
-                overlap: 2.0 * hertz * a * a_rate - self.of.overlap_adhesion * (cos * theta_rate * c + sin * c_rate),
+                overlap: 2.0 * hertz * a * a_rate - self.overlap_adhesion * (cos * theta_rate * c + sin * c_rate),
                 radius: a_rate,
                 load: 3.0 * load_hertz * a * a * a_rate
-                    - 2.0 * self.of.load_adhesion * c * (cos * cos * theta_rate * c + annulus * c_rate),
+                    - 2.0 * self.load_adhesion * c * (cos * cos * theta_rate * c + annulus * c_rate),
                 hertz_load: 3.0 * load_hertz * a * a * a_rate,
             },
             by_g: Rates {
-                overlap: hertz * a * (2.0 * a_by_g - a * inv_g) - self.of.overlap_adhesion * sin * c_by_g,
+                overlap: hertz * a * (2.0 * a_by_g - a * inv_g) - self.overlap_adhesion * sin * c_by_g,
                 radius: a_by_g,
-                load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g)
-                    - 2.0 * self.of.load_adhesion * annulus * c * c_by_g,
+                load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g) - 2.0 * self.load_adhesion * annulus * c * c_by_g,
                 hertz_load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g),
             },
         }
@@ -182,37 +158,12 @@ impl ContactLaw for Maugis {
 
     /// Eq (4) for heavy load, with Hertz' radius.
     fn guess(&self, overlap: f64, g: f64) -> f64 {
-        let hertz_radius_squared = overlap.max(0.0) / self.of.overlap_hertz; // over g
+        let hertz_radius_squared = overlap.max(0.0) / self.overlap_hertz; // over g
         let radius = (hertz_radius_squared * g).sqrt();
         // 1/theta by either of the two brackets.
-        let by_bracket_2 = cbrt(self.of.bracket_2 * hertz_radius_squared / 0.75);
-        let by_bracket_1 = (0.5 * self.of.bracket_1 * radius).sqrt();
+        let by_bracket_2 = cbrt(self.bracket_2 * hertz_radius_squared / 0.75);
+        let by_bracket_1 = (0.5 * self.bracket_1 * radius).sqrt();
         (FRAC_PI_2 * by_bracket_2.max(by_bracket_1) - 1.0).max(LEAST_GUESS)
-    }
-
-    /// Eqs (4)-(6), of which each coefficient is a product of powers of the groups.
-    fn by_groups(&self, parameter: f64, g: f64) -> [Rates; GROUPS] {
-        let Angle { sin, cos, bracket_2, bracket_1 } = Angle::new(FRAC_PI_2 / (1.0 + parameter));
-        let k2 = self.of.bracket_2 / g * bracket_2;
-        let k1 = self.of.bracket_1 * bracket_1;
-        let root = (k1 * k1 + 4.0 * k2).sqrt();
-        let c = 2.0 / (k1 + root);
-        let a = c * cos;
-        let (overlap_hertz, overlap_adhesion) = (self.of.overlap_hertz / g * a * a, self.of.overlap_adhesion * sin * c);
-        let load_hertz = self.of.load_hertz / g * a * a * a;
-        let load_adhesion = self.of.load_adhesion * (sin * cos + FRAC_PI_2 / (1.0 + parameter)) * c * c;
-        POWERS.map(|powers| {
-            // d ln c, with d(k2 c^2 + k1 c) = 0.
-            let log_c = -(k2 * c * powers.bracket_2 + k1 * powers.bracket_1) / root;
-            Rates {
-                overlap: overlap_hertz * (2.0 * log_c + powers.overlap_hertz)
-                    - overlap_adhesion * (log_c + powers.overlap_adhesion),
-                radius: a * log_c,
-                load: load_hertz * (3.0 * log_c + powers.load_hertz)
-                    - load_adhesion * (2.0 * log_c + powers.load_adhesion),
-                hertz_load: load_hertz * (3.0 * log_c + powers.load_hertz),
-            }
-        })
     }
 
     /// The first bracket of eq (4) vanishes at theta = 2.2467.
@@ -307,12 +258,8 @@ mod tests {
     use crate::numerics::near;
 
     /// With little adhesion and with much.
-    fn groups() -> [Groups; 2] {
-        [1e-4, 0.02].map(|gamma| elastic([0.01, 1e3, gamma, 0.7]))
-    }
-
     fn laws() -> [Maugis; 2] {
-        groups().map(|groups| Maugis::new(&groups))
+        [1e-4, 0.02].map(|gamma| Maugis::new(&elastic([0.01, 1e3, gamma, 0.7])))
     }
 
     const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];
@@ -373,8 +320,8 @@ mod tests {
 
     #[test]
     fn rates_are_slopes_of_secants() {
-        for groups in groups() {
-            assert_rates_are_secants(Maugis::new, &groups, &[0.0, 0.03, 0.4, 2.0, 50.0, 1e4]);
+        for law in laws() {
+            assert_rates_are_secants(&law, &[0.0, 0.03, 0.4, 2.0, 50.0, 1e4]);
         }
     }
 

@@ -124,18 +124,6 @@ impl Slip {
         self.by_hertz_load == 0.0
     }
 
-    /// d ln(pi a^2 tau) at contact radius `a` by the logarithms of the constants, in their order.
-    pub fn log_changes(&self, a: f64) -> [f64; 4] {
-        let SlipConstants { radius_1, radius_2, .. } = self.constants;
-        // How far ln a is from ln a_1 towards ln a_2.
-        let part = match a {
-            _ if a <= radius_1 => return [0.0, 1.0, 0.0, 0.0],
-            _ if a >= radius_2 => return [0.0, 0.0, 0.0, 1.0],
-            _ => log(a / radius_1) / log(radius_2 / radius_1),
-        };
-        [-self.exponent * (1.0 - part), 1.0 - part, -self.exponent * part, part]
-    }
-
     /// The contact radii at which pi a^2 tau is this times the radius, one in each regime, infinite where there is none.
     pub fn radii_at_force_over_radius(&self, ratio: f64) -> [f64; 3] {
         let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;

@@ -1,6 +1,6 @@
 //! Gaussian heights, eq (17).
 
-use super::{HeightDistribution, Motion, LN_SQRT_2_PI};
+use super::{HeightDistribution, LN_SQRT_2_PI};
 
 /// The standard normal distribution.
 #[derive(Debug)]
@@ -37,17 +37,5 @@ impl HeightDistribution for Gaussian {
 
     fn kurtosis(&self) -> f64 {
         3.0
-    }
-
-    /// As one of Johnson's curves.
-    fn motion(&self) -> Option<Box<dyn Motion + '_>> {
-        Some(Box::new(Self))
-    }
-}
-
-/// By skew and kurtosis: the first terms of Cornish and Fisher's series.
-impl Motion for Gaussian {
-    fn above_origin(&self, z: f64) -> [f64; 2] {
-        [(z * z - 1.0) / 6.0, z * (z * z - 3.0) / 24.0]
     }
 }

@@ -76,23 +76,6 @@ pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
 
     /// Fourth standardised moment.
     fn kurtosis(&self) -> f64;
-
-    /// How heights move as the parameters of their family change; `None` where it has none.
-    fn motion(&self) -> Option<Box<dyn Motion + '_>> {
-        None
-    }
-}
-
-/// How the heights of a family move as its parameters change, each at a fixed quantile, the mean held at 0 and the standard
-/// deviation at 1: dz/dp by weibull_shape and nothing, or by skew and kurtosis.
-pub trait Motion {
-    /// Of the origin, above the mean.
-    fn of_origin(&self) -> [f64; 2] {
-        [0.0; 2]
-    }
-
-    /// Of the height that is z, above the origin.
-    fn above_origin(&self, z: f64) -> [f64; 2];
 }
 
 /// The family of the distribution of summit heights.

@@ -1,7 +1,7 @@
 //! Weibull heights, eqs (18)-(21): standardised to mean 0 and standard deviation 1, so that the shape
 //! omega alone remains, and with it skew and kurtosis together.
 
-use super::{HeightDistribution, Motion};
+use super::HeightDistribution;
 use crate::elementary::{exp, exp_each, expm1, log, log1p, log1p_each, pow};
 use crate::error::Error;
 use crate::float_bits::finite;
@@ -158,46 +158,6 @@ impl HeightDistribution for Weibull {
 
     fn kurtosis(&self) -> f64 {
         self.kurtosis
-    }
-
-    fn motion(&self) -> Option<Box<dyn Motion + '_>> {
-        Some(Box::new(WeibullMotion::new(self)))
-    }
-}
-
-/// How heights move as omega grows. A height of cumulative hazard t is z_M (t^(1/omega)/B_1 - 1), of which the derivative at
-/// fixed t is z_M f apart from what mean 0 and standard deviation 1 take of it, constant and in proportion to z.
-struct WeibullMotion<'a> {
-    heights: &'a Weibull,
-    /// The means of f and of z f.
-    mean: f64,
-    slope: f64,
-}
-
-impl<'a> WeibullMotion<'a> {
-    fn new(heights: &'a Weibull) -> Self {
-        let (mut mean, mut slope) = (0.0, 0.0);
-        for (log_height, weight) in hazard_nodes(heights.shape) {
-            let log_relative = log_height - heights.ln_b1;
-            let f = Self::shape_change(heights.shape, log_relative);
-            mean += weight * f;
-            slope += weight * f * heights.mean * expm1(log_relative);
-        }
-        Self { heights, mean, slope }
-    }
-
-    /// f = -((1 + y) ln(1 + y) - y)/omega, y = z/z_M.
-    fn shape_change(shape: f64, log_relative: f64) -> f64 {
-        let y = expm1(log_relative);
-        (y - (1.0 + y) * log_relative) / shape
-    }
-}
-
-impl Motion for WeibullMotion<'_> {
-    fn above_origin(&self, z: f64) -> [f64; 2] {
-        let [log_relative] = self.heights.log_relative([z]);
-        let f = Self::shape_change(self.heights.shape, log_relative);
-        [self.heights.mean * (f - self.mean - z * self.slope), 0.0]
     }
 }
 

@@ -1,4 +1,4 @@
-//! What is evaluated exactly, by sums over the summits at a separation: states, sensitivities, microslip, warnings.
+//! What is evaluated exactly, by sums over the summits at a separation: states, microslip, warnings.
 
 use super::validity::{extent_of, is_one, warnings_between, Measures};
 use super::Model;
@@ -8,7 +8,6 @@ use crate::float_bits::finite;
 use crate::law::Quantity;
 use crate::params::Params;
 use crate::population::{OneSummit, Statistics, Sums};
-use crate::sensitivity::Sensitivities;
 
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
 /// smaller none does.
@@ -113,31 +112,6 @@ impl Model {
             state.dload_dgap = 0.0;
         }
         Ok(state)
-    }
-
-    /// The sensitivities of the friction force at a load to the parameters.
-    ///
-    /// # Errors
-    /// As [`Model::state_at_load`]; [`Error::OutOfRange`] also at the pull-off load itself, where they are infinite, and
-    /// where there is no friction.
-    pub fn sensitivities_at_load(&self, load: f64) -> Result<Sensitivities, Error> {
-        let (separation, _) = self.equilibrium_at(load)?;
-        let refused = |allowed| Err(Error::out_of_range("load", load, allowed));
-        let population = self.branch.population();
-        // Not those of the equilibrium: the lightest are scaled.
-        let sums = population.at_separation(separation).known(separation)?;
-        if self.is_pull_off(load) || sums.load_slope >= 0.0 {
-            return refused("the sensitivities at the pull-off load are infinite; must be above it");
-        }
-        if sums.friction <= 0.0 {
-            return refused("no friction that could change in proportion; must be heavier");
-        }
-        let sensitivities = Sensitivities::of(&self.params, population, separation, &sums)?;
-        if sensitivities.are_finite() {
-            Ok(sensitivities)
-        } else {
-            Err(Self::not_evaluated(load))
-        }
     }
 
     /// Whether a load is that of the pull-off point.
@@ -628,7 +602,8 @@ mod tests {
             let again = model.state_at_load(state.load).expect("a state");
             assert!(near(again.gap, separation, 1e-10), "{}", again.gap);
             assert!(near(again.tangential_stiffness, model.tangential_stiffness_at_load(state.load), 1e-9));
-            assert!(near(again.contact_radius_sum, model.tangential_stiffness_at_load(state.load) / model.summary().stiffness_per_radius, 1e-9));
+            let radii = again.tangential_stiffness / model.summary().stiffness_per_radius;
+            assert!(near(again.contact_radius_sum, radii, 1e-14));
             let (force, slope) = model.friction_force_and_slope(state.load);
             assert!(near(force, state.friction_force, 1e-9) && near(slope, state.dforce_dload, 1e-7), "{force}");
         }

@@ -17,11 +17,11 @@ const CIRCLE_RATIO: f64 = 4.0;
 
 /// A range of summits that attract.
 pub(super) struct AttractedRange<'a> {
-    pub law: &'a Attraction,
+    law: &'a Attraction,
     /// Whether attraction sets in at its lower end, with a jump.
-    pub sets_in: bool,
+    sets_in: bool,
     /// Its ends, as height and overlap.
-    pub from: (f64, f64),
+    from: (f64, f64),
     to: (f64, f64),
 }
 

@@ -3,14 +3,12 @@
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `walk` goes over the summits in contact in `panels` that end at `cuts`, `attracted` over those that attract below;
 //! `node_table` keeps what is the same at every separation. `statistics` tells more of the contacts than their sums, `tangential`
-//! what they resist before they slip, `changes` what the sums change by with each parameter, `one_summit` gives the law of a single
-//! one, `crowding` what neighbours change.
+//! what they resist before they slip, `one_summit` gives the law of a single one, `crowding` what neighbours change.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
 mod attracted;
 mod break_away;
-mod changes;
 mod crowding;
 mod cuts;
 mod kinks;
@@ -23,7 +21,6 @@ mod sums;
 mod tangential;
 mod walk;
 
-pub use changes::{Change, Changes};
 pub use one_summit::OneSummit;
 pub use statistics::Statistics;
 pub use sums::Sums;

@@ -1,6 +1,6 @@
 //! Radius of curvature of a summit as a function of its height, eq (3).
 
-use crate::elementary::{exp, hypot, tanh};
+use crate::elementary::{exp, hypot};
 
 /// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,17 +52,6 @@ impl RadiusProfile {
     #[inline]
     pub fn factor(&self, z: f64) -> f64 {
         self.at(z).0
-    }
-
-    /// dg/d(epsilon) and dg/d(ln rho) at height z.
-    pub fn changes(&self, z: f64) -> [f64; 2] {
-        if self.at(z).0 <= SMALLEST_FACTOR {
-            return [0.0; 2];
-        }
-        let y = self.rate * (z + self.origin);
-        let tanh = tanh(y);
-        let decay = exp(-2.0 * y.abs());
-        [tanh, self.amplitude * y * 4.0 * decay / ((1.0 + decay) * (1.0 + decay))]
     }
 
     /// How far above z one smooth piece may reach: the poles of tanh lie at +-i pi/(2 rho), and where g goes to 0 it is exponential.
@@ -128,26 +117,5 @@ mod tests {
             }
         }
         assert_eq!(RadiusProfile { amplitude: 0.0, rate: 1.0, origin: 0.0 }.smooth_length(0.0), f64::MAX);
-    }
-
-    #[test]
-    fn changes_are_secants_by_the_amplitude_and_by_the_logarithm_of_the_rate() {
-        for (amplitude, rate, origin) in [(0.6, 0.5, 0.3), (-0.9, 2.0, 1.5)] {
-            let factor = |more: f64, log_rate: f64, z: f64| {
-                RadiusProfile { amplitude: amplitude + more, rate: rate * log_rate.exp(), origin }.factor(z)
-            };
-            for z in [-3.0, -0.4, 0.0, 0.3, 2.0] {
-                let [by_amplitude, by_rate] = RadiusProfile { amplitude, rate, origin }.changes(z);
-                let secant = 0.5e5 * (factor(1e-5, 0.0, z) - factor(-1e-5, 0.0, z));
-                assert!(
-                    (by_amplitude - secant).abs() < 1e-9,
-                    "{amplitude}, {rate} at {z}: {by_amplitude}, not {secant}"
-                );
-                let secant = 0.5e5 * (factor(0.0, 1e-5, z) - factor(0.0, -1e-5, z));
-                assert!((by_rate - secant).abs() < 1e-9, "{amplitude}, {rate} at {z}: {by_rate}, not {secant}");
-            }
-        }
-        // Where there is hardly a summit left nothing changes it.
-        assert_eq!(RadiusProfile { amplitude: 1.0, rate: 0.5, origin: 0.0 }.changes(-140.0), [0.0; 2]);
     }
 }

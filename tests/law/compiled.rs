@@ -131,6 +131,12 @@ fn the_table_agrees_with_exact_evaluation() {
                     model.params()
                 )
             });
+            // From K_t follows the conductance.
+            let radii = model.tangential_stiffness_at_load(load) / summary.stiffness_per_radius;
+            let off = relative(radii, exact.contact_radius_sum);
+            failures.claim(off <= 1e-8, || {
+                format!("load {load:e}: sum of contact radii {radii:e}, off by {off:e}; {:?}", model.params())
+            });
             found = found.max(error);
             worst_slope = worst_slope.max(slope_error);
         }

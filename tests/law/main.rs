@@ -5,6 +5,5 @@ mod common;
 
 mod beyond_table;
 mod compiled;
-mod contact_radius_sum;
 mod extreme_summits;
 mod load_at_gap;

@@ -13,7 +13,6 @@ mod mean_planes;
 mod microslip;
 mod published;
 mod reference;
-mod sensitivities;
 mod single_summits;
 mod tangential;
 mod validity;

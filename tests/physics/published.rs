@@ -209,6 +209,23 @@ fn without_adhesion_load_is_that_of_greenwood_and_williamson() {
     }
 }
 
+/// Exponential heights without adhesion, of one shear strength: mu = tau (pi R/sigma)^(1/2)/E* at all loads that leave the lowest
+/// summits free (Greenwood and Williamson, 1966).
+#[test]
+fn friction_of_exponential_heights_is_in_proportion_to_the_load() {
+    let mut params = Params { work_of_adhesion: 0.0, heights: HeightFamily::Weibull { shape: 1.0 }, ..Params::paper() };
+    (params.slip.radius_1, params.slip.radius_2) = (1e6, 1e7);
+    let strength = params.slip.stress_1 * params.effective_shear_modulus;
+    let expected = strength * (PI * params.summit_radius / params.height_std).sqrt() / params.composite_modulus;
+    let model = Model::new(&params).expect("a model");
+    let heaviest = model.state_at_gap(0.0).expect("a state").load;
+    for part in [1e-9, 1e-3, 1.0] {
+        let state = model.state_at_load(part * heaviest).expect("a state");
+        let mu = state.friction_force / state.load;
+        assert!((mu / expected - 1.0).abs() < 1e-11, "{mu} at {part:e}, not {expected}");
+    }
+}
+
 /// Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327-342: pull-off of Gaussian summits in the JKR limit, over
 /// N 3/2 pi w R, against sigma/delta_c; their curve in four digits, delta_c = 3/4 (pi^2 w^2 R/E*^2)^(1/3).
 #[test]

@@ -2,20 +2,17 @@
 //!
 //! A function u(z) of height is normal: u = gamma + delta arsinh((z - xi)/lambda) for S_U, which has no end, and
 //! u = gamma + delta ln((z - xi)/(xi + lambda - z)) for S_B, which has two; lognormal curves lie between them, and
-//! the Gaussian is the limit of all. `fit` finds the curve; here it is standardised to mean 0 and standard deviation 1;
-//! `motion` tells how it changes with skew and kurtosis.
+//! the Gaussian is the limit of all. `fit` finds the curve; here it is standardised to mean 0 and standard deviation 1.
 
 mod fit;
-mod motion;
 
 use super::gaussian::Gaussian;
-use super::{HeightDistribution, Motion, LN_SQRT_2_PI};
+use super::{HeightDistribution, LN_SQRT_2_PI};
 use crate::elementary::{exp, expm1, hypot, log, log1p};
 use crate::error::Error;
 use crate::float_bits::finite;
 use crate::numerics::root;
 use fit::{Fit, Kind};
-use motion::JohnsonMotion;
 use std::sync::Arc;
 
 /// The largest skew, of either sign, and the largest kurtosis that are evaluated: in heavier tails loads are carried by
@@ -228,10 +225,6 @@ impl HeightDistribution for Johnson {
 
     fn kurtosis(&self) -> f64 {
         self.kurtosis
-    }
-
-    fn motion(&self) -> Option<Box<dyn Motion + '_>> {
-        Some(Box::new(JohnsonMotion::new(self)))
     }
 }
 
