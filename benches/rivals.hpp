@@ -30,7 +30,7 @@ public:
             x[i] = std::log(load);
             y[i] = of == Of::Force ? law(load) : std::log(law(load));
         }
-        // So that rounding leaves no load outside, which GSL answers by aborting.
+        // Rounding must leave no load outside, which GSL answers by aborting.
         x.front() = std::log(lightest) - 1e-12;
         x.back() = std::log(heaviest) + 1e-12;
         gsl_spline_init(spline_.get(), x.data(), y.data(), knots);

@@ -524,7 +524,7 @@ module asperity
 
     ! Writes what is known by a name, a line "key = value" for each number or text, in TOML, with the unit of a number
     ! in a comment
-    function asperity_describe(kind, name, buffer, length) bind(c)
+    function asperity_describe_c(kind, name, buffer, length) bind(c, name='asperity_describe')
       import
       integer(c_int32_t), intent(in), value :: kind ! one of ASPERITY_NAMES_...
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_name; a material
@@ -532,8 +532,8 @@ module asperity
       type(c_ptr), intent(in), value :: buffer      ! characters: receives the text, NUL-terminated, cut to fit;
                                                     ! c_null_ptr to ask for the length only
       integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
-      integer(c_size_t) :: asperity_describe
-    end function asperity_describe
+      integer(c_size_t) :: asperity_describe_c
+    end function asperity_describe_c
 
     ! Returns the friction coefficient F/P at a normal load
     pure function asperity_friction_at_load(model, load) bind(c)
@@ -827,8 +827,8 @@ module asperity
   public :: asperity_params_set_pair, asperity_params_set_units, asperity_params_set_values, asperity_params_get_value
   public :: asperity_params_calibrate, asperity_params_calibrate_force, asperity_params_set_text
   public :: asperity_params_set_estimate, asperity_params_read, asperity_create, asperity_set_params, asperity_free
-  public :: asperity_name, asperity_describe, asperity_friction_at_load, asperity_friction_force_at_load
-  public :: asperity_friction_at_loads, asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
+  public :: asperity_name, asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
+  public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
   public :: asperity_friction_force_and_slope_at_load, asperity_friction_force_at_loads_of
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
   public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn
@@ -891,28 +891,6 @@ module asperity
     !   the same for F [force] and dF/d(load) [-]; finite down to pull-off, where the slope is infinite
     generic, public :: friction_force_at_load => force_rank_0, force_rank_1, force_rank_2, force_rank_3
 
-    ! mu = law%friction_at_pressure(pressure, nominal_area [, slope] [, stat] [, errmsg])
-    !   pressure      real(c_double), intent(in) [stress], positive in compression; not beyond 1e120
-    !   nominal_area  real(c_double), intent(in) [length^2], 1e-60 to 1e60: the area that carries asperity_count
-    !                 summits; the area of a mesh or of an integration point plays no part
-    !   mu            real(c_double) [-]: friction_at_load of pressure times nominal_area
-    !   slope         real(c_double), intent(out), optional: d(mu)/d(pressure) [1/stress]
-    ! stress = law%shear_stress_at_pressure(pressure, nominal_area [, slope] [, stat] [, errmsg])
-    !   the same for friction force over nominal_area [stress] and d(stress)/d(pressure) [-]; finite down to pull-off
-    ! What is not allowed gives NaN, with a slope of NaN, and ASPERITY_INVALID_PARAMETER or ASPERITY_INVALID_LOAD.
-    procedure, public :: friction_at_pressure => model_friction_at_pressure
-    procedure, public :: shear_stress_at_pressure => model_shear_stress_at_pressure
-
-    ! force = law%slip_force(load, slip_rate, transition_rate [, dforce_dload] [, dforce_dslip_rate] [, stat] &
-    !                        [, errmsg])
-    !   slip_rate          real(c_double), intent(in) [length/time], signed
-    !   transition_rate    real(c_double), intent(in) [length/time], 1e-60 to 1e60
-    !   force              real(c_double) [force]: F(load) tanh(slip_rate/transition_rate), for solvers that integrate
-    !                      through zero slip rate; it opposes the slip: give it the opposite sign on the body that slips
-    !   dforce_dload       real(c_double), intent(out), optional [-]
-    !   dforce_dslip_rate  real(c_double), intent(out), optional [force time/length]
-    procedure, public :: slip_force => model_slip_force
-
     ! stiffness = law%tangential_stiffness_at_load(load [, stat] [, errmsg])
     !   load       real(c_double), intent(in), rank 0 or 1 [force]
     !   stiffness  real(c_double), of the shape of load [force/length]: tangential force by displacement while all
@@ -924,13 +902,6 @@ module asperity
     ! The force rises from stiffness times displacement to the friction force; it is odd in the displacement.
     generic, public :: tangential_stiffness_at_load => stiffness_rank_0, stiffness_rank_1
     procedure, public :: tangential_at_load => model_tangential_at_load
-
-    ! total = law%contact_radius_sum_at_load(load [, slope] [, stat] [, errmsg])
-    !   load   real(c_double), intent(in), rank 0 or 1 [force]
-    !   total  real(c_double), of the shape of load [length]: sum of the radii of all contacts; 0 below pull-off. The thermal or
-    !          electrical conductance of independent contacts is 2 k times it. Errors as for friction_at_load
-    !   slope  real(c_double), intent(out), optional, of the shape of load: d(total)/d(load) [length/force]
-    generic, public :: contact_radius_sum_at_load => radius_sum_rank_0, radius_sum_rank_1
 
     ! length = law%microslip_length()    the doubles in the state of a contact that remembers, all 0 when it has just closed
     ! call law%microslip_step(load, increment, before, after, out [, stat] [, errmsg])
@@ -961,16 +932,6 @@ module asperity
     procedure, public :: state_at_load => model_state_at_load
     procedure, public :: state_at_gap => model_state_at_gap
 
-    ! call law%sensitivities_at_load(load, sensitivities [, stat] [, errmsg])    what F at a load [force] changes by
-    !   sensitivities  type(asperity_sensitivities), intent(inout); as it was on failure
-    procedure, public :: sensitivities_at_load => model_sensitivities_at_load
-
-    ! call law%warning_loads(warning, lightest, heaviest [, stat] [, errmsg])
-    !   warning             integer(c_int64_t), intent(in): one bit ASPERITY_WARNING_
-    !   lightest, heaviest  real(c_double), intent(inout) [force]: between which loads of the table it holds; NaN if it holds at
-    !                       none; as they were on failure
-    procedure, public :: warning_loads => model_warning_loads
-
     ! call law%check_loads(lightest, heaviest, warnings [, stat] [, errmsg])
     !   lightest, heaviest  real(c_double), intent(in) [force]
     !   warnings            integer(c_int64_t), intent(inout): the bits ASPERITY_WARNING_ of all states between, 0 if
@@ -990,10 +951,11 @@ module asperity
     !   constants  type(asperity_summary), intent(inout); as it was on failure
     procedure, public :: summary => model_summary
 
-    ! call law%table(view [, rows] [, stat] [, errmsg])    the compiled law, for code that cannot call the library
+    ! call law%table(view [, rows] [, stat] [, errmsg] [, kind])    the compiled law, for code that cannot call the library
     !   view  type(asperity_table), intent(inout); as it was on failure
     !   rows  real(c_double), pointer, intent(out), optional: its rows(8, row_count), only to be read; disassociated on
     !         failure
+    !   kind  integer(c_int32_t), intent(in), optional: ASPERITY_TABLE_FRICTION, the default, or ASPERITY_TABLE_LOAD_AT_GAP
     ! Both are valid until law is changed or freed.
     procedure, public :: table => model_table
 
@@ -1002,7 +964,6 @@ module asperity
     procedure, private :: friction_rank_0, friction_rank_1, friction_rank_2, friction_rank_3
     procedure, private :: force_rank_0, force_rank_1, force_rank_2, force_rank_3
     procedure, private :: stiffness_rank_0, stiffness_rank_1
-    procedure, private :: radius_sum_rank_0, radius_sum_rank_1
     final :: finalise_model
   end type friction_model
 
@@ -1011,8 +972,7 @@ module asperity
   end interface asperity_params_set
 
   public :: asperity_params_init, asperity_get_params
-  public :: asperity_params_set, asperity_params_get, asperity_params_name_text
-  public :: asperity_material_name_text, asperity_pair_name_text, asperity_interface_name_text
+  public :: asperity_params_set, asperity_params_get, asperity_name_text, asperity_describe
   public :: asperity_params_text, asperity_estimate_at_loads, asperity_estimate_text
   public :: asperity_params_of, asperity_check, asperity_error_message, asperity_status_text, asperity_version_text
   public :: asperity_warning_text, asperity_stop
@@ -1029,11 +989,6 @@ module asperity
 
   character(*), parameter :: NOT_CREATED = 'friction_model: no model here: call create on this variable first; a ' // &
                                            'bitwise copy, as allocate(source=) makes, has none'
-
-  ! Areas and rates lie between the inverse of this and this, pressures up to its square.
-  real(c_double), parameter :: LARGEST = 1e60_c_double
-  character(*), parameter :: FROM_TO = 'from 1e-60 to 1e60'
-  integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
 
 contains
 
@@ -1133,7 +1088,7 @@ contains
   ! Sets one parameter by its name: call asperity_params_set(params, 'hardness', 9.8e9_c_double). Integers too.
   subroutine set_by_name(params, name, value, stat, errmsg)
     type(asperity_params), intent(inout) :: params        ! initialised; untouched on failure
-    character(*), intent(in) :: name                      ! one of asperity_params_name_text
+    character(*), intent(in) :: name                      ! one of asperity_name_text(ASPERITY_NAMES_PARAMETERS, 1), 2, ...
     real(c_double), intent(in) :: value
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -1178,53 +1133,37 @@ contains
     number = found
   end function asperity_params_get
 
-  ! The names of the parameters that are one number; empty after the last.
-  function asperity_params_name_text(index) result(text)
-    integer, intent(in) :: index                          ! from 1
-    character(:), allocatable :: text
-    text = listed(asperity_params_name, index)
-  end function asperity_params_name_text
-
-  ! The names of the materials; empty after the last.
-  function asperity_material_name_text(index) result(text)
-    integer, intent(in) :: index                          ! from 1
-    character(:), allocatable :: text
-    text = listed(asperity_material_name, index)
-  end function asperity_material_name_text
-
-  ! The names of the pairs; empty after the last.
-  function asperity_pair_name_text(index) result(text)
-    integer, intent(in) :: index                          ! from 1
-    character(:), allocatable :: text
-    text = listed(asperity_pair_name, index)
-  end function asperity_pair_name_text
-
-  ! The names of the interfaces; empty after the last.
-  function asperity_interface_name_text(index) result(text)
-    integer, intent(in) :: index                          ! from 1
-    character(:), allocatable :: text
-    text = listed(asperity_interface_name, index)
-  end function asperity_interface_name_text
-
-  ! The name that a list of the library has at an index, from 1; empty beside its ends.
-  function listed(name_of, index) result(text)
-    interface
-      function name_of(index) result(name) bind(c)
-        import :: c_ptr, c_size_t
-        integer(c_size_t), intent(in), value :: index
-        type(c_ptr) :: name
-      end function name_of
-    end interface
+  ! The name of a parameter, a material, a pair, ... at an index, from 1; empty after the last.
+  function asperity_name_text(kind, index) result(text)
+    integer(c_int32_t), intent(in) :: kind                ! one of ASPERITY_NAMES_
     integer, intent(in) :: index
     character(:), allocatable :: text
     type(c_ptr) :: name
     text = ''
     if (index < 1) return
-    name = name_of(int(index - 1, c_size_t))
+    name = asperity_name(kind, int(index - 1, c_size_t))
     if (c_associated(name)) text = fortran_text(name)
-  end function listed
+  end function asperity_name_text
 
-  ! So many characters, of which those after the text are c_null_char.
+  ! What is known of one of them, as lines of TOML with units and source.
+  function asperity_describe(kind, name, stat, errmsg) result(text)
+    integer(c_int32_t), intent(in) :: kind                ! one of ASPERITY_NAMES_
+    character(*), intent(in) :: name
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text                     ! empty on failure
+    character(kind=c_char), target :: characters(len(name) + 1)
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer :: length
+    characters = c_string(name, size(characters))
+    length = int(asperity_describe_c(kind, c_loc(characters), c_null_ptr, 0_c_size_t))
+    allocate(buffer(length + 1))
+    length = int(asperity_describe_c(kind, c_loc(characters), c_loc(buffer), size(buffer, kind=c_size_t)))
+    text = joined(buffer(:length))
+    call report(merge(ASPERITY_OK, ASPERITY_INVALID_PARAMETER, length > 0), stat, errmsg)
+  end function asperity_describe
+
+  ! The text in an array of this length, filled with c_null_char.
   pure function c_string(text, length) result(characters)
     character(*), intent(in) :: text
     integer, intent(in) :: length
@@ -1247,7 +1186,7 @@ contains
   end function asperity_get_params
 
   ! Stops the program with the message if a status is not ASPERITY_OK:
-  !     call asperity_check(asperity_params_set_skew(params, -0.5_c_double))
+  !     call asperity_check(asperity_params_set_units(params, 1e-3_c_double, 1.0_c_double))
   subroutine asperity_check(status)
     integer(c_int32_t), intent(in) :: status
     if (status /= ASPERITY_OK) call asperity_stop(asperity_error_message())
@@ -1389,26 +1328,6 @@ contains
     call report(asperity_state_at_gap(self%handle, gap, state), stat, errmsg)
   end subroutine model_state_at_gap
 
-  subroutine model_sensitivities_at_load(self, load, sensitivities, stat, errmsg)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: load
-    type(asperity_sensitivities), intent(inout) :: sensitivities
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_sensitivities_at_load(self%handle, load, sensitivities), stat, errmsg)
-  end subroutine model_sensitivities_at_load
-
-  subroutine model_warning_loads(self, warning, lightest, heaviest, stat, errmsg)
-    class(friction_model), intent(in), target :: self
-    integer(c_int64_t), intent(in) :: warning
-    real(c_double), intent(inout), target :: lightest, heaviest
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_warning_loads(self%handle, warning, c_loc(lightest), c_loc(heaviest)), stat, errmsg)
-  end subroutine model_warning_loads
-
   subroutine model_check_loads(self, lightest, heaviest, warnings, stat, errmsg)
     class(friction_model), intent(in), target :: self
     real(c_double), intent(in) :: lightest, heaviest
@@ -1445,62 +1364,22 @@ contains
     call report(asperity_summary_of(self%handle, constants), stat, errmsg)
   end subroutine model_summary
 
-  subroutine model_table(self, view, rows, stat, errmsg)
+  subroutine model_table(self, view, rows, stat, errmsg, kind)
     class(friction_model), intent(in), target :: self
     type(asperity_table), intent(inout) :: view
     real(c_double), pointer, intent(out), optional :: rows(:,:)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t) :: status
+    integer(c_int32_t), intent(in), optional :: kind
+    integer(c_int32_t) :: status, wanted
     if (present(rows)) nullify(rows)
     if (.not. is_created(self, stat, errmsg)) return
-    status = asperity_table_of(self%handle, view)
+    wanted = ASPERITY_TABLE_FRICTION
+    if (present(kind)) wanted = kind
+    status = asperity_table_of(self%handle, wanted, view)
     if (present(rows) .and. status == ASPERITY_OK) call c_f_pointer(view%rows, rows, [8_c_int64_t, view%row_count])
     call report(status, stat, errmsg)
   end subroutine model_table
-
-  function model_friction_at_pressure(self, pressure, nominal_area, slope, stat, errmsg) result(mu)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: pressure, nominal_area
-    real(c_double), intent(out), optional, target :: slope
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double) :: mu
-    mu = asperity_friction_at_pressure(c_model(self), pressure, nominal_area, scalar_address(slope))
-    call report_at_pressure(self, mu, pressure, nominal_area, stat, errmsg)
-  end function model_friction_at_pressure
-
-  function model_shear_stress_at_pressure(self, pressure, nominal_area, slope, stat, errmsg) result(stress)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: pressure, nominal_area
-    real(c_double), intent(out), optional, target :: slope
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double) :: stress
-    stress = asperity_shear_stress_at_pressure(c_model(self), pressure, nominal_area, scalar_address(slope))
-    call report_at_pressure(self, stress, pressure, nominal_area, stat, errmsg)
-  end function model_shear_stress_at_pressure
-
-  function model_slip_force(self, load, slip_rate, transition_rate, dforce_dload, dforce_dslip_rate, stat, errmsg) &
-      result(force)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: load, slip_rate, transition_rate
-    real(c_double), intent(out), optional, target :: dforce_dload, dforce_dslip_rate
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double) :: force
-    force = asperity_slip_force(c_model(self), load, slip_rate, transition_rate, scalar_address(dforce_dload), &
-                                scalar_address(dforce_dslip_rate))
-    if (needs_no_report(force, stat)) return
-    if (.not. is_created(self, stat, errmsg)) return
-    if (size_bits(slip_rate) >= INFINITY_BITS) then
-      call report_refused('slip_rate', slip_rate, 'finite', ASPERITY_INVALID_PARAMETER, stat, errmsg)
-    else if (.not. is_allowed(transition_rate)) then
-      call report_refused('transition_rate', transition_rate, FROM_TO, ASPERITY_INVALID_PARAMETER, stat, errmsg)
-    else
-      call report_at_load(self, load, stat, errmsg)
-    end if
-  end function model_slip_force
 
   function model_load_at_gap(self, gap, slope, stat, errmsg) result(load)
     class(friction_model), intent(in), target :: self
@@ -1650,33 +1529,6 @@ contains
                   stat, errmsg)
   end function stiffness_rank_1
 
-  function radius_sum_rank_0(self, load, slope, stat, errmsg) result(total)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in), target :: load
-    real(c_double), intent(out), optional, target :: slope
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double), target :: total
-    if (owns(self) .and. .not. present(slope) .and. .not. present(stat)) then
-      total = asperity_contact_radius_sum_at_load(self%handle, load)
-      if (.not. is_nan(total)) return
-    end if
-    call evaluate(asperity_contact_radius_sum_at_loads, self, 1_c_size_t, c_loc(load), c_loc(total), scalar_address(slope), &
-                  stat, errmsg, tells_open=.true.)
-  end function radius_sum_rank_0
-
-  function radius_sum_rank_1(self, load, slope, stat, errmsg) result(total)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in), contiguous, target :: load(:)
-    real(c_double), intent(out), optional, contiguous, target :: slope(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double), target :: total(size(load))
-    if (present(slope)) call require_same_shape(shape(load), shape(slope))
-    call evaluate(asperity_contact_radius_sum_at_loads, self, size(load, kind=c_size_t), address(load), address(total), &
-                  address(slope), stat, errmsg)
-  end function radius_sum_rank_1
-
   ! The stiffness has no slope.
   function stiffnesses(model, n, load, value, slope) result(status) bind(c, name='')
     type(c_ptr), intent(in), value :: model
@@ -1786,7 +1638,7 @@ contains
     call report(status, stat, errmsg)
   end subroutine evaluate
 
-  ! Of many loads the library reports the first invalid load alone: an open contact, which is none here, may hide another.
+  ! The library reports the first invalid load alone: an open contact, which is none here, may hide another.
   subroutine report_hidden(self, n, load, value, stat, errmsg)
     class(friction_model), intent(in), target :: self
     integer(c_size_t), intent(in) :: n
@@ -1811,27 +1663,13 @@ contains
     end do
   end subroutine report_hidden
 
+  ! By its bits: a comparison of the numbers may trap.
   pure function is_nan(x)
     real(c_double), intent(in) :: x
     logical :: is_nan
-    is_nan = size_bits(x) > INFINITY_BITS
+    integer(c_int64_t), parameter :: INFINITY_BITS = int(z'7FF0000000000000', c_int64_t)
+    is_nan = iand(transfer(x, 0_c_int64_t), huge(0_c_int64_t)) > INFINITY_BITS
   end function is_nan
-
-  ! The bits of abs(x), which order as the numbers do: a comparison of the numbers may trap.
-  pure function size_bits(x)
-    real(c_double), intent(in) :: x
-    integer(c_int64_t) :: size_bits
-    size_bits = iand(transfer(x, 0_c_int64_t), huge(0_c_int64_t))
-  end function size_bits
-
-  ! Whether the library takes x as an area or a transition rate.
-  pure function is_allowed(x)
-    real(c_double), intent(in) :: x
-    logical :: is_allowed
-    integer(c_int64_t) :: bits
-    bits = transfer(x, bits)
-    is_allowed = bits >= size_bits(1 / LARGEST) .and. bits <= size_bits(LARGEST)
-  end function is_allowed
 
   subroutine require_same_shape(load, slope)
     integer, intent(in) :: load(:), slope(:)
@@ -1880,52 +1718,6 @@ contains
       call report_message(status, counted_from_one(asperity_error_message()), stat, errmsg)
     end if
   end subroutine report
-
-  ! The C functions that return a number tell no reason. NaN has one, and 0 may be below pull-off.
-  function needs_no_report(value, stat)
-    real(c_double), intent(in) :: value
-    integer, intent(out), optional :: stat
-    logical :: needs_no_report
-    needs_no_report = size_bits(value) > 0 .and. .not. is_nan(value)
-    if (present(stat)) stat = 0
-  end function needs_no_report
-
-  subroutine report_at_pressure(self, value, pressure, nominal_area, stat, errmsg)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in) :: value, pressure, nominal_area
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    if (needs_no_report(value, stat)) return
-    if (.not. is_created(self, stat, errmsg)) return
-    if (.not. is_allowed(nominal_area)) then
-      call report_refused('nominal_area', nominal_area, FROM_TO, ASPERITY_INVALID_PARAMETER, stat, errmsg)
-    else if (size_bits(pressure) > size_bits(LARGEST * LARGEST)) then
-      call report_refused('pressure', pressure, 'finite and not beyond 1e120', ASPERITY_INVALID_LOAD, stat, errmsg)
-    else
-      call report_at_load(self, pressure * nominal_area, stat, errmsg)
-    end if
-  end subroutine report_at_pressure
-
-  subroutine report_at_load(self, load, stat, errmsg)
-    class(friction_model), intent(in), target :: self
-    real(c_double), intent(in), target :: load
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double), target :: mu
-    call evaluate(asperity_friction_at_loads, self, 1_c_size_t, c_loc(load), c_loc(mu), c_null_ptr, stat, errmsg, &
-                  tells_open=.true.)
-  end subroutine report_at_load
-
-  subroutine report_refused(name, value, allowed, status, stat, errmsg)
-    character(*), intent(in) :: name, allowed
-    real(c_double), intent(in) :: value
-    integer(c_int32_t), intent(in) :: status
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(16) :: number
-    write (number, '(es16.6e3)') value
-    call report_message(status, name // ' = ' // trim(adjustl(number)) // ': must be ' // allowed, stat, errmsg)
-  end subroutine report_refused
 
   subroutine report_message(status, message, stat, errmsg)
     integer(c_int32_t), intent(in) :: status

@@ -28,7 +28,7 @@ compile() { gfortran $strict $traps -J"$build" -I"$build" "$@"; }
 
 compile -c fortran/asperity.f90 -o "$build/asperity.o"
 compile -c fortran/tests/checking.f90 -o "$build/checking.o"
-for test in c_interface friction_law stops; do
+for test in smoke c_interface friction_law stops; do
     compile -c "fortran/tests/$test.f90" -o "$build/$test.o"
     # shellcheck disable=SC2086
     compile "$build/$test.o" "$build/asperity.o" "$build/checking.o" $link -o "$build/$test"
@@ -41,14 +41,15 @@ awk '/^  type, bind\(c\), public ::/ {name = $NF}
 cc -std=c11 -fsyntax-only -Iinclude -include asperity.h "$build/sizes.c"
 echo "sizes agree: $(grep -c . "$build/sizes.c") of them"
 
-# Every function is called by the test, in C's form or in the module's.
-nm -u "$build/c_interface.o" | sed -E 's/^ *U (__asperity_MOD_)?//' | sort -u >"$build/called.txt"
+# Every function is called by a test, in C's form or in the module's.
+nm -u "$build/smoke.o" "$build/c_interface.o" | sed -E 's/^ *U (__asperity_MOD_)?//' | sort -u >"$build/called.txt"
 grep -oE '\basperity_[a-z_]+\(' include/asperity.h | tr -d '(' | sort -u >"$build/declared.txt"
 if comm -23 "$build/declared.txt" "$build/called.txt" | grep .; then
-    echo "FAIL: fortran/tests/c_interface.f90 calls these functions of asperity.h nowhere" >&2
+    echo "FAIL: fortran/tests calls these functions of asperity.h nowhere" >&2
     exit 1
 fi
 
+"$build/smoke"
 "$build/c_interface"
 "$build/friction_law"
 
@@ -76,7 +77,7 @@ stops load 'element 2: load = inf: must be finite'
 stops heavy 'element 3: load = 1e300: must be below 1e80 composite_modulus burgers_vector^2 asperity_count'
 stops scalar 'element 1: load = -inf: must be finite'
 stops shape 'friction_model: slope must have the shape of load'
-stops status 'skew = -5: must be finite and > -1.13955, the limit of the Weibull family; Johnson heights have any skew from -3 to 3'
+stops status 'length = -5: must be finite and > 0'
 echo "errors without stat= stop the program: 8 ways"
 
 # The page: its program is the example, its commands run as they stand and print what it says.

@@ -48,16 +48,8 @@ using State = asperity_state;
 using Summary = asperity_summary;
 /// A view of the compiled law, for asperity_eval.h; its fields are described in asperity.h.
 using Table = asperity_table;
-/// Logarithmic derivatives of the friction force by each parameter; its fields are described in asperity.h.
-using Sensitivities = asperity_sensitivities;
 /// What resists a displacement in a step of a contact that remembers; its fields are described in asperity.h.
 using Microslip = asperity_microslip;
-/// What is known of a material, in SI units; its fields are described in asperity.h.
-using Material = asperity_material_data;
-/// What is known of two bodies in contact, in SI units; its fields are described in asperity.h.
-using Pair = asperity_pair_data;
-/// The measured strength of an interface, in SI units; its fields are described in asperity.h.
-using InterfaceData = asperity_interface_data;
 /// Friction at one load, with its band; estimates() fills it.
 using Estimate = asperity_estimate;
 
@@ -74,9 +66,6 @@ inline std::uint32_t abi_version() noexcept { return asperity_abi_version(); }
 
 /// What a status means, in a few words; a constant string.
 inline const char *status_string(Status status) noexcept { return asperity_status_string(status); }
-
-/// What a single bit ASPERITY_WARNING_ says: what fails and what to do about it; a constant string.
-inline const char *warning_string(std::uint64_t warning) noexcept { return asperity_warning_string(warning); }
 
 namespace detail {
 
@@ -125,6 +114,20 @@ inline void check(Status status) {
     }
 }
 
+namespace detail {
+
+/// The same where an empty text says that something is refused.
+template <class Copy>
+std::string copied_or_thrown(Copy copy) {
+    std::string text = copied(copy);
+    if (text.empty()) {
+        throw Error(ASPERITY_INVALID_PARAMETER, last_error());
+    }
+    return text;
+}
+
+} // namespace detail
+
 // ---- Arrays ----
 
 /// A view of contiguous elements that somebody else owns: a pointer and a number, as std::span of C++20.
@@ -165,17 +168,10 @@ private:
     std::size_t size_ = 0;
 };
 
-/// A friction coefficient, force or stress at one load or pressure, and its derivative with respect to that.
+/// A friction coefficient or force at one load, or a load at one gap, and its derivative with respect to that.
 struct ValueAndSlope {
     double value;
     double slope;
-};
-
-/// A friction force with a smooth sign of the slip rate, and its derivatives.
-struct SlipForce {
-    double value;
-    double dforce_dload;
-    double dforce_dslip_rate;
 };
 
 /// Single summits, each at its overlap.
@@ -191,7 +187,7 @@ struct ValuesAndSlopes {
     std::vector<double> slope;
 };
 
-// ---- Materials ----
+// ---- Names ----
 
 namespace detail {
 
@@ -203,46 +199,34 @@ Struct sized() noexcept {
     return made;
 }
 
-/// The names that a function of the C interface lists.
-inline std::vector<std::string> names(const char *(*name_at)(std::size_t)) {
+} // namespace detail
+
+/// What has names.
+enum class Kind : std::int32_t {
+    parameters = ASPERITY_NAMES_PARAMETERS,
+    materials = ASPERITY_NAMES_MATERIALS,
+    pairs = ASPERITY_NAMES_PAIRS,
+    interfaces = ASPERITY_NAMES_INTERFACES,
+    warnings = ASPERITY_NAMES_WARNINGS,
+    statuses = ASPERITY_NAMES_STATUSES,
+};
+
+/// The names of all parameters, materials, pairs, ... that the library knows.
+inline std::vector<std::string> names(Kind kind) {
     std::vector<std::string> all;
-    while (const char *name = name_at(all.size())) {
+    while (const char *name = asperity_name(static_cast<std::int32_t>(kind), all.size())) {
         all.emplace_back(name);
     }
     return all;
 }
 
-} // namespace detail
-
-/// A material by its name, one of material_names(). Throws Error (ASPERITY_INVALID_PARAMETER).
-inline Material material(const std::string &name) {
-    auto found = detail::sized<Material>();
-    check(asperity_material(name.c_str(), &found));
-    return found;
+/// What is known of one of them, as lines of TOML with units and source: asperity_describe. Throws Error
+/// (ASPERITY_INVALID_PARAMETER), whose message has the nearest name.
+inline std::string describe(Kind kind, const std::string &name) {
+    return detail::copied_or_thrown([&](char *buffer, std::size_t length) {
+        return asperity_describe(static_cast<std::int32_t>(kind), name.c_str(), buffer, length);
+    });
 }
-
-/// A pair of materials by its name, one of pair_names(), in either order. Throws Error (ASPERITY_INVALID_PARAMETER).
-inline Pair pair(const std::string &name) {
-    auto found = detail::sized<Pair>();
-    check(asperity_pair(name.c_str(), &found));
-    return found;
-}
-
-/// An interface by its name, one of interface_names(). Throws Error (ASPERITY_INVALID_PARAMETER).
-inline InterfaceData interface_of(const std::string &name) {
-    auto found = detail::sized<InterfaceData>();
-    check(asperity_interface(name.c_str(), &found));
-    return found;
-}
-
-/// The names of all materials.
-inline std::vector<std::string> material_names() { return detail::names(asperity_material_name); }
-
-/// The names of all pairs.
-inline std::vector<std::string> pair_names() { return detail::names(asperity_pair_name); }
-
-/// The names of all interfaces.
-inline std::vector<std::string> interface_names() { return detail::names(asperity_interface_name); }
 
 // ---- One call ----
 
@@ -258,14 +242,9 @@ inline Estimate estimate(std::string_view surface, double load) { return estimat
 
 /// The same for people. Throws Error.
 inline std::string estimate_text(std::string_view surface, Span<const double> load) {
-    const auto copy = [&](char *buffer, std::size_t length) {
+    return detail::copied_or_thrown([&](char *buffer, std::size_t length) {
         return asperity_estimate_text(surface.data(), surface.size(), load.size(), load.data(), buffer, length);
-    };
-    std::string text = detail::copied(copy);
-    if (text.empty()) {
-        throw Error(ASPERITY_INVALID_PARAMETER, last_error());
-    }
-    return text;
+    });
 }
 
 // ---- Parameters ----
@@ -354,41 +333,12 @@ public:
         return checked(asperity_params_set_pair(&c_, name.c_str()));
     }
 
-    /// Sets the strength of the interface to a measured one, by its name, one of interface_names(), in SI units; the bodies first.
-    ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, also of an interface of which only a friction coefficient is known: the message has
-    /// it, for calibrate()); the parameters are then as before.
-    Params &set_interface(const std::string &name) {
-        return checked(asperity_params_set_interface(&c_, name.c_str()));
-    }
-
     /// Sets the asperities of a surface, rough on however many scales, and nominal_area, from the variances of height [length^2], slope
     /// and curvature [1/length^2], 0 if that is not known, along a profile; those of two surfaces add.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_spectral_moments(double m0, double m2, double m4, double nominal_area) {
         return checked(asperity_params_set_spectral_moments(&c_, m0, m2, m4, nominal_area));
-    }
-
-    /// Sets McCool's summits of the surface instead, all with one radius, to compare with literature. m4 must be known.
-    ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
-    Params &set_mccool_summits(double m0, double m2, double m4, double nominal_area) {
-        return checked(asperity_params_set_mccool_summits(&c_, m0, m2, m4, nominal_area));
-    }
-
-    /// Chooses Weibull heights with this skew.
-    ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
-    Params &set_skew(double skew) {
-        return checked(asperity_params_set_skew(&c_, skew));
-    }
-
-    /// Chooses summits that yield, for metals: sets contact_law, hardness [stress], and work_of_adhesion to 0.
-    ///
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
-    Params &set_elastic_plastic(double hardness) {
-        return checked(asperity_params_set_elastic_plastic(&c_, hardness));
     }
 
     /// Sets the strength of the interface from one measured point: scales both slip stresses so that the friction coefficient at
@@ -422,8 +372,8 @@ public:
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER) if a choice is none of the constants.
     std::string text() const {
-        std::string all = detail::copied([this](char *buffer, std::size_t length) { return asperity_params_text(&c_, buffer, length); });
-        return all.empty() ? throw Error(ASPERITY_INVALID_PARAMETER, last_error()) : all;
+        return detail::copied_or_thrown(
+            [this](char *buffer, std::size_t length) { return asperity_params_text(&c_, buffer, length); });
     }
 
     /// Converts all parameters into other units, of which one is so many of the present ones: from SI into mm, N and MPa with 1e-3
@@ -432,11 +382,12 @@ public:
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set_units(double length, double force) { return checked(asperity_params_set_units(&c_, length, force)); }
 
-    /// Sets a parameter by its name, one of names(), as asperity_params_set_value does.
+    /// Sets a parameter by its name, one of names(Kind::parameters); skew is that of Weibull heights.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE); the parameters are then as before.
     Params &set(const std::string &name, double value) {
-        return checked(asperity_params_set_value(&c_, name.c_str(), value));
+        const char *const c_name = name.c_str();
+        return checked(asperity_params_set_values(&c_, 1, &c_name, &value));
     }
 
     /// Sets parameters by their names, in any order, all or none, as asperity_params_set_values does: the way to set those
@@ -459,9 +410,6 @@ public:
         check(asperity_params_get_value(&c_, name.c_str(), &value));
         return value;
     }
-
-    /// The names of the parameters that are one number. Setting them in this order copies those of other parameters.
-    static std::vector<std::string> names() { return detail::names(asperity_params_name); }
 
     // generated by packaging/declarations: parameters, from asperity.h, by `make header`
     /// E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
@@ -757,107 +705,10 @@ public:
         return force;
     }
 
-    /// Friction coefficient at a nominal contact pressure [stress], positive in compression.
-    ///
-    /// The summits of the model, asperity_count, belong to nominal_area [length^2], from 1e-60 to 1e60: the load is
-    /// pressure times that area. An integration point's own area plays no part. A quiet NaN also for an area that is
-    /// not allowed.
-    double friction_at_pressure(double pressure, double nominal_area) const {
-        return asperity_friction_at_pressure(open(), pressure, nominal_area, nullptr);
-    }
-
-    /// Friction coefficient as friction_at_pressure, and its slope d(mu)/d(pressure) [1/stress].
-    ValueAndSlope friction_and_slope_at_pressure(double pressure, double nominal_area) const {
-        ValueAndSlope mu;
-        mu.value = asperity_friction_at_pressure(open(), pressure, nominal_area, &mu.slope);
-        return mu;
-    }
-
-    /// Frictional shear stress, friction force per nominal area, at a nominal contact pressure [stress].
-    ///
-    /// As friction_at_pressure, but finite also at zero pressure and down to pull-off.
-    double shear_stress_at_pressure(double pressure, double nominal_area) const {
-        return asperity_shear_stress_at_pressure(open(), pressure, nominal_area, nullptr);
-    }
-
-    /// Shear stress as shear_stress_at_pressure, and its slope d(stress)/d(pressure).
-    ValueAndSlope shear_stress_and_slope_at_pressure(double pressure, double nominal_area) const {
-        ValueAndSlope stress;
-        stress.value = asperity_shear_stress_at_pressure(open(), pressure, nominal_area, &stress.slope);
-        return stress;
-    }
-
-    /// Friction force of a sliding contact, F(load) tanh(slip_rate / transition_rate) [force].
-    ///
-    /// It has the sign of slip_rate [length/time]: the force on the body that slips is minus this. transition_rate,
-    /// from 1e-60 to 1e60, is where the force reaches 76 % of F. A quiet NaN for a load or rate that is not
-    /// finite or not allowed.
-    double slip_force(double load, double slip_rate, double transition_rate) const {
-        return asperity_slip_force(open(), load, slip_rate, transition_rate, nullptr, nullptr);
-    }
-
-    /// Friction force as slip_force, and its derivatives by load and by slip rate [force time/length].
-    SlipForce slip_force_and_slopes(double load, double slip_rate, double transition_rate) const {
-        SlipForce force;
-        force.value = asperity_slip_force(open(), load, slip_rate, transition_rate, &force.dforce_dload,
-                                          &force.dforce_dslip_rate);
-        return force;
-    }
-
-    /// Friction coefficients at many pressures, into memory of the caller; for the inner loop: allocates nothing.
-    ///
-    /// Every element is as friction_at_pressure gives it, also when the status is not ASPERITY_OK.
-    ///
-    /// @param pressures      nominal contact pressures [stress]
-    /// @param nominal_area   as for one pressure, the same for all
-    /// @param mu             receives as many coefficients; may be `pressures` itself
-    /// @param dmu_dpressure  receives as many slopes [1/stress]; none by default
-    /// @return ASPERITY_OK, or what is wrong with the first pressure that has no friction, or with the area; last_error() tells
-    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    [[nodiscard]] Status friction_at_pressure(Span<const double> pressures, double nominal_area, Span<double> mu,
-                                              Span<double> dmu_dpressure = {}) const {
-        return at_pressures(asperity_friction_at_pressures, pressures, nominal_area, mu, dmu_dpressure);
-    }
-
-    /// Shear stresses at many pressures, into memory of the caller; as coefficients at many pressures.
-    ///
-    /// @param pressures          nominal contact pressures [stress]
-    /// @param nominal_area       as for one pressure, the same for all
-    /// @param stress             receives as many stresses [stress]; may be `pressures` itself
-    /// @param dstress_dpressure  receives as many slopes; none by default
-    [[nodiscard]] Status shear_stress_at_pressure(Span<const double> pressures, double nominal_area, Span<double> stress,
-                                                  Span<double> dstress_dpressure = {}) const {
-        return at_pressures(asperity_shear_stresses_at_pressures, pressures, nominal_area, stress, dstress_dpressure);
-    }
-
-    /// Friction forces of many sliding contacts, into memory of the caller; for the inner loop: allocates nothing.
-    ///
-    /// Every element is as slip_force gives it, also when the status is not ASPERITY_OK.
-    ///
-    /// @param loads              normal loads [force]
-    /// @param slip_rates         as many slip rates [length/time], signed
-    /// @param transition_rate    as for one contact, the same for all
-    /// @param force              receives as many forces [force]; may be an input itself
-    /// @param dforce_dload       receives as many derivatives by load; none by default
-    /// @param dforce_dslip_rate  receives as many derivatives by slip rate [force time/length]; none by default
-    /// @return ASPERITY_OK, or what is wrong with the first contact that has no friction, or with the rate; last_error() tells
-    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    [[nodiscard]] Status slip_force(Span<const double> loads, Span<const double> slip_rates, double transition_rate,
-                                    Span<double> force, Span<double> dforce_dload = {},
-                                    Span<double> dforce_dslip_rate = {}) const {
-        require_size("slip rates", slip_rates.size(), loads.size());
-        require_sizes(loads, force, dforce_dload);
-        require_sizes(loads, force, dforce_dslip_rate);
-        return asperity_slip_forces(open(), loads.size(), loads.data(), slip_rates.data(), transition_rate, force.data(),
-                                    dforce_dload.data(), dforce_dslip_rate.data());
-    }
-
     /// Load [force] at a gap [length] between the mean planes, from the compiled law.
     ///
     /// Negative where adhesion pulls; 0 at pull-off and beyond; a quiet NaN for a NaN or infinite gap.
-    double load_at_gap(double gap) const {
-        return asperity_load_at_gap(open(), gap);
-    }
+    double load_at_gap(double gap) const { return asperity_load_and_slope_at_gap(open(), gap, nullptr); }
 
     /// Load as load_at_gap, and its slope d(load)/d(gap) [force/length]: minus the normal stiffness.
     ValueAndSlope load_and_slope_at_gap(double gap) const {
@@ -1000,37 +851,6 @@ public:
         return stiffness;
     }
 
-    /// Sum of the radii of all contacts [length] at a normal load [force]: the thermal or electrical conductance of independent
-    /// contacts is 2 k times it, with k = 2 k1 k2/(k1 + k2) of the conductivities of both bodies.
-    ///
-    /// Positive down to pull-off; 0 below and, without adhesion, at zero load; a quiet NaN for a NaN or infinite load.
-    double contact_radius_sum_at_load(double load) const {
-        return asperity_contact_radius_sum_at_load(open(), load);
-    }
-
-    /// Sums of contact radii at many loads, into memory of the caller; for the inner loop: allocates nothing.
-    ///
-    /// Every element is as contact_radius_sum_at_load gives it, also when the status is not ASPERITY_OK.
-    ///
-    /// @param loads       normal loads [force]
-    /// @param sum         receives as many sums [length]; may be `loads` itself
-    /// @param dsum_dload  receives as many slopes [length/force]; none by default
-    /// @return as for coefficients
-    /// Throws Error (ASPERITY_INVALID_PARAMETER) for arrays of other sizes, before anything is written.
-    [[nodiscard]] Status contact_radius_sum_at_load(Span<const double> loads, Span<double> sum, Span<double> dsum_dload = {}) const {
-        return many(asperity_contact_radius_sum_at_loads, loads, sum, dsum_dload);
-    }
-
-    /// Sums of contact radii [length] at many loads.
-    ///
-    /// 0 below pull-off, where the contact is open. Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE) that names
-    /// the first load that is NaN, infinite or too heavy to be evaluated.
-    std::vector<double> contact_radius_sum_at_load(Span<const double> loads) const {
-        std::vector<double> sum(loads.size());
-        answered(asperity_contact_radius_sum_at_loads, loads, sum, {});
-        return sum;
-    }
-
     /// The tangential force T [force] at a load and a displacement [length], and dT/d(displacement) [force/length], exact.
     ///
     /// T rises from K_t times the displacement to the friction force: small contacts slip first. It is an odd function of
@@ -1127,16 +947,6 @@ public:
         return state;
     }
 
-    /// The sensitivities of the friction force at a load [force], above the pull-off load, to each parameter: d(ln F)/d(ln p)
-    /// at constant load, but d(ln F)/dp for radius_amplitude and skew.
-    ///
-    /// Throws Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
-    Sensitivities sensitivities_at_load(double load) const {
-        auto sensitivities = detail::sized<Sensitivities>();
-        check(asperity_sensitivities_at_load(open(), load, &sensitivities));
-        return sensitivities;
-    }
-
     /// The bits ASPERITY_WARNING_ of all states from one load [force] to a heavier one: whether the model holds for a contact
     /// that meets these loads; 0 if nothing is known to fail.
     ///
@@ -1145,16 +955,6 @@ public:
         std::uint64_t warnings = 0;
         check(asperity_check_loads(open(), lightest, heaviest, &warnings));
         return warnings;
-    }
-
-    /// Between which loads of the table [force] a warning, one bit ASPERITY_WARNING_, holds: the lightest and the heaviest at
-    /// which it does; both NaN if it holds at none.
-    ///
-    /// Takes milliseconds. Throws Error (ASPERITY_INVALID_PARAMETER for what is not one known bit).
-    std::pair<double, double> warning_loads(std::uint64_t warning) const {
-        std::pair<double, double> loads;
-        check(asperity_warning_loads(open(), warning, &loads.first, &loads.second));
-        return loads;
     }
 
     /// Single summits at overlaps [length], by the law that the model sums over all summits.
@@ -1183,18 +983,11 @@ public:
 
     /// A view of the compiled law, which asperity_eval.h evaluates where the library cannot be called.
     ///
-    /// Valid until set_params, and as long as the C model lives: moving the Model keeps it.
-    Table table() const {
+    /// ASPERITY_TABLE_LOAD_AT_GAP is load against gap: minus the gap stands in place of a load, and the load in place of the
+    /// friction force. Valid until set_params, and as long as the C model lives: moving the Model keeps it.
+    Table table(std::int32_t kind = ASPERITY_TABLE_FRICTION) const {
         auto table = detail::sized<Table>();
-        check(asperity_table_of(open(), &table));
-        return table;
-    }
-
-    /// The compiled load against gap, for code that cannot call out of a kernel: minus the gap stands in place
-    /// of a load, and the load in place of the friction force. Valid as `table` is.
-    Table load_table() const {
-        auto table = detail::sized<Table>();
-        check(asperity_load_table_of(open(), &table));
+        check(asperity_table_of(open(), kind, &table));
         return table;
     }
 
@@ -1232,15 +1025,6 @@ private:
     Status many(Batch batch, Span<const double> loads, Span<double> value, Span<double> slope) const {
         require_sizes(loads, value, slope);
         return batch(open(), loads.size(), loads.data(), value.data(), slope.data());
-    }
-
-    using BatchAtPressures = asperity_status (*)(const asperity_model *, std::size_t, const double *, double, double *,
-                                                 double *);
-
-    Status at_pressures(BatchAtPressures batch, Span<const double> pressures, double nominal_area, Span<double> value,
-                        Span<double> slope) const {
-        require_sizes(pressures, value, slope);
-        return batch(open(), pressures.size(), pressures.data(), nominal_area, value.data(), slope.data());
     }
 
     /// An open contact is an answer. The library reports the first invalid load alone, so that one may hide a load that has none.

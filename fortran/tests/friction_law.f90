@@ -13,13 +13,10 @@ program friction_law
 
   call shapes
   call slopes
-  call monotone_and_consistent
   call the_ends_of_the_law
-  call at_pressures
-  call refusals
-  call sliding
   call gap
   call sticking
+  call remembering
   call tables
   call states
   call warnings_of_a_range
@@ -27,8 +24,6 @@ program friction_law
   call error_reports
   call many_contacts
   call parameters
-  call ground_steel
-  call other_units
   call copies
   call freeing
   call finish('friction_model')
@@ -101,28 +96,6 @@ contains
     difference = (8 * (value(3) - value(2)) - (value(4) - value(1))) / (12 * step)
   end function difference
 
-  subroutine monotone_and_consistent
-    integer, parameter :: N = 200
-    type(friction_model) :: law
-    type(asperity_summary) :: constants
-    type(asperity_state) :: state
-    real(c_double) :: load(N), force(N), mu(N)
-    integer :: i
-    call law%create(paper_case())
-    call law%summary(constants)
-    load = [(constants%pull_off_load + 1e-3_c_double * 1.12_c_double**i, i=1, N)]
-    force = law%friction_force_at_load(load)
-    call check('more load, more friction force', all(force(2:) > force(:N - 1)))
-    call check('friction force is positive from pull-off on', all(force > 0))
-    mu = law%friction_at_load(load)
-    call check('more load, less friction coefficient', all(mu(2:) <= mu(:N - 1)))
-    do i = 1, N, 20
-      call law%state_at_load(load(i), state)
-      call check_close('the law is the exact state', force(i), state%friction_force, &
-                       2 * constants%table_error + 1e-12_c_double)
-    end do
-  end subroutine monotone_and_consistent
-
   subroutine the_ends_of_the_law
     type(friction_model) :: law
     type(asperity_params) :: p
@@ -144,132 +117,6 @@ contains
     call check('... which stat tells', stat == ASPERITY_SEPARATED)
     call check_text('... and errmsg', errmsg(1:12), 'element 1: l')
   end subroutine the_ends_of_the_law
-
-  subroutine at_pressures
-    real(c_double), parameter :: AREA = 0.3_c_double
-    type(friction_model) :: law, missing
-    real(c_double) :: p, mu, stress, slope, of_load
-    integer :: i, stat
-    character(80) :: errmsg
-    call law%create(paper_case())
-    do i = -2, 5
-      p = 7 * 10.0_c_double**i
-      stat = -1
-      mu = law%friction_at_pressure(p, AREA, slope, stat)
-      call check('mu at a pressure is mu at its load', &
-                 stat == 0 .and. identical(mu, law%friction_at_load(p * AREA, of_load)))
-      call check_close('... and its slope that of the load times the area', slope, of_load * AREA, 1e-15_c_double)
-      call check('the slope may be left out', identical(law%friction_at_pressure(p, AREA), mu))
-      stress = law%shear_stress_at_pressure(p, AREA, slope)
-      call check_close('the stress is force over area', stress, law%friction_force_at_load(p * AREA, of_load) / AREA, &
-                       1e-15_c_double)
-      call check_close('... and its slope that of the force', slope, of_load, 1e-15_c_double)
-    end do
-    mu = law%friction_at_pressure(-1e9_c_double, AREA)
-    call check('below pull-off there is no friction, and no stop', identical(mu, 0.0_c_double))
-    stress = law%shear_stress_at_pressure(-1e9_c_double, AREA, stat=stat)
-    call check('... which stat tells', identical(stress, 0.0_c_double) .and. stat == ASPERITY_SEPARATED)
-    mu = law%friction_at_pressure(1.0_c_double, 0.0_c_double, slope, stat, errmsg)
-    call check('an area of zero is refused', &
-               stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(mu) .and. ieee_is_nan(slope))
-    call check_text('... with a message', errmsg, 'nominal_area = 0.000000E+000: must be from 1e-60 to 1e60')
-    stress = law%shear_stress_at_pressure(1.0_c_double, nan(), slope, stat, errmsg)
-    call check('so is one that is NaN', stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(stress))
-    call check_text('... with a message', errmsg, 'nominal_area = NaN: must be from 1e-60 to 1e60')
-    mu = law%friction_at_pressure(1e121_c_double, 1e60_c_double, stat=stat, errmsg=errmsg)
-    call check('so is a pressure that has no load', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(mu))
-    call check_text('... with a message', errmsg, 'pressure = 1.000000E+121: must be finite and not beyond 1e120')
-    stress = missing%shear_stress_at_pressure(1.0_c_double, AREA, stat=stat)
-    call check('a law that was never created has no stress', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(stress))
-  end subroutine at_pressures
-
-  ! What is forgotten or given in another unit is refused by name, and never the paper's case.
-  subroutine refusals
-    type(friction_model) :: law
-    type(asperity_params) :: p
-    integer :: stat
-    character(160) :: errmsg
-    character(*), parameter :: NO_COUNT = 'asperity_count: must be set; a roughness with a nominal_area sets it: ' // &
-        'Ra or Rq with RSm or a process, Sq with Sdq, m0 with m2'
-    call asperity_check(asperity_params_init(p))
-    call law%create(p, stat, errmsg)
-    call check_text('no modulus', errmsg, 'composite_modulus: must be set; two materials set it, ' // &
-                    'by their names or by E1, nu1, E2 and nu2')
-    call asperity_params_set_pair(p, 'Si/Si')
-    p%height_std = 5e-9_c_double
-    p%summit_radius = 1e-6_c_double
-    call law%create(p, stat, errmsg)
-    call check_text('no count', errmsg, NO_COUNT)
-    call check('... no law', .not. c_associated(law%c_model()))
-    call check('... and no calibration', asperity_params_calibrate(p, 1e-3_c_double, 0.3_c_double) == ASPERITY_INVALID_PARAMETER)
-    call check_text('... for the same reason', asperity_error_message(), NO_COUNT)
-    p%asperity_count = 1e5_c_double
-    p%slip_radius_1 = 10.75e-9_c_double
-    call law%create(p, stat, errmsg)
-    call check_text('a slip radius in metres', errmsg, &
-                    'slip_radius_1 = 1.075e-8: must be at least 1; is it a length? It is a ratio to burgers_vector')
-    p%slip_radius_1 = 28
-    p%nominal_area = 1
-    call law%create(p, stat, errmsg)
-    call check('an area on which no surface has so few summits', stat == ASPERITY_OUT_OF_RANGE .and. &
-               index(errmsg, 'asperity_count/nominal_area') == 1)
-    p%nominal_area = 1e-8_c_double
-    call law%create(p)
-  end subroutine refusals
-
-  subroutine sliding
-    real(c_double), parameter :: V0 = 0.5_c_double, P = 3
-    type(friction_model) :: law
-    real(c_double) :: force, by_load, by_rate, dforce, v
-    integer :: i, stat
-    character(80) :: errmsg
-    call law%create(paper_case())
-    do i = -4, 4
-      v = 0.3_c_double * i
-      force = law%slip_force(P, v, V0, by_load, by_rate, stat)
-      call check('a slip force has no error', stat == 0)
-      call check_close('F tanh(v/v0)', force, law%friction_force_at_load(P, dforce) * tanh(v / V0), 1e-14_c_double)
-      call check_close('its slope by load', by_load, dforce * tanh(v / V0), 1e-14_c_double)
-      call check_close('its slope by slip rate', by_rate, law%friction_force_at_load(P) / V0 / cosh(v / V0)**2, &
-                       1e-13_c_double)
-      call check('slopes may be left out', identical(law%slip_force(P, v, V0), force))
-    end do
-    force = law%slip_force(P, 1.0_c_double, -V0, stat=stat, errmsg=errmsg)
-    call check('a negative transition rate is refused', &
-               stat == ASPERITY_INVALID_PARAMETER .and. ieee_is_nan(force))
-    call check_text('... with a message', errmsg, 'transition_rate = -5.000000E-001: must be from 1e-60 to 1e60')
-    force = law%slip_force(P, nan(), V0, stat=stat, errmsg=errmsg)
-    call check_text('so is a slip rate that is NaN', errmsg, 'slip_rate = NaN: must be finite')
-    force = law%slip_force(nan(), 1.0_c_double, V0, stat=stat, errmsg=errmsg)
-    call check('so is a load that is', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(force))
-  end subroutine sliding
-
-  ! K_t is 8 G^ times the sum of the radii, with G^ = E* G*/(2 (E* + G*)) of two bodies alike.
-  subroutine radius_sums
-    type(friction_model) :: law, missing
-    type(asperity_params) :: p
-    type(asperity_state) :: state
-    real(c_double) :: load(4), total(4), slope(4), one, modulus
-    integer :: i, stat
-    p = paper_case()
-    modulus = p%composite_modulus * p%effective_shear_modulus / (2 * (p%composite_modulus + p%effective_shear_modulus))
-    call law%create(p)
-    load = 3.0_c_double + 0.003_c_double * [-2, -1, 1, 2]
-    total = law%contact_radius_sum_at_load(load, slope)
-    do i = 1, 4
-      call check_close('the sum of the radii is K_t/(8 G^)', total(i), &
-                       law%tangential_stiffness_at_load(load(i)) / (8 * modulus), 1e-12_c_double)
-      call check('rank 0 is as rank 1', identical(law%contact_radius_sum_at_load(load(i)), total(i)))
-      call law%state_at_load(load(i), state)
-      call check_close('... and as the state', total(i), state%contact_radius_sum, 1e-8_c_double)
-    end do
-    one = law%contact_radius_sum_at_load(3.0_c_double, slope(1), stat)
-    call check_close('its slope is the secant', slope(1), difference(total, 0.003_c_double), 1e-6_c_double)
-    one = law%contact_radius_sum_at_load(-1e9_c_double, stat=stat)
-    call check('an open contact tells', stat == ASPERITY_SEPARATED .and. identical(one, 0.0_c_double))
-    one = missing%contact_radius_sum_at_load(1.0_c_double, stat=stat)
-    call check('a law that was never created has none', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(one))
-  end subroutine radius_sums
 
   ! A contact that remembers, alone and with an open one.
   subroutine remembering
@@ -334,7 +181,6 @@ contains
   subroutine sticking
     real(c_double), parameter :: P(3) = [0.1_c_double, 3.0_c_double, 1e4_c_double]
     type(friction_model) :: law, missing
-    type(asperity_params) :: params
     type(asperity_state) :: state
     real(c_double) :: stiffness(3), force, back, slope, length
     integer :: i, stat
@@ -364,18 +210,6 @@ contains
     call check('a load that is NaN has none', stat == ASPERITY_INVALID_LOAD .and. ieee_is_nan(slope))
     slope = missing%tangential_stiffness_at_load(1.0_c_double, stat)
     call check('nor has a law that was never created', stat == ASPERITY_NULL_POINTER .and. ieee_is_nan(slope))
-    call radius_sums
-    call remembering
-    params = paper_case()
-    params%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC
-    params%work_of_adhesion = 0
-    call law%create(params, stat, errmsg)
-    call check('summits that yield need a hardness', stat == ASPERITY_INVALID_PARAMETER .and. index(errmsg, 'hardness = 0') == 1)
-    params = paper_case()
-    call asperity_check(asperity_params_set_elastic_plastic(params, 0.005_c_double * params%composite_modulus))
-    call law%create(params)
-    call law%state_at_load(1.0_c_double, state)
-    call check('some of them are elastic', state%fraction_elastic > 0 .and. state%fraction_elastic < 1)
   end subroutine sticking
 
   subroutine tables
@@ -396,12 +230,16 @@ contains
     start = transfer(shiftl(row, view%shift), start)
     call check_close('a row begins with the friction force there', rows(1, row - view%base + 1), &
                      law%friction_force_at_load(start + view%pull_off_load), 1e-12_c_double)
+    call law%table(view, rows, kind=ASPERITY_TABLE_LOAD_AT_GAP)
+    row = shiftr(transfer(1 - view%pull_off_load, row), view%shift)
+    start = transfer(shiftl(row, view%shift), start)
+    call check_close('... or with the load at minus the gap', rows(1, row - view%base + 1), &
+                     law%load_at_gap(-(start + view%pull_off_load)), 1e-12_c_double)
   end subroutine tables
 
   subroutine states
     type(friction_model) :: law
     type(asperity_state) :: state, back
-    type(asperity_sensitivities) :: sensitivities
     integer :: stat
     call law%create(paper_case())
     call law%state_at_load(10.0_c_double, state)
@@ -413,44 +251,19 @@ contains
     call law%state_at_gap(nan(), back, stat)
     call check('a gap that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER)
     call check('... and the state is untouched', identical(back%load, 1.0_c_double))
-    call law%sensitivities_at_load(10.0_c_double, sensitivities)
-    call check_close('F is in proportion to G*', sensitivities%effective_shear_modulus, 1.0_c_double, 1e-14_c_double)
-    call check_close('no unit of stress matters', sensitivities%composite_modulus + sensitivities%work_of_adhesion, &
-                     -state%dforce_dload * state%load / state%friction_force, 1e-9_c_double)
-    call law%sensitivities_at_load(-1e9_c_double, sensitivities, stat)
-    call check('an open contact has none', stat == ASPERITY_SEPARATED)
   end subroutine states
 
-  ! Half of the summits touch at the heavier load, too few at the lighter one.
   subroutine warnings_of_a_range
+    integer(c_int64_t), parameter :: TWO = ior(ASPERITY_WARNING_CROWDED, ASPERITY_WARNING_FEW)
     type(friction_model) :: law
-    type(asperity_params) :: p
     integer(c_int64_t) :: warnings
-    integer(c_int64_t), parameter :: few_or_crowded = ior(ASPERITY_WARNING_CROWDED, ASPERITY_WARNING_FEW)
-    real(c_double) :: lightest, heaviest
     character(80) :: message
     integer :: stat
-    p = paper_case()
-    p%asperity_count = 1e4_c_double
-    call law%create(p)
-    call law%check_loads(1e6_c_double, 2e6_c_double, warnings)
-    call check('the default strength is warned of', warnings == ASPERITY_WARNING_UNCALIBRATED)
-    call law%warning_loads(ASPERITY_WARNING_UNCALIBRATED, lightest, heaviest)
-    call check('... at every load', lightest < 1.0_c_double .and. heaviest > 1e9_c_double)
-    call asperity_check(asperity_params_calibrate(p, 1e6_c_double, 0.3_c_double))
-    call law%create(p)
-    call check_close('a calibrated law meets the measured point', law%friction_at_load(1e6_c_double), 0.3_c_double, 1e-9_c_double)
-    call law%warning_loads(ASPERITY_WARNING_CROWDED, lightest, heaviest)
-    call check('crowded from a load on', lightest > 2e6_c_double .and. lightest < 1e9_c_double .and. heaviest > lightest)
-    call law%warning_loads(3_c_int64_t, lightest, heaviest, stat, message)
-    call check('two bits are no warning', stat == ASPERITY_INVALID_PARAMETER .and. index(message, 'warning = 3') > 0)
-    call law%check_loads(1e6_c_double, 2e6_c_double, warnings)
-    call check('the model holds where 1 % of many summits touch', warnings == 0)
-    call law%check_loads(1.0_c_double, 1e9_c_double, warnings)
-    call check('few contacts and crowded ones are warned of', &
-               iand(warnings, few_or_crowded) == few_or_crowded)
+    call law%create(paper_case())
+    call law%check_loads(1.0_c_double, 2.0_c_double, warnings)
+    call check('the default strength is warned of', iand(warnings, ASPERITY_WARNING_UNCALIBRATED) /= 0)
     call check('a warning says what to do', index(asperity_warning_text(ASPERITY_WARNING_FEW), '; use heavier loads') > 0)
-    call check('several at once have a line each', asperity_warning_text(few_or_crowded) == &
+    call check('several at once have a line each', asperity_warning_text(TWO) == &
                asperity_warning_text(ASPERITY_WARNING_CROWDED) // new_line('a') // asperity_warning_text(ASPERITY_WARNING_FEW))
     warnings = 77
     message = ''
@@ -484,7 +297,6 @@ contains
   subroutine error_reports
     type(friction_model) :: law
     type(asperity_params) :: p
-    type(asperity_sensitivities) :: sensitivities
     type(asperity_state) :: state
     type(asperity_summary) :: constants
     real(c_double) :: mu(4)
@@ -508,8 +320,6 @@ contains
     call check('nor has it friction', stat == ASPERITY_NULL_POINTER .and. all(ieee_is_nan(mu(1:2))))
     call law%state_at_load(1.0_c_double, state, stat)
     call check('nor a state', stat == ASPERITY_NULL_POINTER)
-    call law%sensitivities_at_load(1.0_c_double, sensitivities, stat)
-    call check('nor sensitivities', stat == ASPERITY_NULL_POINTER)
     call law%summary(constants, stat)
     call check('nor constants', stat == ASPERITY_NULL_POINTER)
     call law%set_params(paper_case(), stat)
@@ -586,44 +396,6 @@ contains
     call check('... whose Poisson''s ratio is refused', stat == ASPERITY_INVALID_PARAMETER)
     call check_text('... by name', errmsg(1:9), 'nu2 = 0.6')
   end subroutine parameters
-
-  ! The surface of docs/fortran.md of which only Ra is known, with about the number of docs/start.md.
-  subroutine ground_steel
-    real(c_double), parameter :: Rq = 1.2533_c_double * 0.4e-6_c_double, slope = 0.14_c_double * sqrt(Rq / 1e-6_c_double)
-    real(c_double), parameter :: m0 = Rq**2, m2 = slope**2
-    type(friction_model) :: law
-    type(asperity_params) :: p
-    call asperity_check(asperity_params_init(p))
-    call asperity_params_set_pair(p, 'steel/steel')
-    call asperity_check(asperity_params_set_spectral_moments(p, m0, m2, 0.0_c_double, 1e-4_c_double))
-    call asperity_check(asperity_params_set_elastic_plastic(p, p%hardness))
-    call law%create(p)
-    call check_close('ground steel from Ra', law%friction_at_load(20.0_c_double), 0.04_c_double, 5e-2_c_double)
-  end subroutine ground_steel
-
-  ! The same steel in N and m, and in N and mm.
-  subroutine other_units
-    type(friction_model) :: metres, millimetres
-    type(asperity_params) :: p
-    type(asperity_summary) :: of_metres, of_millimetres
-    real(c_double), parameter :: LOAD = 10
-    call asperity_check(asperity_params_init(p))
-    call asperity_params_set_pair(p, 'steel/steel')
-    p%height_std = 0.4e-6_c_double
-    p%summit_radius = 20e-6_c_double
-    p%asperity_count = 5e5_c_double
-    call metres%create(p)
-    call asperity_check(asperity_params_set_units(p, 1e-3_c_double, 1.0_c_double))
-    call millimetres%create(p)
-    call check_close('a coefficient has no units', millimetres%friction_at_load(LOAD), metres%friction_at_load(LOAD), &
-                     1e-10_c_double)
-    call check_close('stiffness is per mm', 1e3_c_double * millimetres%tangential_stiffness_at_load(LOAD), &
-                     metres%tangential_stiffness_at_load(LOAD), 1e-10_c_double)
-    call metres%summary(of_metres)
-    call millimetres%summary(of_millimetres)
-    call check_close('gamma has no units', of_millimetres%gamma, of_metres%gamma, 1e-12_c_double)
-    call check_close('lambda has no units', of_millimetres%lambda, of_metres%lambda, 1e-12_c_double)
-  end subroutine other_units
 
   subroutine copies
     type(friction_model) :: a, b

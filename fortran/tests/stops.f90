@@ -36,7 +36,7 @@ program stops
     call law%create(params)
     mu = law%friction_at_load([1.0_c_double, 2.0_c_double, 3.0_c_double], slope)
   case ('status')
-    call asperity_check(asperity_params_set_skew(params, -5.0_c_double))
+    call asperity_check(asperity_params_set_units(params, -5.0_c_double, 1.0_c_double))
   end select
   write (*, '(a, 3es12.4)') 'not stopped', mu
 

@@ -22,7 +22,7 @@ subroutine stop_analysis(message)
   call xplb_exit
 end subroutine stop_analysis
 
-! To the message file. severity  -1 a warning, -2 an error
+! Writes to the message file. severity  -1 a warning, -2 an error
 subroutine tell_analysis(severity, message)
   include 'vaba_param.inc'
   integer, intent(in) :: severity

@@ -12,7 +12,7 @@ module asperity_models
   private
   public :: make_models, free_models, read_surface, friction_coefficients, shear_strength, microslip_length, microslip_step
 
-  ! Of a point whose summits slip one after the other.
+  ! A step of a point whose summits slip one after the other.
   type, public :: microslip
     real(c_double) :: stress(2)           ! that resists
     real(c_double) :: by_slip(2, 2)       ! d(stress)/d(slip increment) [stress/length]

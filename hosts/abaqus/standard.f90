@@ -19,7 +19,7 @@ subroutine stop_analysis(message)
   call xit
 end subroutine stop_analysis
 
-! To the .msg file. severity  -1 a warning, -2 an error
+! Writes to the .msg file. severity  -1 a warning, -2 an error
 subroutine tell_analysis(severity, message)
   integer, intent(in) :: severity
   character(*), intent(in) :: message

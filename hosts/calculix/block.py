@@ -16,7 +16,7 @@ import verdict
 TOLERANCE = 1e-3  # of the tables
 LIMIT = 2e-3
 FACES = 3
-# Of CalculiX 2.20 a table of overclosure works with nodes on surfaces only, and conductance by pressure with surfaces on surfaces
+# In CalculiX 2.20 a table of overclosure works with nodes on surfaces only, and conductance by pressure with surfaces on surfaces
 # and linear overclosure. In SI: edge and height of the block, conductivity of both bodies, warmth of the block's upper face.
 EDGE, HEIGHT, CONDUCTIVITY, WARMTH = 10e-3, 1e-3, 50.0, 10.0
 BASE = {"surface": "", "load": 8e6, "length": 1e-3, "pressure": 1e6}
@@ -129,7 +129,7 @@ def computed(folder, name, text):
 
 
 def errors(folder, case):
-    """Of overclosure, stick, friction and heat, relative to what the law says."""
+    """The errors of overclosure, stick, friction and heat, relative to what the law says."""
     folder.mkdir(parents=True, exist_ok=True)
     film = folder / "film.toml"
     film.write_text(altered_film(case["surface"]))

@@ -24,7 +24,7 @@ FLOOR = 1.0  # the floor's coefficient: Drake takes 2 mu1 mu2/(mu1 + mu2) of two
 
 
 def coefficient(mu):
-    """Of a foot, such that it has mu on the floor."""
+    """The coefficient of a foot that has mu on the floor."""
     other = mu * FLOOR / (2 * FLOOR - mu)
     return CoulombFriction(other, other)
 

@@ -41,7 +41,7 @@ class Blocks:
         self.model = self.linearised_model()
 
     def height(self, cv):
-        """Of the middle of an element."""
+        """The height of the middle of an element."""
         return np.mean(self.mesh.pts_from_cvid(int(cv))[0][1])
 
     def name_faces(self):
@@ -114,7 +114,7 @@ def bars(load):
 
 
 def order(changes):
-    """Of the convergence, from the last changes above rounding."""
+    """The order of the convergence, from the last changes above rounding."""
     logs = np.log([change for change in changes if change > 1e-12 * changes[0]])
     return (logs[-1] - logs[-2]) / (logs[-2] - logs[-3])
 

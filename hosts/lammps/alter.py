@@ -224,7 +224,7 @@ def apart(one, other):
 
 
 def limit_error(rows, file):
-    """Of the largest friction, against exact states."""
+    """The error of the largest friction, against exact states."""
     Path("exact.toml").write_text(file + FILM)
     model = asperity.Model(asperity.Params.from_toml("exact.toml"))
     load, limit, nominal = rows[-1][4], rows[-1][6], model.params.nominal_area

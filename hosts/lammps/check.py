@@ -15,10 +15,10 @@ import surface  # of hosts/
 import verdict
 
 LAW_LIMIT, ENERGY_LIMIT, RANK_LIMIT = 1e-6, 5e-3, 1e-6
-# Of microslip: of the friction force, of the work, of the force, of the friction force. The plugin lets forces of grain and summits
+# Limits of microslip, over the friction force, the work, the force and the friction force. The plugin lets forces of grain and summits
 # differ by 1e-6, which moves summits that are 30 times as stiff as the grain by 3e-5 of it.
 CURVE_LIMIT, WORK_LIMIT, TURN_LIMIT, STEP_LIMIT = 0.02, 0.15, 1e-3, 1e-3
-# Of the energy of grains that bounce, beyond the least before: elastic energy of the springs comes and goes.
+# What grains that bounce may gain of energy, beyond the least before: elastic energy of the springs comes and goes.
 GAIN_LIMIT = 1e-3
 REAL_MODULUS, POISSON = 1.7531556e9, 0.38
 LEAST_HELD = 0.99
@@ -154,7 +154,7 @@ class Cycle:
 
 
 def cycles(folder, model):
-    """Of the grains of cycle.in: how far forces are from the curve, the work of a cycle, a force that turns, and steps."""
+    """The grains of cycle.in: how far forces are from the curve, the work of a cycle, a force that turns, and steps."""
     runs = tables(folder / "cycle.log")
     if len(runs) != 16:
         raise RuntimeError(f"{len(runs)} runs in cycle.log: not the cycles that were meant")
@@ -201,7 +201,7 @@ def energy_gap(rows, springs=True):
 
 
 def bouncing(folder):
-    """Of the grains of bounce.in: how much energy friction took, and by how much more than before there ever was."""
+    """The grains of bounce.in: how much energy friction took, and by how much more than before there ever was."""
     rows, = tables(folder / "bounce.log")
     energy = column(rows, "v_kinetic") + column(rows, "v_elastic")
     # A contact lasts for some three of the steps that are printed.

@@ -103,7 +103,7 @@ void read_file(asperity_params &params, const std::string &path, const std::stri
     demand(asperity_params_set_units(&params, unit->length, unit->force));
 }
 
-// Of a positive number, to 1e-13. A third of the upper half of the bits is within 4 %, and Halley's step cubes the error.
+// The cube root of a positive number, to 1e-13. A third of the upper half of the bits is within 4 %, and Halley's step cubes the error.
 // Written so that compilers make vectors of it in a loop.
 double cube_root(double x) {
     std::uint64_t bits;
@@ -234,7 +234,7 @@ void Law::find_where_it_holds(double composite_modulus) {
         // A pressure that cannot be evaluated is one at which all summits are flat.
         const bool flat = asperity_state_at_load(model_.get(), pressure_of(k), &state) != ASPERITY_OK;
         const std::uint64_t all = flat ? ASPERITY_WARNING_CROWDED : state.warnings;
-        // Of the interface and the surface, at whatever load: said once, by finish().
+        // These are of the interface and the surface, at whatever load: finish() says them once.
         const std::uint64_t told = all & (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
         // Few of a unit of area: contacts are smaller, and judged by their own area.
         const std::uint64_t warnings = all & ~(told | ASPERITY_WARNING_FEW | ASPERITY_WARNING_FEW_WAVES);

@@ -103,11 +103,11 @@ public:
     // Contacts are computed so many at a time, as the library's batch calls are the faster ones.
     enum { BATCH = 32 };
 
-    // Of how many numbers the history of a contact is, and how many it can be.
+    // How many numbers the history of a contact has, and how many it can have.
     int history() const { return microslip_ ? SUMMITS + remembered_ : SIDE; }
     enum { MOST_REMEMBERED = 64, MOST_HISTORY = SUMMITS + MOST_REMEMBERED };
 
-    // Of up to BATCH contacts. dt: by which the springs are moved on; 0 leaves the histories as they are, for a step that is
+    // Computes up to BATCH contacts. dt: by which the springs are moved on; 0 leaves the histories as they are, for a step that is
     // computed again.
     void forces(int count, const Contact *contact, double dt, Forces *result) const;
 

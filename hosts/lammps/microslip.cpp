@@ -11,7 +11,7 @@ namespace asperity_lammps {
 
 namespace {
 
-// Of the residual, relative to the limit, and of calls. Parts slip one after the other as d grows, so that iterations
+// The largest residual, relative to the limit, and the most calls. Parts slip one after the other as d grows, so that iterations
 // approach from one side, from one piece of T to the next.
 const double tolerance = 1e-6;
 const int most_calls = 40;

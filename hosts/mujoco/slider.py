@@ -46,7 +46,7 @@ def changed(changes):
 
 
 def lines(values):
-    """Of a surface file, before its hardness."""
+    """The lines of a surface file before its hardness."""
     return "".join(f"{name} = {value!r}\n" for name, value in values.items()) + "hardness"
 
 

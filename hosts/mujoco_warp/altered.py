@@ -55,7 +55,7 @@ def throw(m, d, fall):
 
 
 def normal_forces(d):
-    """Of each world."""
+    """The normal force in each world."""
     found, force = np.zeros(len(FALL)), d.efc.force.numpy()
     count = int(d.nacon.numpy()[0])
     for world, address in zip(d.contact.worldid.numpy()[:count], d.contact.efc_address.numpy()[:count, 0]):
