@@ -114,7 +114,7 @@ site:
 # domain.
 figures: library
 	python=$$(python/environment.sh)/bin/python && \
-	    $$python -m asperity figures --out docs && \
+	    $$python docs/gallery && \
 	    $$python python/examples/sampling_bias.py docs/figures/sampling_bias.svg 24
 	$(MAKE) --no-print-directory demo FIGURE=docs/friction_curve.svg
 	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg

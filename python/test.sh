@@ -31,7 +31,7 @@ if [ "${1:-}" = --quick ]; then
 else
     environment="$(python/environment.sh)"
     cd python
-    "$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples
+    "$environment/bin/mypy" --cache-dir "$target/python-mypy" src tests examples ../docs/gallery
 fi
 # A file is one worker's: its pages build on each other, its wheel is built once and its figures drawn once.
 "$environment/bin/pytest" -n auto --dist loadfile --basetemp "$target/python-tests" "$@"

@@ -94,7 +94,7 @@ EXPLORER = """# Explorer
 # What people use first; then the rest of the package; then its modules.
 FIRST = ("friction", "Model", "Params")
 MODULES = (
-    ".materials", ".surface", ".pads", ".fit", ".uncertainty", ".study", ".loads", ".table", ".jax", ".warp",
+    ".materials", ".surface", ".studies.pads", ".fits.fit", ".fits.uncertainty", ".study", ".loads", ".table", ".jax", ".warp",
     ".mujoco", ".kratos",
 )
 REST = f"\n    options:\n      filters: ['!^_', '!^({'|'.join(FIRST)})$']"

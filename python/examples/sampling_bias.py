@@ -20,7 +20,7 @@ import numpy.typing as npt
 from random_surfaces import GaussianSurface, Nayak
 
 from asperity import surface
-from asperity._style import BLACK, saved, style
+from asperity.tools.style import BLACK, saved, style
 
 Array = npt.NDArray[np.float64]
 

@@ -16,8 +16,9 @@ from unittest import mock
 
 import matplotlib.font_manager  # noqa: F401  # which writes a cache of its own
 
-from asperity import Params, _study_command, _study_store, figures
+from asperity import Params
 from asperity.__main__ import main
+from asperity.studies import store, study_command
 
 SURFACE = Path(__file__).resolve().parents[2] / "hosts" / "surface.toml"
 STUDY = """
@@ -42,19 +43,6 @@ def to_toml(file: str) -> int:
     return 0
 
 
-def gallery(file: str) -> int:
-    """The page; its pictures are those of `curve --figure`."""
-    with mock.patch("asperity.figures.drawing.draw_all", return_value=[]), mock.patch(
-        "asperity.figures.page.text", return_value="good\n" * 10_000
-    ):
-        try:
-            figures.write(Path(file).parents[1])
-        except OSError as error:
-            print(error, file=sys.stderr)
-            return 1
-    return 0
-
-
 def study(sampling: str, *options: str) -> int:
     file = Path("study.toml")
     file.write_text(SURFACE.read_text(encoding="utf-8") + STUDY.format(sampling), encoding="utf-8")
@@ -67,10 +55,9 @@ OUTPUTS: dict[str, tuple[Callable[[str], int], tuple[Any, str] | None]] = {
     "curve": (lambda file: main(["curve", "--figure", file]), None),
     "fmu": (lambda file: main(["fmu", str(SURFACE), "-o", file]), (zipfile, "ZipFile")),
     "to_toml": (to_toml, None),
-    "gallery": (gallery, None),
-    "block": (lambda file: study("random", "-o", file), (_study_store._Writer, "__init__")),
-    "study": (lambda file: study("random", "-o", file), (_study_store.Checkpoint, "dataset")),
-    "indices": (lambda file: study("saltelli", "-o", "found.nc", "--indices", file), (_study_command, "plot_sobol_indices")),
+    "block": (lambda file: study("random", "-o", file), (store._Writer, "__init__")),
+    "study": (lambda file: study("random", "-o", file), (store.Checkpoint, "dataset")),
+    "indices": (lambda file: study("saltelli", "-o", "found.nc", "--indices", file), (study_command, "plot_sobol_indices")),
 }
 
 

@@ -17,7 +17,7 @@ import xarray
 from asperity import Error, Model, Params, ValidityWarning, Warnings, materials, pads, uncertainty
 from asperity._library import LIBRARY
 from asperity.estimate import estimate
-from asperity.uncertainty import ALL_ELSE
+from asperity.fits.uncertainty import ALL_ELSE
 
 LOADS = np.geomspace(1.0, 100.0, 7)
 

@@ -65,7 +65,7 @@ def test_the_wheel_contains_the_package_and_one_library(root: Path, wheel: Path)
         library = archive.read(f"asperity/{Path(_library.PATH).name}")
     source = root / "python" / "src"
     modules = {file.relative_to(source).as_posix() for file in (source / "asperity").rglob("*.py")}
-    units = ("_fmu2.c", "_fmu3.c", "_fmu_unit.h", "_fmu_microslip.h", "_fmu_saved.h", "_fmu_dll.h")
+    units = ("fmu2.c", "fmu3.c", "fmu_unit.h", "fmu_microslip.h", "fmu_saved.h", "fmu_dll.h")
     c_files = (*units, "asperity.h", "asperity_loads.h", "plugin.c", "microslip.h", "asperity_mujoco.h")
     assert inside == modules | {f"asperity/{name}" for name in ("py.typed", *c_files, Path(_library.PATH).name)}
     assert library[:4] == b"\x7fELF" or sys.platform != "linux"

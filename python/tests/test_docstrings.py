@@ -11,7 +11,7 @@ import pytest
 
 import asperity
 
-MODULES = ("one_line", "model", "_friction_law", "params", "fit", "uncertainty")
+MODULES = ("one_line", "model", "_friction_law", "params", "fits.fit", "fits.uncertainty")
 WITH_EXAMPLES = (
     asperity.friction,
     asperity.Model,

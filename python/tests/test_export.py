@@ -15,7 +15,7 @@ from conftest import HARD_CARBON
 
 from asperity import Model, Params
 from asperity.__main__ import main
-from asperity._export_formats import FORMATS
+from asperity.hosts.export_formats import FORMATS
 
 AREA = 1e-4  # of HARD_CARBON
 Array = npt.NDArray[np.float64]

@@ -16,7 +16,9 @@ import pytest
 from processes import run_main
 from scipy.stats import chi2
 
-from asperity import Error, Fit, Model, Params, fit, fit_names, fit_trend, uncertainty
+from asperity import Error, Fit, Model, Params, fit, uncertainty
+from asperity.fits import names as fit_names
+from asperity.fits import trend as fit_trend
 
 LOADS = np.geomspace(0.1, 1e4, 25)
 SEEDS = range(6)

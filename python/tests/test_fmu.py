@@ -28,7 +28,7 @@ from libcosimpy.CosimSlave import CosimLocalSlave
 
 from asperity import Error, Model, Params, _header
 from asperity.__main__ import main
-from asperity._fmu_binaries import _soname
+from asperity.hosts.fmu_binaries import _soname
 
 PARAMS = Params.from_toml(HARD_CARBON)
 LOAD, FORCE, COEFFICIENT, SLOPE = range(4)

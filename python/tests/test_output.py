@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from full_disk import OUTPUTS
 
-from asperity import _output
+from asperity.tools import output
 
 FILES = {"fmu": "old.fmu", "gallery": "dev/gallery.md", "block": "new.nc", "study": "new.nc", "curve": "old.svg", "indices": "old.svg"}
 OLD = b"good\n" * 1000
@@ -63,18 +63,18 @@ def test_a_disk_that_is_full_leaves_what_was_there(name: str, tmp_path: Path) ->
 def test_links_modes_and_names_stay(tmp_path: Path) -> None:
     target, link = tmp_path / "target", tmp_path / "link"
     link.symlink_to("target")
-    _output.write(link, "a\n")  # a link to what is not there yet
+    output.write(link, "a\n")  # a link to what is not there yet
     before = os.umask(0o027)
     try:
-        _output.write(tmp_path / "new", b"")
+        output.write(tmp_path / "new", b"")
     finally:
         os.umask(before)
     assert (tmp_path / "new").stat().st_mode & 0o777 == 0o640
     target.chmod(0o604)
-    _output.write(link, "µ\n")
+    output.write(link, "µ\n")
     assert link.is_symlink() and target.read_bytes() == "µ\n".encode() and target.stat().st_mode & 0o777 == 0o604
     longest = tmp_path / ("ü" * 127)
-    _output.write(longest, "a")
+    output.write(longest, "a")
     assert longest.read_text(encoding="utf-8") == "a"
     assert {path.name for path in tmp_path.iterdir()} == {"target", "link", "new", longest.name}
 
@@ -84,14 +84,14 @@ def test_pipes_and_devices_are_written_in_place(tmp_path: Path) -> None:
     os.mkfifo(pipe)
     reader = threading.Thread(target=lambda: found.append(pipe.read_bytes()), daemon=True)
     reader.start()
-    _output.write(pipe, "through\n")
+    output.write(pipe, "through\n")
     reader.join(60)
     assert found == [b"through\n"] and pipe.is_fifo()
     with pytest.raises(OSError, match="No space left on device: '/dev/full'"):
-        _output.write("/dev/full", "a")
+        output.write("/dev/full", "a")
     # What the standard output leads to stays the file that others have open.
     with open(tmp_path / "log", "wb") as log:
-        program = "from asperity import _output; _output.write('/dev/stdout', 'a\\n')"
+        program = "from asperity.tools import output; output.write('/dev/stdout', 'a\\n')"
         subprocess.run([sys.executable, "-c", program], stdout=log, timeout=60, check=True)
         assert os.fstat(log.fileno()).st_ino == (tmp_path / "log").stat().st_ino
     assert (tmp_path / "log").read_bytes() == b"a\n"
@@ -100,5 +100,5 @@ def test_pipes_and_devices_are_written_in_place(tmp_path: Path) -> None:
 def test_what_may_not_be_written_is_named(tmp_path: Path) -> None:
     for file, error in ((tmp_path, IsADirectoryError), (tmp_path / "no" / "file", FileNotFoundError)):
         with pytest.raises(error) as raised:
-            _output.write(file, "a")
+            output.write(file, "a")
         assert raised.value.filename == str(file)

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from asperity import Error, Model, Params, friction, pads
-from asperity._pad_equilibrium import OneSummitLaw, descend
-from asperity._pad_heights import TailHeights
+from asperity.studies.pad_equilibrium import OneSummitLaw, descend
+from asperity.studies.pad_heights import TailHeights
 
 
 @pytest.fixture(scope="module")

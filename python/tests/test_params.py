@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from conftest import HARD_CARBON
 
-from asperity import Error, Model, Params, Status, Warnings, _units
+from asperity import Error, Model, Params, Status, Warnings, units
 from asperity.materials import PAIRS
 
 SURFACE: dict[str, Any] = dict(
@@ -307,7 +307,7 @@ def test_numbers_are_shown_with_their_units_as_text_and_as_a_table(params: Param
     class Named:
         name: str
 
-    assert "<td>a &lt; b</td>" in _units.table(Named("a < b"))
+    assert "<td>a &lt; b</td>" in units.table(Named("a < b"))
 
 
 def test_the_repr_shows_what_is_not_default_and_reads_back(params: Params) -> None:

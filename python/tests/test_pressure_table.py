@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from asperity import _pressure_table
-from asperity._pressure_table import pressure_table
+from asperity.hosts import pressure_table as _pressure_table
+from asperity.hosts.pressure_table import pressure_table
 
 Array = npt.NDArray[np.float64]
 

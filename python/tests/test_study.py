@@ -62,7 +62,7 @@ def test_a_load_that_is_too_heavy_is_nan_alone() -> None:
 
 
 def test_a_bug_of_the_library_is_no_verdict_on_a_surface() -> None:
-    with mock.patch("asperity._many_surfaces.Handle", side_effect=Error("a bug", Status.INTERNAL)):
+    with mock.patch("asperity.fits.many_surfaces.Handle", side_effect=Error("a bug", Status.INTERNAL)):
         with pytest.raises(Error, match="^a bug$"):
             study(PARAMS, **SMALL)
 
@@ -94,7 +94,7 @@ def test_progress_tells_part_rate_and_time_left() -> None:
 
 def additive(**changes: Any) -> xarray.Dataset:
     """What a study would be if friction were x + 2 y + 0 z of independent standard normal parameters, with n = 256."""
-    from asperity._study_draws import _points
+    from asperity.studies.draws import _points
 
     n = 256
     unit = stats.norm.ppf(_points(6, n, 3, "sobol"))

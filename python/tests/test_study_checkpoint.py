@@ -20,8 +20,9 @@ from scipy import stats
 from study_workers import LOADS, PARAMS, SMALL
 from test_study_engines import bits
 
-from asperity import _blocks, _study_lock, _study_store
+from asperity.studies import lock, store
 from asperity.study import study
+from asperity.tools import blocks as _blocks
 
 BLOCKS = 8  # of SMALL
 
@@ -128,7 +129,7 @@ def test_processes_that_begin_together_leave_one_whole_study(small: xarray.Datas
 
 
 def test_a_disk_without_locks_is_told_of(tmp_path: Path) -> None:
-    with mock.patch.object(_study_lock, "_take", side_effect=OSError(errno.ENOLCK, "No locks available")):
+    with mock.patch.object(lock, "_take", side_effect=OSError(errno.ENOLCK, "No locks available")):
         with pytest.warns(RuntimeWarning, match="found.nc': cannot be locked here .*: let no other process work on it"):
             study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc").close()
 
@@ -321,5 +322,5 @@ def test_a_folder_that_is_not_there_is_named(tmp_path: Path) -> None:
 def test_names_are_put_in_place_in_one_step(tmp_path: Path) -> None:
     file = tmp_path / "file"
     with pytest.raises(ZeroDivisionError):
-        _study_store._replaced(file, lambda part: part.write_text("half") and 1 / 0)
+        store._replaced(file, lambda part: part.write_text("half") and 1 / 0)
     assert list(tmp_path.iterdir()) == []

@@ -11,7 +11,7 @@ from scipy import stats
 from study_workers import LOADS, PARAMS
 
 from asperity import Params
-from asperity._study_draws import Draws, drawn
+from asperity.studies.draws import Draws, drawn
 from asperity.study import study
 
 

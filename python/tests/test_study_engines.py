@@ -20,8 +20,9 @@ import study_workers
 import xarray
 from study_workers import LOADS, PARAMS, SMALL
 
-from asperity import Model, _blocks, pads, uncertainty
+from asperity import Model, pads, uncertainty
 from asperity.study import study
+from asperity.tools import blocks
 
 # Other tests of this process may have started threads, which a fork does not copy.
 CONTEXT = multiprocessing.get_context("spawn")
@@ -69,7 +70,7 @@ def test_dask_gives_the_same_bits(small: xarray.Dataset, dask: Any) -> None:
 
 def test_a_worker_of_dask_that_dies_is_replaced(dask: Any, tmp_path: Path) -> None:
     tasks = [(i, (str(tmp_path), i)) for i in range(12)]
-    found = dict(_blocks.completed(study_workers.twice_or_die, tasks, dask.get_executor()))
+    found = dict(blocks.completed(study_workers.twice_or_die, tasks, dask.get_executor()))
     assert found == {i: 2 * i for i in range(12)} and (tmp_path / "died").exists()
 
 
@@ -91,25 +92,25 @@ def test_bands_and_pads_are_the_same_on_an_executor() -> None:
 
 def test_a_process_that_dies_is_replaced(tmp_path: Path) -> None:
     tasks = [(i, (str(tmp_path), i)) for i in range(20)]
-    found = dict(_blocks.completed(study_workers.twice_or_die, tasks, workers=2))
+    found = dict(blocks.completed(study_workers.twice_or_die, tasks, workers=2))
     assert found == {i: 2 * i for i in range(20)} and (tmp_path / "died").exists()
 
 
 def test_processes_that_die_again_and_again_end_the_work() -> None:
     with pytest.raises(ChildProcessError, match="workers: processes died 4 times in a row and no block was done"):
-        list(_blocks.completed(study_workers.die, [(0, None)], workers=2))
+        list(blocks.completed(study_workers.die, [(0, None)], workers=2))
 
 
 def test_a_broken_executor_is_named_with_what_to_do() -> None:
     with ProcessPoolExecutor(1, CONTEXT) as executor:
         with pytest.raises(ChildProcessError, match="executor: it is broken .* make a new one and call again, with the same checkp"):
-            list(_blocks.completed(study_workers.die, [(0, None)], executor))
+            list(blocks.completed(study_workers.die, [(0, None)], executor))
 
 
 def test_a_block_that_fails_is_sent_again_three_times_at_most(tmp_path: Path) -> None:
     tasks = [(i, (str(tmp_path), i)) for i in range(6)]
     with ThreadPoolExecutor(2) as executor:
-        found = dict(_blocks.completed(study_workers.twice_at_the_third_time, tasks, executor))
+        found = dict(blocks.completed(study_workers.twice_at_the_third_time, tasks, executor))
         assert found == {i: 2 * i for i in range(6)}
         sent: list[int] = []
 
@@ -118,7 +119,7 @@ def test_a_block_that_fails_is_sent_again_three_times_at_most(tmp_path: Path) ->
             study_workers.fail(task)
 
         with pytest.raises(OSError, match="never"):
-            list(_blocks.completed(fail, [(0, 5)], executor))
+            list(blocks.completed(fail, [(0, 5)], executor))
         assert sent == [5, 5, 5]
 
 
@@ -131,7 +132,7 @@ def test_tasks_are_taken_as_workers_become_free() -> None:
             yield i, i
 
     with ThreadPoolExecutor(1) as executor:
-        work = _blocks.completed(study_workers.twice, tasks(), executor)
+        work = blocks.completed(study_workers.twice, tasks(), executor)
         next(work)
         assert len(taken) <= 600  # not all, whose answers would be in memory together
         work.close()  # type: ignore[attr-defined]
@@ -139,9 +140,9 @@ def test_tasks_are_taken_as_workers_become_free() -> None:
 
 def test_a_worker_with_another_version_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     versions = itertools.chain(["0.0.1"], itertools.repeat("0.1"))
-    monkeypatch.setattr(_blocks, "version", lambda: next(versions))
+    monkeypatch.setattr(blocks, "version", lambda: next(versions))
     with ThreadPoolExecutor(1) as executor, pytest.raises(ImportError, match="a worker has asperity 0.0.1, this process 0.1"):
-        list(_blocks.completed(study_workers.twice, [(0, 1)], executor))
+        list(blocks.completed(study_workers.twice, [(0, 1)], executor))
 
 
 def test_an_executor_and_workers_exclude_each_other() -> None:
@@ -153,9 +154,9 @@ def test_processes_end_with_the_one_that_started_them() -> None:
     source = (
         "import time\n"
         "import study_workers\n"
-        "from asperity import _blocks\n"
+        "from asperity.tools import blocks\n"
         "if __name__ == '__main__':\n"
-        "    for _, worker in _blocks.completed(study_workers.process, [(i, i) for i in range(4)], workers=2):\n"
+        "    for _, worker in blocks.completed(study_workers.process, [(i, i) for i in range(4)], workers=2):\n"
         "        print(worker, flush=True)\n"
         "        time.sleep(60)\n"
     )

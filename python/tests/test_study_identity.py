@@ -13,7 +13,7 @@ from study_workers import PARAMS, SMALL
 from test_study_checkpoint import stop_after
 from test_study_engines import bits
 
-from asperity import _study_lock, _study_store
+from asperity.studies import lock, store
 from asperity.study import study
 
 
@@ -49,7 +49,7 @@ def test_what_replaces_a_file_is_what_was_written_and_flushed_not_a_copy(
         fsync(descriptor)
 
     monkeypatch.setattr(os, "fsync", flushed)
-    _study_store._replaced(file, lambda part: part.write_text("new"))
+    store._replaced(file, lambda part: part.write_text("new"))
     # Until it is on the disk the old one is in its place, and the name then goes to the very file that was flushed.
     assert (file.stat().st_ino, "old") in seen
     # The old one was written over in no part.
@@ -59,7 +59,7 @@ def test_what_replaces_a_file_is_what_was_written_and_flushed_not_a_copy(
 
 def test_a_lock_is_that_of_the_file_that_is_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its holder may remove the file just before it is locked: another process would then lock a file of its own."""
-    file, take = tmp_path / "found.nc.lock", _study_lock._take
+    file, take = tmp_path / "found.nc.lock", lock._take
     removed: list[Path] = []
 
     def late(descriptor: int) -> None:
@@ -68,6 +68,6 @@ def test_a_lock_is_that_of_the_file_that_is_there(tmp_path: Path, monkeypatch: p
             file.unlink()
             removed.append(file)
 
-    monkeypatch.setattr(_study_lock, "_take", late)
-    with _study_lock.locked(file, "found.nc"):
+    monkeypatch.setattr(lock, "_take", late)
+    with lock.locked(file, "found.nc"):
         assert removed and file.exists()

@@ -11,7 +11,8 @@ import pytest
 from random_surfaces import GaussianSurface
 
 import asperity
-from asperity import Error, Model, _map_analysis, surface
+from asperity import Error, Model, surface
+from asperity.maps import analysis
 from asperity.params import counted_of
 
 Array = npt.NDArray[np.float64]
@@ -154,7 +155,7 @@ def test_families_that_differ_are_in_the_band(plain: Array, truth: surface.Analy
 
 
 def test_a_bandwidth_beyond_the_validation_is_said(plain: Array, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_map_analysis, "_BANDWIDTH", 1.9)
+    monkeypatch.setattr(analysis, "_BANDWIDTH", 1.9)
     found = analysed(plain)
     assert "bandwidth 2" in found.verdict and "where boundary elements reach 1.9: give longest=2.4e-06" in found.verdict
 

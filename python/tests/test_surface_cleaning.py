@@ -12,9 +12,10 @@ import numpy.typing as npt
 import pytest
 from random_surfaces import GaussianSurface
 
-from asperity import Model, Params, Warnings, _instrument_files, surface
-from asperity._map_cleaning import _membrane
-from asperity._map_spikes import spikes
+from asperity import Model, Params, Warnings, surface
+from asperity.maps import instrument_files
+from asperity.maps.cleaning import _membrane
+from asperity.maps.spikes import spikes
 
 Array = npt.NDArray[np.float64]
 
@@ -321,7 +322,7 @@ def test_maps_bring_their_distances(plain: Array) -> None:
 
 
 def test_topographies_of_surfacetopography_are_taken(plain: Array) -> None:
-    library = _instrument_files._library()  # without its warning that mpi4py is missing
+    library = instrument_files._library()  # without its warning that mpi4py is missing
     Topography = library.Topography
     micrometres = Topography(plain.T * 1e6, (256 * PIXEL * 1e6, 0.9 * 256 * PIXEL * 1e6), unit="µm")
     found, same = surface.summits(micrometres), surface.summits(plain, PIXEL, 0.9 * PIXEL)

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import boundary_elements
-from asperity._style import AMBER, BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, saved, style
+from asperity.tools.style import AMBER, BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, saved, style
 
 FILE = Path(__file__).resolve().parents[2] / "docs" / "figures" / "area.svg"
 

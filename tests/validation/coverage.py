@@ -21,7 +21,7 @@ import numpy as np
 
 import asperity
 from asperity import Fit, Model, Params, ValidityWarning, fit, uncertainty
-from asperity.fit_names import free_names, put_all
+from asperity.fits.names import free_names, put_all
 
 FILE = Path(__file__).with_name("coverage.csv")
 REPEATS = 1000

@@ -11,7 +11,8 @@ cd "$(dirname "$0")/../.."
 target="$(realpath -m "${CARGO_TARGET_DIR:-target}")"
 venv="$target/validation-venv"
 export CARGO_TARGET_DIR="$target" PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS="${OMP_NUM_THREADS:-2}"
-unset ASPERITY_LIBRARY PYTHONPATH
+export PYTHONPATH="$PWD/docs"
+unset ASPERITY_LIBRARY
 length="${1:-short}"
 [[ "$length" =~ ^(short|long)$ ]] || { echo "usage: tests/validation/run.sh [long]" >&2; exit 2; }
 

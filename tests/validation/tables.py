@@ -17,7 +17,7 @@ import adhesion
 import boundary_elements
 import coverage
 import yielding
-from asperity.figures import calibrated, contacts, defaults, measured
+from gallery import calibrated, contacts, defaults, measured
 from boundary_elements import PRESSURES, AnyRow
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from asperity import Model
-from asperity.figures import calibrated
-from asperity.figures.calibrated import COMPARISONS, FILM_LOADS, Comparison
+from gallery import calibrated
+from gallery.calibrated import COMPARISONS, FILM_LOADS, Comparison
 from asperity.materials import MATERIALS
 
 BY_NAME = {one.name: one for one in COMPARISONS}

@@ -9,7 +9,7 @@ from typing import Iterator
 import pytest
 
 import tables
-from asperity.figures import defaults, measured
+from gallery import defaults, measured
 
 ROOT = tables.DOCS.parent
 

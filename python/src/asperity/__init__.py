@@ -22,20 +22,20 @@ The Rust library `libasperity` computes. It is inside the package, unless the en
 
 from . import materials, study, surface
 from ._header import ASPERITY_VERSION as __version__
-from ._pad_results import Pads
 from ._microslip import Microslip, MicroslipStep
 from .curve import Curve
 from .errors import Error, Status
 from .estimate import Estimate
-from .fit import fit
-from .fit_result import Fit, Prediction
+from .fits.fit import fit
+from .fits.result import Fit, Prediction
+from .fits.uncertainty import Uncertainty, uncertainty
 from .model import Model
 from .one_line import friction
-from .pads import pads
 from .params import Params
 from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
-from .uncertainty import Uncertainty, uncertainty
+from .studies.pad_results import Pads
+from .studies.pads import pads
 
 __all__ = [
     "Curve",

@@ -1,6 +1,6 @@
 """The command line: `python -m asperity friction` prints friction at loads with its band, `curve` prints friction over a range of
 loads and draws the curve, `fit` finds parameters from measured friction, `study` computes friction of thousands of surfaces,
-`export` and `fmu` write tables and mock-up units for hosts, `figures` draws the paper's figures.
+`export` and `fmu` write tables and mock-up units for hosts.
 
 Exit status: 0; 1 if the library, a file or a missing package stands in the way; 2 for a wrong command line.
 """
@@ -12,14 +12,15 @@ import math
 import os
 import sys
 import warnings
-from pathlib import Path
 
 import numpy as np
 
-from . import Model, Params, __version__, _export_command, _fit_command, _fmu_command, _friction_command, _header, _library
-from . import _study_command, _surface_options, _units
-from ._band_figure import drawn
-from ._style import style
+from . import Model, Params, __version__, _friction_command, _header, _library, _surface_options, units
+from .fits import fit_command
+from .hosts import export_command, fmu_command
+from .studies import study_command
+from .tools.band_figure import drawn
+from .tools.style import style
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -39,20 +40,10 @@ def _parser() -> argparse.ArgumentParser:
     _add_loads(curve)
     curve.set_defaults(run=_curve)
     _friction_command.add(commands)
-    _fit_command.add(commands)
-    _study_command.add(commands)
-    _export_command.add(commands)
-    _fmu_command.add(commands)
-    figures = commands.add_parser(
-        "figures",
-        help="draw the figures of the paper, and compare them with its text, and those of where the model is valid",
-        description="Draws the figures of Adams and Müftü (2005), section 3, as SVG in DIR/figures, and writes "
-        "DIR/dev/gallery.md, which compares each with what the paper says. Also draws the map of real contacts, and measured "
-        "friction against predictions.",
-        allow_abbrev=False,
-    )
-    figures.add_argument("--out", type=Path, default=Path("docs"), metavar="DIR", help="where to (%(default)s)")
-    figures.set_defaults(run=_figures)
+    fit_command.add(commands)
+    study_command.add(commands)
+    export_command.add(commands)
+    fmu_command.add(commands)
     return parser
 
 
@@ -112,15 +103,8 @@ def _curve(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         coefficients = _print_table(model, loads)
         model.warn(loads[0], loads[-1])
     if options.figure != "-":
-        drawn(options.figure, None, _units.unit("force", params.in_si), np.array(loads), np.array(coefficients), None, None, "")
+        drawn(options.figure, None, units.unit("force", params.in_si), np.array(loads), np.array(coefficients), None, None, "")
         print(f"asperity: the curve is drawn in {options.figure}", file=sys.stderr)
-
-
-def _figures(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    from .figures import write
-
-    files = write(options.out)
-    print(f"asperity: wrote {len(files)} files, the last is {files[-1]}", file=sys.stderr)
 
 
 def main(arguments: list[str] | None = None) -> int:

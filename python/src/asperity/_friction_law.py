@@ -11,17 +11,18 @@ from typing import TYPE_CHECKING, Any, Literal, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from . import _caller, _checks, _header
+from . import _header
 from . import table as _table
 from ._handle import Handle
-from ._labelled import HasLabels, Labelled, like
 from ._library import LIBRARY
 from ._microslip import Microslip
-from ._progress import Progress, teller
 from .errors import Error, Status, check
 from .params import Params
 from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
 from .sensitivity import Sensitivities
+from .tools import caller, checks
+from .tools.labelled import HasLabels, Labelled, like
+from .tools.progress import Progress, teller
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -175,7 +176,7 @@ class FrictionLaw:
         rate = _number("transition_rate", transition_rate, "slip_force")
         if not 1e-60 <= rate <= 1e60:
             raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60")
-        pairs = np.broadcast_arrays(_checks.array("load", load), _checks.array("slip_rate", slip_rate))
+        pairs = np.broadcast_arrays(checks.array("load", load), checks.array("slip_rate", slip_rate))
         loads, rates = (np.ascontiguousarray(of.ravel()) for of in pairs)
         still = ~np.isfinite(rates)
         if still.any():
@@ -305,7 +306,7 @@ class FrictionLaw:
             Error: a load as for `state_at_load`, or a displacement that is not finite.
         """
         pointer = self._open().pointer
-        pairs = np.broadcast(_checks.array("load", load), _checks.array("displacement", displacement))
+        pairs = np.broadcast(checks.array("load", load), checks.array("displacement", displacement))
         found = np.empty((2, pairs.size))
         force, slope = ctypes.c_double(), ctypes.c_double()
         for i, (at, by) in enumerate(pairs):
@@ -343,7 +344,7 @@ class FrictionLaw:
             Error: a load as for `state_at_load`.
             Error: an amplitude that is not finite and > 0, or fewer than two points.
         """
-        amplitude, points = _checks.positive("amplitude", amplitude), _checks.whole("points", points, 2)
+        amplitude, points = checks.positive("amplitude", amplitude), checks.whole("points", points, 2)
         first = np.linspace(0.0, amplitude, points)
         loading = self.tangential(load, first)[0]
         back = amplitude - 2.0 * first
@@ -428,7 +429,7 @@ class FrictionLaw:
         """
         bits = ctypes.c_uint64()
         handle = self._open()
-        check(LIBRARY.asperity_check_loads(handle.pointer, _checks.real("lightest", lightest), _checks.real("heaviest", heaviest), ctypes.byref(bits)))
+        check(LIBRARY.asperity_check_loads(handle.pointer, checks.real("lightest", lightest), checks.real("heaviest", heaviest), ctypes.byref(bits)))
         return Warnings(bits.value)
 
     @property
@@ -467,7 +468,7 @@ class FrictionLaw:
             if not kind & handle.warned:
                 handle.warned |= kind
                 where = f"between the loads {lightest:g} and {heaviest:g}" if lightest < heaviest else f"at the load {lightest:g}"
-                _caller.warn(f"{where}: {kind}", ValidityWarning)
+                caller.warn(f"{where}: {kind}", ValidityWarning)
 
     def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
         """Load, friction force and contact radius of single summits, by the law that the model sums over all summits.
@@ -483,8 +484,8 @@ class FrictionLaw:
         Raises:
             Error: an overlap or height that is not finite, or out of range; the message names its index.
         """
-        overlaps = _checks.array("overlap", overlap)
-        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(_checks.array("height", height), overlaps.shape))
+        overlaps = checks.array("overlap", overlap)
+        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(checks.array("height", height), overlaps.shape))
         found = SummitStates(*(np.empty(overlaps.shape) for _ in range(3)))
         outputs = [_data(one) for one in found]
         pointer = self._open().pointer
@@ -529,7 +530,7 @@ class FrictionLaw:
         handle = self._open()
         if isinstance(at, numbers.Real):
             return _state(handle, call, float(at))
-        places = _checks.array(name, at)
+        places = checks.array(name, at)
         tell = teller(progress, places.size > _MANY, "asperity")
         found = []
         for i, one in enumerate(places.ravel().tolist()):
@@ -550,7 +551,7 @@ class FrictionLaw:
             missing = nominal_area is None and area == 0
             says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
             raise Error(f"nominal_area = {area:g}: {says}")
-        pressures = float(pressure) if isinstance(pressure, numbers.Real) else _checks.array("pressure", pressure)
+        pressures = float(pressure) if isinstance(pressure, numbers.Real) else checks.array("pressure", pressure)
         wrong = ~np.isfinite(pressures)
         if wrong.any():
             at = np.unravel_index(int(np.argmax(wrong)), wrong.shape)
@@ -568,7 +569,7 @@ class FrictionLaw:
     ) -> Any:
         handle = self._open()
         if not isinstance(load, numbers.Real):
-            arrays = _evaluate_array(handle, many, _checks.array(argument, load), slope, argument)
+            arrays = _evaluate_array(handle, many, checks.array(argument, load), slope, argument)
             found_there = tuple(like(load, array, name) for array in arrays)
             return found_there if slope else found_there[0]
         found = ctypes.c_double()

@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _checks, _header
+from . import _header
 from ._handle import Handle
 from ._library import LIBRARY
 from .errors import Error, Status, check
 from .params import Params
+from .tools import checks
 
 Array = npt.NDArray[np.float64]
 
@@ -141,7 +142,7 @@ class Microslip:
 
 
 def _like(name: str, given: npt.ArrayLike, shape: tuple[int, ...]) -> Array:
-    array = _checks.array(name, given)
+    array = checks.array(name, given)
     try:
         return np.ascontiguousarray(np.broadcast_to(array, shape))
     except ValueError:

@@ -7,10 +7,10 @@ import re
 from typing import Any
 
 from ._header import UNITS, WORDS
-from ._units import SI
+from ._surface_text import KEYS, REQUIRED, quoted, text_of, without_line
 from .errors import Error
 from .params import Params
-from ._surface_text import KEYS, REQUIRED, quoted, text_of, without_line
+from .units import SI
 
 _GROUPS = {
     "alpha": (0.01, "(sigma/R)^(1/2), surface roughness"),

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ._band_figure import drawn
-from ._labelled import frame
-from ._sparkline import sparkline
-from ._units import unit
 from .params import Params
 from .results import Warnings
+from .tools.band_figure import drawn
+from .tools.labelled import frame
+from .tools.sparkline import sparkline
+from .units import unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

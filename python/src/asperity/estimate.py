@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _checks, _header
-from ._band_figure import drawn
-from ._labelled import like
+from . import _header
 from ._library import LIBRARY, text_of
 from .errors import Error, Status, check
 from .params import Params
 from .results import Warnings
+from .tools import checks
+from .tools.band_figure import drawn
+from .tools.labelled import like
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -163,7 +164,7 @@ class Estimate:
 
 def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
     """What the library estimates of the text of a surface, at one load or many."""
-    loads = _checks.array("load", load)
+    loads = checks.array("load", load)
     text, flat = surface.encode(), np.ravel(loads)
     found = (_header.asperity_estimate * max(flat.size, 1))()
     found[0].struct_size = ctypes.sizeof(_header.asperity_estimate)

@@ -23,9 +23,10 @@ from itertools import count, takewhile
 from types import MappingProxyType
 from typing import Any, Callable, Dict, Mapping, Tuple, TypeVar
 
-from . import _checks, _header
+from . import _header
 from ._library import LIBRARY
 from .errors import Error, UnknownKey, check
+from .tools import checks
 
 Range = Tuple[float, float]
 
@@ -60,7 +61,7 @@ class _Sourced:
         Raises:
             Error: no source is known for it here.
         """
-        _checks.word("name", name, [field.name for field in fields(self)])  # type: ignore[arg-type]
+        checks.word("name", name, [field.name for field in fields(self)])  # type: ignore[arg-type]
         value = getattr(self, name)
         if value is None:
             says = "no source is known here for it; give a number of your own"

@@ -8,12 +8,13 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from . import _checks, _units
+from . import units
 from ._friction_law import FrictionLaw
 from .curve import Curve
 from .errors import Error
+from .fits.uncertainty import ALL_ELSE, AS_GIVEN, strength_of, uncertainty
 from .results import ValidityWarning
-from .uncertainty import ALL_ELSE, AS_GIVEN, strength_of, uncertainty
+from .tools import checks
 
 
 class Model(FrictionLaw):
@@ -76,7 +77,7 @@ class Model(FrictionLaw):
         """
         params = self.params
         unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
-        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(_checks.one_or_more("loads", loads))
+        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(checks.one_or_more("loads", loads))
         if not load[0] > 0:
             raise Error("loads: must be > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)
@@ -103,4 +104,4 @@ class Model(FrictionLaw):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)  # of a picture that nobody asked for
             found = self.curve()
-        return _units.table(self.params) + found._repr_html_()
+        return units.table(self.params) + found._repr_html_()

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, Iterator
 
 import numpy as np
 
-from . import _caller
 from ._surface_text import literal, text_of, without_line
 from .errors import Error
 from .estimate import Estimate, estimate
 from .materials import PAIRS, Pair
 from .results import ValidityWarning
+from .tools import caller
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -88,7 +88,7 @@ def friction(
     for kind in found.warnings.kinds:
         pressing = np.ravel(np.asarray(load, dtype=np.float64))
         pressing = pressing[pressing > 0]
-        _caller.warn(f"between the loads {pressing.min():g} and {pressing.max():g}: {kind}", ValidityWarning)
+        caller.warn(f"between the loads {pressing.min():g} and {pressing.max():g}: {kind}", ValidityWarning)
     return found
 
 

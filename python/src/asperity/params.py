@@ -13,14 +13,15 @@ from dataclasses import MISSING, dataclass, fields
 from functools import partial
 from typing import TYPE_CHECKING, Any, Iterable, Literal, Sequence, TypedDict, Union
 
-from . import _checks, _header, _output, _units
+from . import _header, units as _units
 from ._library import LIBRARY, last_error, text_of
 from .errors import Error, check
+from .tools import checks, output
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._summits import Summits
+    from .maps.summits import Summits
 
 
 class Options(TypedDict, total=False):
@@ -240,7 +241,7 @@ class Params:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            object.__setattr__(self, field.name, _CHECKS.get(field.name, _checks.real)(field.name, value))
+            object.__setattr__(self, field.name, _CHECKS.get(field.name, checks.real)(field.name, value))
         heights, densities = len(self.table_height), len(self.table_density)
         if heights != densities:
             raise Error(f"table_density: {densities} numbers for {heights} heights")
@@ -278,7 +279,7 @@ class Params:
         """
         struct = _initialised()
         groups = {"alpha": alpha, "beta": beta, "gamma": gamma, "b_over_h": b_over_h, "poisson": poisson}
-        values = [_checks.real(name, value) for name, value in groups.items()]
+        values = [checks.real(name, value) for name, value in groups.items()]
         check(LIBRARY.asperity_params_set_dimensionless(ctypes.byref(struct), *values))
         return cls._made(_physical(struct), options)
 
@@ -339,7 +340,7 @@ class Params:
         else:
             surface = {"summit_density": summit_density, "nominal_area": nominal_area}
             _one_of({"asperity_count": asperity_count}, surface)
-            density, area = (_checks.positive(name, value) for name, value in surface.items())
+            density, area = (checks.positive(name, value) for name, value in surface.items())
             summits = {"asperity_count": density * area, "nominal_area": area}
         named: dict[str, Any] = {
             "work_of_adhesion": work_of_adhesion,
@@ -418,7 +419,7 @@ class Params:
             top["bandwidth"] = contact.pop("bandwidth")
         if "burgers_vector" in contact:
             top["burgers_vector"] = contact["burgers_vector"]  # a crystal's tells that lengths are in m
-        _checks.word("summits", summits, ("moments", "mccool"))
+        checks.word("summits", summits, ("moments", "mccool"))
         struct: Any = _initialised()
         try:
             _set_text(struct, f"{_lines(top)}[roughness]\n{_lines({'summits': summits} | roughness)}")
@@ -542,7 +543,7 @@ class Params:
         """
         if not hasattr(summits, "radius_trend"):
             raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
-        _checks.word("heights", heights, _header.WORDS["height_distribution"])
+        checks.word("heights", heights, _header.WORDS["height_distribution"])
         area = summits.nominal_area if nominal_area is None else nominal_area
         if not counted:
             if heights != "gaussian":
@@ -580,8 +581,8 @@ class Params:
         Raises:
             Error: as `from_toml`; the message names the line and the key.
         """
-        struct = _initialised() if start is None else _checks.instance("start", start, Params)._as_struct()
-        _set_text(struct, _checks.instance("text", text, str))
+        struct = _initialised() if start is None else checks.instance("start", start, Params)._as_struct()
+        _set_text(struct, checks.instance("text", text, str))
         return cls._of_struct(struct, start is None or start.in_si)
 
     @classmethod
@@ -592,7 +593,7 @@ class Params:
         Raises:
             Error: as `from_text`.
         """
-        struct, written = _initialised(), _checks.instance("text", text, str).encode()
+        struct, written = _initialised(), checks.instance("text", text, str).encode()
         check(LIBRARY.asperity_params_set_estimate(ctypes.byref(struct), written, len(written)))
         return cls._of_struct(struct, True)
 
@@ -604,7 +605,7 @@ class Params:
         Raises:
             Error: parameters that are not `in_si`: files are in SI units; or parameters that the library refuses.
         """
-        _output.write(path, self.to_text())
+        output.write(path, self.to_text())
 
     def to_text(self) -> str:
         """The text that `to_toml` writes; it raises the same."""
@@ -688,8 +689,8 @@ class Params:
 
     def _calibrated(self, call: Any, load: float, name: str, value: float, error: float) -> Params:
         struct: Any = self._as_struct()
-        struct.calibration_error = _checks.real("error", error)
-        check(call(ctypes.byref(struct), _checks.real("load", load), _checks.real(name, value)))
+        struct.calibration_error = checks.real("error", error)
+        check(call(ctypes.byref(struct), checks.real("load", load), checks.real(name, value)))
         return self._of_struct(struct, self.in_si)
 
     def in_units(self, *, length: float, force: float) -> Params:
@@ -703,7 +704,7 @@ class Params:
             Error: a unit that is not finite and > 0.
         """
         struct: Any = self._as_struct()
-        units = _checks.real("length", length), _checks.real("force", force)
+        units = checks.real("length", length), checks.real("force", force)
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
         return self._of_struct(struct, self.in_si and units == (1.0, 1.0))
 
@@ -714,7 +715,7 @@ class Params:
             Error: a hardness that is not finite and > 0.
         """
         struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), _checks.real("hardness", hardness)))
+        check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), checks.real("hardness", hardness)))
         return self._of_struct(struct, self.in_si)
 
     def with_interface(self, name: str) -> Params:
@@ -731,7 +732,7 @@ class Params:
                 nearest name, or what to give to `calibrated`.
         """
         struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), _checks.instance("name", name, str).encode()))
+        check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), checks.instance("name", name, str).encode()))
         return self._of_struct(struct, self.in_si)
 
     def __repr__(self) -> str:
@@ -828,7 +829,7 @@ def _options(given: Any) -> dict[str, Any]:
         if excluded:
             raise Error(f"skew chooses the height distribution: do not give {' or '.join(sorted(excluded))} too")
         struct = _initialised()
-        check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), _checks.real("skew", changes.pop("skew"))))
+        check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), checks.real("skew", changes.pop("skew"))))
         return changes | {"height_distribution": "weibull", "weibull_shape": getattr(struct, "weibull_shape")}
     for distribution in meant:
         changes.setdefault("height_distribution", distribution)
@@ -837,7 +838,7 @@ def _options(given: Any) -> dict[str, Any]:
 
 def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:
     struct: Any = _initialised()
-    values = [_checks.real(name, value) for name, value in bodies.items()]
+    values = [checks.real(name, value) for name, value in bodies.items()]
     check(LIBRARY.asperity_params_set_materials(ctypes.byref(struct), *values))
     return {
         "composite_modulus": struct.composite_modulus,
@@ -885,22 +886,22 @@ def _toml(name: str, value: Any) -> str:
     if name in ("summits", "process"):
         return json.dumps(value)
     if isinstance(value, numbers.Real) or not hasattr(value, "__iter__"):
-        return repr(_checks.real(name, value))
-    return f"[{', '.join(repr(_checks.real(name, one)) for one in value)}]"
+        return repr(checks.real(name, value))
+    return f"[{', '.join(repr(checks.real(name, one)) for one in value)}]"
 
 
 def _column(name: str, value: Any) -> tuple[float, ...]:
     if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
         raise TypeError(f"{name} = {value!r}: must be a sequence of numbers")
-    return tuple(_checks.real(f"{name}[{i}]", number) for i, number in enumerate(value))
+    return tuple(checks.real(f"{name}[{i}]", number) for i, number in enumerate(value))
 
 
 _CHECKS: dict[str, Any] = {
-    "attraction": _checks.flag,
-    "in_si": _checks.flag,
+    "attraction": checks.flag,
+    "in_si": checks.flag,
     "table_height": _column,
     "table_density": _column,
-    **{name: partial(_checks.word, words=words) for name, words in _header.WORDS.items()},
+    **{name: partial(checks.word, words=words) for name, words in _header.WORDS.items()},
 }
 
 

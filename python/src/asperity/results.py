@@ -11,9 +11,9 @@ from typing import Any, Iterator, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _header, _units
-from ._labelled import frame, like
+from . import _header, units
 from ._library import LIBRARY
+from .tools.labelled import frame, like
 
 
 class Warnings(IntFlag):
@@ -87,10 +87,10 @@ class _WithUnits:
     """Shows a dataclass with its units."""
 
     def __repr__(self) -> str:
-        return _units.text(self)
+        return units.text(self)
 
     def _repr_html_(self) -> str:
-        return _units.table(self)
+        return units.table(self)
 
 
 @dataclass(frozen=True, repr=False)

@@ -9,7 +9,7 @@ import os
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
-from ._style import BLUE, ORANGE, saved, style
+from .tools.style import BLUE, ORANGE, saved, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

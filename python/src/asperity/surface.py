@@ -8,24 +8,24 @@
     summits = surface.summits(surface.filter(cleaned.map, cutoff=0.2e-6))
     params = Params.from_topography(summits, E1=160e9, ...)
 
-Here are only the names. The search is in `_summit_search`, its statistics in `_summit_statistics`, standard errors in
-`_tile_errors`, eq (3) in `_radius_trend`, files in `_instrument_files`, what speaks against a map in `_map_warnings`,
-friction against the cutoff in `_map_cutoffs`, the verdict in `_map_analysis`. Needs the extra `topography`, for SciPy and for the files.
+Here are only the names. The search is in `maps.summit_search`, its statistics in `maps.summit_statistics`, standard errors in
+`maps.tile_errors`, eq (3) in `maps.radius_trend`, files in `maps.instrument_files`, what speaks against a map in `maps.map_warnings`,
+friction against the cutoff in `maps.cutoffs`, the verdict in `maps.analysis`. Needs the extra `topography`, for SciPy and for the files.
 """
 
 from __future__ import annotations
 
-from ._instrument_files import HeightMap, read
-from ._map_analysis import Analysis, Finding, analyse
-from ._map_cleaning import Cleaned, clean
-from ._map_cutoffs import Cutoffs, cutoffs
-from ._map_filter import filter
-from ._map_steps import Steps
-from ._map_warnings import MapWarning
-from ._radius_trend import RadiusTrend
-from ._summit_statistics import summits
-from ._summits import Iso25178, SpectralMoments, Summits
-from ._tile_errors import Estimate
+from .maps.analysis import Analysis, Finding, analyse
+from .maps.cleaning import Cleaned, clean
+from .maps.cutoffs import Cutoffs, cutoffs
+from .maps.filter import filter
+from .maps.instrument_files import HeightMap, read
+from .maps.map_warnings import MapWarning
+from .maps.radius_trend import RadiusTrend
+from .maps.steps import Steps
+from .maps.summit_statistics import summits
+from .maps.summits import Iso25178, SpectralMoments, Summits
+from .maps.tile_errors import Estimate
 
 __all__ = [
     "Analysis",

@@ -1,0 +1,144 @@
+"""`python -m asperity export`: friction against pressure for hosts that read a table."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from typing import Any, Optional
+
+import numpy as np
+
+from .. import _header
+from ..model import Model
+from ..params import Params
+from ..tools import output
+from .export_formats import FORMATS, Contact, written
+from .pressure_table import (
+    Table,
+    conductance_at_pressure,
+    friction_at_pressure,
+    overclosure_table,
+    pressure_table,
+    stiffness_at_pressure,
+)
+
+# Far from the small numbers that a model uses, and short enough that all IDs have five digits, which older LS-DYNA allow.
+_TABLE_ID = 90000
+
+
+def add(commands: Any) -> None:
+    """Adds the command to those of the parser."""
+    command = commands.add_parser(
+        "export",
+        help="write friction against pressure for a host that reads a table",
+        description="Writes friction coefficients against pressure in the language of a host. Rows are chosen so that "
+        "straight lines between them keep to a relative tolerance.",
+        allow_abbrev=False,
+    )
+    command.set_defaults(run=_run)
+    command.add_argument("surface", metavar="SURFACE.toml", help="the surface, with its nominal_area")
+    command.add_argument("--format", required=True, choices=sorted(FORMATS), help="language of the host")
+    command.add_argument("--range", required=True, metavar="LOW:HIGH", help="lowest and highest pressure [Pa]")
+    command.add_argument("--tolerance", type=float, default=1e-3, metavar="X", help="1e-6 to 0.1 (%(default)g)")
+    command.add_argument(
+        "--pressure-unit", type=float, default=1.0, metavar="PA", help="unit of the table in Pa: 1e6 for MPa (%(default)g)"
+    )
+    command.add_argument(
+        "--length-unit", type=float, default=1.0, metavar="M", help="unit of lengths in m: 1e-3 for mm (%(default)g)"
+    )
+    command.add_argument(
+        "--stiffness", action="store_true", help="also pressure against overclosure and elastic slip: abaqus; calculix always"
+    )
+    command.add_argument(
+        "--conductivity",
+        metavar="K[:K]",
+        help="also gap conductance, between bodies of this conductivity [W/(m K)], or of these two: abaqus, calculix",
+    )
+    command.add_argument(
+        "--table-id", type=int, metavar="ID", help=f"ID of the table for lsdyna; its curves take the next ones ({_TABLE_ID})"
+    )
+    command.add_argument("-o", "--output", metavar="FILE", help="where to (standard output)")
+
+
+def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    lowest, highest = _range(parser, options.range)
+    if not 1e-6 <= options.tolerance <= 0.1:
+        parser.error(f"--tolerance {options.tolerance:g}: must be 1e-6 to 0.1")
+    for name in ("pressure_unit", "length_unit"):
+        unit = getattr(options, name)
+        if not (math.isfinite(unit) and unit > 0):
+            parser.error(f"--{name.replace('_', '-')} {unit:g}: must be finite and > 0")
+    conductivity = _conductivity(parser, options.conductivity)
+    for name, given in (("stiffness", options.stiffness), ("conductivity", conductivity)):
+        if given and options.format not in ("abaqus", "calculix"):
+            parser.error(f"--{name}: only --format abaqus and calculix have it")
+    if options.table_id is not None and options.format != "lsdyna":
+        parser.error(f"--table-id {options.table_id}: only --format lsdyna has IDs")
+    table_id = _TABLE_ID if options.table_id is None else options.table_id
+    if not 1 <= table_id <= 99_999_999:
+        parser.error(f"--table-id {table_id}: must be 1 to 99999999")
+    with Model(Params.from_toml(options.surface)) as model:
+        table = pressure_table(friction_at_pressure(model), lowest, highest, options.tolerance)
+        contact = Contact()
+        if options.stiffness or options.format == "calculix":
+            middle = math.sqrt(lowest * highest)
+            at = [stiffness_at_pressure(model, pressure) for pressure in (lowest, middle, highest)]
+            contact = Contact((at[0], at[1], at[2]), overclosure_table(model, lowest, highest, options.tolerance))
+        if conductivity:
+            law = conductance_at_pressure(model, conductivity)
+            rows = pressure_table(law, lowest, highest, options.tolerance)
+            # Hosts begin at no pressure.
+            rows = Table(np.append(0.0, rows.at), np.append(law(np.zeros(1)), rows.value), rows.error)
+            contact = contact._replace(conductance=rows)
+        area = model.params.nominal_area
+        warnings = model.check(lowest * area, highest * area)
+    name = Path(options.output).stem if options.output else "Friction"
+    unit = options.pressure_unit
+    lengths = f", lengths in {options.length_unit:g} m" if contact != Contact() else ""
+    title = (
+        f"Friction coefficient of {Path(options.surface).name} against pressure in "
+        f"{'Pa' if unit == 1 else f'{unit:g} Pa'}{lengths}, asperity {_header.ASPERITY_VERSION}, tolerance {options.tolerance:g}"
+    )
+    text = written(
+        options.format,
+        table,
+        pascal=unit,
+        metre=options.length_unit,
+        name=name,
+        title=title,
+        table_id=table_id,
+        contact=contact,
+    )
+    if options.output:
+        output.write(options.output, text)
+    else:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    print(f"asperity: {len(table.at)} rows, largest error between them {table.error:.1e}", file=sys.stderr)
+    for kind in warnings.kinds:
+        print(f"asperity: between {lowest:g} and {highest:g} Pa: {kind}", file=sys.stderr)
+
+
+def _conductivity(parser: argparse.ArgumentParser, text: Optional[str]) -> Optional[float]:
+    """The harmonic mean of both bodies."""
+    if text is None:
+        return None
+    try:
+        bodies = list(map(float, text.split(":")))
+    except ValueError:
+        bodies = []
+    if not (len(bodies) in (1, 2) and all(0 < body < math.inf for body in bodies)):
+        parser.error(f"--conductivity {text}: must be one or two numbers > 0 in W/(m K), as 16.2 or 16.2:390")
+    return len(bodies) / sum(1 / body for body in bodies)
+
+
+def _range(parser: argparse.ArgumentParser, text: str) -> tuple[float, float]:
+    try:
+        lowest, highest = map(float, text.split(":"))
+    except ValueError:
+        parser.error(f"--range {text}: must be two pressures in Pa, as 0.1e6:1e9")
+    if not (0 < lowest < highest < math.inf):
+        parser.error(f"--range {text}: must be two pressures > 0, the lower first, as 0.1e6:1e9")
+    return lowest, highest

@@ -1,0 +1,171 @@
+"""Tables of friction against pressure, and of stiffness and conductance, in the input languages of hosts; docs/solvers.md says how
+each is used."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from typing import Callable, List, NamedTuple, Optional, Tuple
+
+from .pressure_table import Overclosure, Stiffness, Table
+
+Rows = List[Tuple[str, str]]
+
+
+class Contact(NamedTuple):
+    """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, in the middle and at
+    the highest; normal compliance; conductance."""
+
+    stiffness: Optional[Tuple[Stiffness, Stiffness, Stiffness]] = None
+    overclosure: Optional[Overclosure] = None
+    conductance: Optional[Table] = None
+
+
+class _Table(NamedTuple):
+    """What a format may tell: rows of pressure and coefficient, units of pressure and length in Pa and m, the table's number."""
+
+    name: str
+    title: str
+    rows: Rows
+    pascal: float
+    metre: float
+    table_id: int
+    contact: Contact
+
+    def normal(self) -> str:
+        """Pressure against overclosure, whose data lines are the same in Abaqus and CalculiX."""
+        text = ""
+        if self.contact.overclosure:
+            table, gap = self.contact.overclosure
+            rows = _rows(table, self.metre, self.pascal)
+            text += f"** Overclosure 0 is a gap of {gap / self.metre:.9g} between the mean planes.\n"
+            text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n" + "".join(f"{p}, {depth}\n" for depth, p in rows)
+        return text
+
+    def conductance(self, keyword: str) -> str:
+        """Data lines of *GAP CONDUCTANCE: conductance, pressure."""
+        if not self.contact.conductance:
+            return ""
+        rows = _rows(self.contact.conductance, self.pascal, self.pascal * self.metre)
+        return f"{keyword}\n" + "".join(f"{conductance}, {pressure}\n" for pressure, conductance in rows)
+
+    def slips(self) -> str:
+        """A comment: between which the elastic slip is."""
+        if not self.contact.stiffness:
+            return ""
+        low, middle, high = ((at.slip / self.metre, at.pressure / self.pascal) for at in self.contact.stiffness)
+        return (
+            f"** Elastic slip F/K: {low[0]:.3g} at the pressure {low[1]:.3g}, {middle[0]:.3g} at {middle[1]:.3g}, "
+            f"{high[0]:.3g} at {high[1]:.3g}.\n"
+        )
+
+
+def _rows(table: Table, of_at: float, of_value: float) -> Rows:
+    return [(f"{at / of_at:.9e}", f"{value / of_value:.9g}") for at, value in zip(table.at, table.value)]
+
+
+def _csv(table: _Table) -> str:
+    return "pressure,friction_coefficient\n" + "".join(f"{pressure},{mu}\n" for pressure, mu in table.rows)
+
+
+def _abaqus(table: _Table) -> str:
+    """Data lines of *FRICTION: coefficient, slip rate (left out), contact pressure."""
+    stiffness = table.contact.stiffness
+    elastic = f", ELASTIC SLIP={stiffness[1].slip / table.metre:.9g}" if stiffness else ""
+    rows = "".join(f"{mu}, , {pressure}\n" for pressure, mu in table.rows)
+    friction = f"** {table.title}\n{table.slips()}*FRICTION{elastic}\n{rows}"
+    return friction + table.normal() + table.conductance("*GAP CONDUCTANCE, PRESSURE")
+
+
+def _calculix(table: _Table) -> str:
+    """Has one coefficient and one stick slope, those in the middle of the pressures. Its conductance knows the pressure of
+    linear overclosure, not of a table."""
+    assert table.contact.stiffness
+    low, middle, high = table.contact.stiffness
+    stick = middle.shear / table.pascal * table.metre
+    normal = table.normal()
+    if table.contact.conductance:
+        normal = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{middle.normal / table.pascal * table.metre:.9g}\n"
+    return (
+        f"** {table.title}\n"
+        f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {middle.friction:.4g} in the middle, "
+        f"{high.friction:.4g} at the highest.\n{table.slips()}{normal}*FRICTION\n{middle.friction:.9g}, {stick:.9g}\n"
+        f"{table.conductance('*GAP CONDUCTANCE')}"
+    )
+
+
+def _ansys(table: _Table) -> str:
+    """TBFIELD,NPRES sets the pressure of the TBDATA after it; ARG1 is the number of the contact's material."""
+    lines = [f"! {table.title}", "TB,FRIC,ARG1,,,ISO"]
+    for pressure, mu in table.rows:
+        lines += [f"TBFIELD,NPRES,{pressure}", f"TBDATA,1,{mu}"]
+    return "\n".join(lines) + "\n"
+
+
+# Sets of units whose unit of stress is so many pascal.
+_LSDYNA_UNITS = {1.0: "kg, m, s", 1e6: "t, mm, s", 1e9: "kg, mm, ms"}
+# The coefficient does not depend on the velocity: a curve ends beyond any, in mm/s too, so that nothing is extrapolated.
+_LSDYNA_FASTEST = "1e+09"
+
+
+def _lsdyna(table: _Table) -> str:
+    """A table whose values are pressures; for each follows, in the same order, the curve of the coefficient over velocity."""
+    number = table.table_id
+    curves = range(number + 1, number + 1 + len(table.rows))
+    units = _LSDYNA_UNITS.get(table.pascal)
+    lines = [f"$ {line}" for line in textwrap.wrap(table.title, 76)]
+    lines += [f"$ Pressures are stresses of a model in {units}."] if units else []
+    lines += [
+        f"$ IDs in use: table {number}, curves {curves[0]} to {curves[-1]}.",
+        "$ In the second card of *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE:",
+        "$#      fs        fd",
+        f"${2.0:9.1f}{number:9d}.",
+        "*DEFINE_TABLE",
+        f"{number:10d}",
+    ]
+    lines += [f"{pressure:>20}" for pressure, _ in table.rows]
+    for curve, (_, mu) in zip(curves, table.rows):
+        lines += ["*DEFINE_CURVE", f"{curve:10d}", f"{'0.0':>20}{mu:>20}", f"{_LSDYNA_FASTEST:>20}{mu:>20}"]
+    return "\n".join(lines) + "\n"
+
+
+def _moose(table: _Table) -> str:
+    """A function of x, which the constraints of mortar contact give the contact pressure as."""
+    pressures, coefficients = (" ".join(column) for column in zip(*table.rows))
+    return (
+        f"# {table.title}\n[Functions]\n  [{table.name}]\n    type = PiecewiseLinear\n    axis = x\n    x = '{pressures}'\n"
+        f"    y = '{coefficients}'\n  []\n[]\n"
+    )
+
+
+def _modelica(table: _Table) -> str:
+    rows = ";\n      ".join(f"{pressure}, {mu}" for pressure, mu in table.rows)
+    comment = table.title.replace("\\", "\\\\").replace('"', '\\"')
+    return f"""block {table.name} "{comment}"
+  extends Modelica.Blocks.Tables.CombiTable1Ds(
+    columns={{2}},
+    smoothness=Modelica.Blocks.Types.Smoothness.LinearSegments,
+    extrapolation=Modelica.Blocks.Types.Extrapolation.HoldLastPoint,
+    table=[
+      {rows}]);
+end {table.name};
+"""
+
+
+FORMATS: dict[str, Callable[[_Table], str]] = {
+    "abaqus": _abaqus,
+    "ansys": _ansys,
+    "calculix": _calculix,
+    "csv": _csv,
+    "lsdyna": _lsdyna,
+    "modelica": _modelica,
+    "moose": _moose,
+}
+
+
+def written(
+    kind: str, table: Table, *, pascal: float, metre: float, name: str, title: str, table_id: int, contact: Contact = Contact()
+) -> str:
+    """The text of a table, in units of so many pascal and metres."""
+    name = name if re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII) else "Friction"
+    return FORMATS[kind](_Table(name, " ".join(title.split()), _rows(table, pascal, 1.0), pascal, metre, table_id, contact))

@@ -1,0 +1,192 @@
+"""The law at the contacts of MuJoCo Warp; `asperity.mujoco_warp` has the names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Union
+
+import numpy as np
+
+from ..errors import Error
+from ..model import Model
+from .warp import Law32, friction, law
+
+try:
+    import mujoco
+    import mujoco_warp
+    import warp as wp
+except ImportError as error:
+    raise ImportError(f"asperity.mujoco_warp needs MuJoCo Warp ({error}): pip install mujoco-warp") from None
+
+__all__ = ["Friction", "attach"]
+
+_Geoms = Union[str, tuple[str, str]]
+_vec5 = wp.types.vector(length=5, dtype=wp.float32)
+
+
+@wp.kernel
+def _add_loads(
+    contacts: wp.array(dtype=int), geom: wp.array(dtype=wp.vec2i), address: wp.array2d(dtype=int), world: wp.array(dtype=int),
+    dim: wp.array(dtype=int), pair_of: wp.array2d(dtype=int), force: wp.array2d(dtype=float), load: wp.array2d(dtype=float),
+):  # fmt: skip
+    contact = wp.tid()
+    if contact >= contacts[0] or dim[contact] < 3 or address[contact, 0] < 0:
+        return
+    a, b = geom[contact][0], geom[contact][1]
+    if a >= 0 and b >= 0 and pair_of[a, b] >= 0:
+        wp.atomic_add(load, world[contact], pair_of[a, b], force[world[contact], address[contact, 0]])
+
+
+@wp.kernel
+def _take_loads(
+    time: wp.array(dtype=float), timestep: wp.array(dtype=float), time_constant: float, load: wp.array2d(dtype=float),
+    before: wp.array(dtype=float), mean: wp.array2d(dtype=float), age: wp.array2d(dtype=float), apart: wp.array2d(dtype=float),
+):  # fmt: skip
+    world, pair = wp.tid()
+    step = timestep[world % timestep.shape[0]]
+    constant = time_constant
+    if constant < 0.0:
+        constant = wp.max(0.05, 10.0 * step)
+    if load[world, pair] > 0.0:
+        apart[world, pair] = 0.0
+    else:
+        apart[world, pair] += step
+    if time[world] <= before[world] or apart[world, pair] > constant:  # reset, or open for long: a new contact
+        age[world, pair] = 0.0
+    age[world, pair] += step
+    if age[world, pair] > constant:
+        mean[world, pair] += (load[world, pair] - mean[world, pair]) * wp.min(1.0, step / constant)
+    else:
+        mean[world, pair] = load[world, pair]
+
+
+@wp.kernel
+def _set_friction(
+    contacts: wp.array(dtype=int), geom: wp.array(dtype=wp.vec2i), address: wp.array2d(dtype=int), world: wp.array(dtype=int),
+    dim: wp.array(dtype=int), pair_of: wp.array2d(dtype=int), surface_of: wp.array(dtype=int), surface: int, law: Law32,
+    mean: wp.array2d(dtype=float), coefficients: wp.array(dtype=_vec5),
+):  # fmt: skip
+    contact = wp.tid()
+    if contact >= contacts[0] or dim[contact] < 3 or address[contact, 0] < 0:
+        return
+    a, b = geom[contact][0], geom[contact][1]
+    if a < 0 or b < 0 or pair_of[a, b] < 0 or surface_of[pair_of[a, b]] != surface:
+        return
+    load = mean[world[contact], pair_of[a, b]]
+    if load > 0.0:
+        # The coefficients keep their ratios, on which the regularisation of the contact rests.
+        given = coefficients[contact]
+        coefficients[contact] = given * (wp.max(friction(law, load), 1e-5) / given[0])
+
+
+def _laws_by_pair(model: mujoco.MjModel, laws: Mapping[_Geoms, Model]) -> dict[tuple[int, int], Model]:
+    """The law of each two geoms, the smaller number first; a pair that is named has its own."""
+    number = lambda name: model.geom(name).id  # noqa: E731  KeyError lists the names that there are
+    found: dict[tuple[int, int], Model] = {}
+    for geoms, of_one in laws.items():
+        for other in range(model.ngeom) if isinstance(geoms, str) else ():
+            pair = min(number(geoms), other), max(number(geoms), other)
+            if found.setdefault(pair, of_one) is not of_one:
+                names = tuple(model.geom(geom).name for geom in pair)
+                if names not in laws and names[::-1] not in laws:
+                    raise Error(f"geoms {names[0]!r} and {names[1]!r} have different surfaces: name the pair too")
+    for geoms, of_pair in laws.items():
+        if not isinstance(geoms, str):
+            a, b = map(number, geoms)
+            found[min(a, b), max(a, b)] = of_pair
+    return found
+
+
+class Friction:
+    """What `attach` adds to a model: the loads of pairs in each world, which it keeps from step to step."""
+
+    def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[_Geoms, Model], time_constant: float | None, passes: int) -> None:
+        if time_constant is not None and not 0 < time_constant < np.inf:
+            raise Error(f"time_constant = {time_constant!r}: must be positive and finite")
+        if passes < 1:
+            raise Error(f"passes = {passes!r}: must be at least 1")
+        self.passes = passes
+        self.time_constant = -1.0 if time_constant is None else time_constant
+        by_pair = _laws_by_pair(model, laws)
+        models = list({id(each): each for each in by_pair.values()}.values())
+        pairs = np.full((model.ngeom, model.ngeom), -1, dtype=np.int32)
+        for number, (a, b) in enumerate(by_pair):
+            pairs[a, b] = pairs[b, a] = number
+        device, shape = d.qpos.device, (d.nworld, max(1, len(by_pair)))
+        self._laws = [law(each, np.float32, device) for each in models]
+        self._pair_of = wp.array(pairs, dtype=int, device=device)
+        self._surface_of = wp.array([models.index(each) for each in by_pair.values()], dtype=int, device=device)
+        self._load, self._mean, self._age, self._apart = (wp.zeros(shape, dtype=float, device=device) for _ in range(4))
+        self._before = wp.full(d.nworld, -1.0, dtype=float, device=device)
+
+    def __call__(self, m: Any, d: Any) -> None:
+        """Sets the friction of the contacts of a step, before it is solved."""
+        contact, device = d.contact, d.qpos.device
+        ours = [d.nacon, contact.geom, contact.efc_address, contact.worldid, contact.dim, self._pair_of]
+
+        def set_friction(load: Any) -> None:
+            for surface, of_surface in enumerate(self._laws):
+                given = [*ours, self._surface_of, surface, of_surface, load, contact.friction]
+                wp.launch(_set_friction, d.naconmax, given, device=device)
+
+        load = self._mean
+        for _ in range(self.passes):
+            set_friction(load)
+            mujoco_warp.fwd_actuation(m, d)
+            mujoco_warp.fwd_acceleration(m, d, factorize=True)
+            mujoco_warp.solve(m, d)
+            load = self._load
+            load.zero_()
+            wp.launch(_add_loads, d.naconmax, [*ours, d.efc.force, load], device=device)
+        loads = [d.time, m.opt.timestep, self.time_constant, load, self._before, self._mean, self._age, self._apart]
+        wp.launch(_take_loads, load.shape, loads, device=device)
+        wp.copy(self._before, d.time)
+        set_friction(self._mean)
+
+
+def attach(
+    model: mujoco.MjModel,
+    m: Any,
+    d: Any,
+    laws: Mapping[_Geoms, Model],
+    time_constant: float | None = None,
+    passes: int = 2,
+) -> Friction:
+    """Gives pairs of geoms the friction of laws, in every step from now on.
+
+    Args:
+        model: that of which `m` was made.
+        m: a `mujoco_warp.Model`, with elliptic cones; its control callback is called first, then the law.
+        d: the `mujoco_warp.Data` that will be stepped.
+        laws: for the names of two geoms, or of one for all that it touches, the law. Changes of `Params` need a new `attach`.
+        time_constant: of the mean of the loads [s]; 0.05, or ten steps if that is more, unless given.
+        passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
+
+    Raises:
+        Error: pyramidal cones, RK4, actuation disabled, geoms with two surfaces, a time constant or passes that are none.
+        KeyError: there is no such geom.
+    """
+    if int(m.opt.cone) != int(mujoco.mjtCone.mjCONE_ELLIPTIC):
+        raise Error('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
+    if int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_RK4):
+        raise Error("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
+    if int(m.opt.disableflags) & int(mujoco.mjtDisableBit.mjDSBL_ACTUATION):
+        raise Error('needs <flag actuation="enable"/>: MuJoCo Warp calls no control callback without it')
+    made = Friction(model, d, laws, time_constant, passes)
+    own = m.callback.control
+    if isinstance(own, _Chain):  # attached before
+        own = own.own
+    m.callback.control = _Chain(own, made)
+    return made
+
+
+class _Chain:
+    """The user's control callback, then the law."""
+
+    def __init__(self, own: Any, law: Friction) -> None:
+        self.own, self.law = own, law
+
+    def __call__(self, m: Any, d: Any) -> None:
+        if self.own:
+            self.own(m, d)
+        self.law(m, d)

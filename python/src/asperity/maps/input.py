@@ -1,0 +1,67 @@
+"""What a height map may be given as, and what it may not be."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import Error
+from ..tools import checks
+from .instrument_files import HeightMap, of_topography
+
+Array = npt.NDArray[np.float64]
+
+MOST_DEGREE = 8
+
+
+def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
+    """A map of real numbers with its distances; NaN where heights are unknown, if `missing` ones may be."""
+    recorded = None
+    if isinstance(getattr(height_map, "map", None), HeightMap):  # what `clean` returns
+        height_map = height_map.map
+    if isinstance(height_map, HeightMap) or hasattr(height_map, "physical_sizes"):
+        if dx is not None or dy is not None:
+            raise TypeError("dx, dy: must not be given with a map that has them")
+        given = height_map if isinstance(height_map, HeightMap) else of_topography(height_map)
+        height_map, dx, dy, recorded = given.height_map, given.dx, given.dy, given.recorded
+    elif dx is None:
+        raise TypeError("give dx, the distance of columns, and dy, that of rows, in the unit of the heights")
+    array = _array(height_map)
+    unknown = ~np.isfinite(array)
+    if unknown.any():
+        if not missing:
+            _refuse(array, unknown)
+        array = np.where(unknown, np.nan, array)
+    known = array[~unknown] if unknown.any() else array
+    if known.size == 0 or known.min() == known.max():
+        found = f"constant at {known[0] if known.ndim == 1 else known[0, 0]}" if known.size else "without a known height"
+        raise Error(f"height_map: {found}: must be rough")
+    return HeightMap(array, checks.positive("dx", dx), checks.positive("dy", dx if dy is None else dy), recorded)
+
+
+def _array(height_map: Any) -> Array:
+    masked = np.ma.is_masked(height_map)
+    array = np.asarray(np.ma.getdata(height_map))
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"height_map: must be real numbers, not an array of {array.dtype}")
+    if array.ndim != 2 or min(array.shape) < 3:
+        raise Error(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
+    heights = np.asarray(array, dtype=np.float64)
+    return np.where(np.ma.getmaskarray(height_map), np.nan, heights) if masked else heights
+
+
+def _refuse(array: Array, unknown: npt.NDArray[np.bool_]) -> None:
+    row, column = (int(index) for index in np.unravel_index(int(np.argmax(unknown)), unknown.shape))
+    raise Error(
+        f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked or not finite, the first is "
+        f"{array[row, column]} at [{row}, {column}]: all must be known; surface.clean fills them, or crop the map"
+    )
+
+
+def degree(detrend: Any, shape: tuple[int, ...] = (MOST_DEGREE + 2,)) -> int:
+    """The degree of the polynomial that is taken away from a map."""
+    if checks.whole("detrend", detrend, 0, MOST_DEGREE) > min(shape) - 2:
+        raise Error(f"detrend = {detrend}: is too high for a map of {' x '.join(map(str, shape))} points")
+    return int(detrend)

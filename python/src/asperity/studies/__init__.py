@@ -1,0 +1,1 @@
+"""Friction of many surfaces, and of single specimens. `asperity.study` has the names."""
