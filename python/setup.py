@@ -28,7 +28,7 @@ if CRATE is None:
         f"asperity: no Rust sources beside {HERE}: install from a checkout (pip 21.3 or later), a wheel or an sdist"
     )
 # What cargo needs to build the library, and the licences.
-CRATE_FILES = ("Cargo.toml", "Cargo.lock", "build.rs", "src", "include", "LICENSE*")
+CRATE_FILES = ("Cargo.toml", "Cargo.lock", "src", "include", "LICENSE*")
 # C that goes into the package: asperity.mujoco compiles its plugin, whose sources are also those of other languages.
 PLUGIN_FILES = ("hosts/mujoco/plugin.c", "hosts/mujoco/microslip.h", "hosts/mujoco/asperity_mujoco.h")
 PACKAGE_FILES = ("include/asperity.h", "include/asperity_loads.h", *PLUGIN_FILES)

@@ -26,7 +26,7 @@ class Asperity(ConanFile):
     def export_sources(self):
         root = Path(self.recipe_folder, "..", "..")
         for pattern in (
-            "CMakeLists.txt", "Cargo.*", "build.rs", "LICENSE*", "cmake/*", "src/*", "include/*", "fortran/asperity.f90",
+            "CMakeLists.txt", "Cargo.*", "LICENSE*", "cmake/*", "src/*", "include/*", "fortran/asperity.f90",
         ):  # fmt: skip
             copy(self, pattern, str(root), self.export_sources_folder)
 

@@ -6,9 +6,6 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-#[cfg(all(target_arch = "x86_64", has_avx512))]
-#[allow(clippy::incompatible_msrv)] // left out where the compiler has no AVX-512
-mod avx512;
 #[cfg(target_arch = "x86_64")]
 mod lanes;
 
@@ -181,12 +178,8 @@ unsafe fn one(
 /// As many elements as fill vectors; how many those are.
 #[cfg(target_arch = "x86_64")]
 unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
-    #[cfg(has_avx512)]
-    if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-        return avx512::evaluate(model, quantity, arrays, first_invalid);
-    }
     if is_x86_feature_detected!("avx2") {
-        return avx2::evaluate(model, quantity, arrays, first_invalid);
+        return lanes::evaluate(model, quantity, arrays, first_invalid);
     }
     0
 }
@@ -201,25 +194,6 @@ mod tests {
     use super::*;
     use crate::model::by_gap;
     use crate::params::Params;
-
-    type Path = unsafe fn(&Model, Quantity, Arrays, &mut FirstInvalid) -> usize;
-
-    /// The paths of this processor that take whole vectors.
-    fn paths() -> Vec<(&'static str, Path)> {
-        #[allow(unused_mut)]
-        let mut paths: Vec<(_, Path)> = Vec::new();
-        #[cfg(target_arch = "x86_64")]
-        {
-            if is_x86_feature_detected!("avx2") {
-                paths.extend([("the one chosen", vectors as Path), ("AVX2", avx2::evaluate)]);
-            }
-            #[cfg(has_avx512)]
-            if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-                paths.push(("AVX-512", avx512::evaluate));
-            }
-        }
-        paths
-    }
 
     /// Loads of every kind: in rows and in parts of rows, capped, zero, pulling, below pull-off, lighter and heavier than
     /// the table's, and no numbers.
@@ -325,21 +299,17 @@ mod tests {
             let (mut value, mut slope) = (vec![0.0; loads.len()], vec![0.0; loads.len()]);
             let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
             let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
-            for (name, path) in paths() {
-                for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness, Quantity::Load] {
-                    for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
-                        let mut first_invalid = None;
-                        // SAFETY: the arrays have so many elements.
-                        let done = unsafe { path(&model, quantity, arrays, &mut first_invalid) };
-                        assert!(done + 8 > loads.len(), "{name}, {quantity:?}");
-                        assert_eq!(first_invalid.map(|(index, _)| index), Some(3), "{name}, {quantity:?}");
-                        for (i, &load) in loads[..done].iter().enumerate() {
-                            let expected = quantity.at(&model, load);
-                            let found = (value[i].to_bits(), slope[i].to_bits());
-                            let is_same = found == (expected.0.to_bits(), expected.1.to_bits());
-                            let both = (value[i], slope[i]);
-                            assert!(is_same, "{name}, {quantity:?} at {load:e}: {both:?}, not {expected:?}");
-                        }
+            for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness, Quantity::Load] {
+                for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
+                    // SAFETY: the arrays have so many elements.
+                    let first_invalid = unsafe { fill(&model, quantity, arrays) };
+                    assert_eq!(first_invalid.map(|(index, _)| index), Some(3), "{quantity:?}");
+                    for (i, &load) in loads.iter().enumerate() {
+                        let expected = quantity.at(&model, load);
+                        let found = (value[i].to_bits(), slope[i].to_bits());
+                        let is_same = found == (expected.0.to_bits(), expected.1.to_bits());
+                        let both = (value[i], slope[i]);
+                        assert!(is_same, "{quantity:?} at {load:e}: {both:?}, not {expected:?}");
                     }
                 }
             }
