@@ -70,28 +70,14 @@ fn held_status(body: &mut dyn FnMut() -> Result<(), Failure>) -> asperity_status
     fp_environment::held(|| contained_status(body))
 }
 
-/// An entry point of a solver's inner loop, `contained_status` or `contained_value`, whose body itself sees to what may
-/// raise an exception: in the caller's environment where that rounds to nearest. A macro, as a function would keep the
-/// body from being inlined.
-macro_rules! fast {
-    ($contained:ident, $body:expr) => {
-        if $crate::capi::fp_environment::rounds_to_nearest() {
-            $crate::capi::boundary::$contained(|| $body)
-        } else {
-            $crate::capi::fp_environment::held(move || $crate::capi::boundary::$contained(|| $body))
-        }
-    };
-}
-pub(super) use fast;
-
-/// A status, whatever the body does.
+/// A status, whatever the body does: of a call in a solver's inner loop, whose body itself sees to what may raise an exception.
 pub fn contained_status(body: impl FnOnce() -> Result<(), Failure>) -> asperity_status {
     let message = "internal error: a bug in asperity; please report the call and its arguments";
     let ended = catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|_| Err(Failure::new(ASPERITY_INTERNAL, &message)));
     ended.map_or_else(|Failure(status)| status, |()| ASPERITY_OK)
 }
 
-/// A number, whatever the body does: NaN if it panics.
+/// A number, likewise: NaN if the body panics.
 pub fn contained_value(body: impl FnOnce() -> f64) -> f64 {
     catch_unwind(AssertUnwindSafe(body)).unwrap_or(f64::NAN)
 }

@@ -90,7 +90,7 @@ pub(super) unsafe fn evaluate(
     value: *mut f64,
     slope: *mut f64,
 ) -> asperity_status {
-    boundary::fast!(contained_status, {
+    boundary::contained_status(|| {
         let model = model::of(model)?;
         if n > 0 {
             not_null(load, "load")?;

@@ -34,7 +34,7 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
     if dload_dgap.is_null() {
         return model::value_at(model, Quantity::Load, -gap);
     }
-    boundary::fast!(contained_value, {
+    boundary::contained_value(|| {
         let at = |handle: &asperity_model| Quantity::Load.at(&handle.model, -gap);
         let (load, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), at);
         write(dload_dgap, 0, by_gap(slope));
@@ -60,7 +60,7 @@ pub unsafe extern "C" fn asperity_loads_at_gaps(
     load: *mut f64,
     dload_dgap: *mut f64,
 ) -> asperity_status {
-    boundary::fast!(contained_status, {
+    boundary::contained_status(|| {
         let model = model::of(model)?;
         if n > 0 {
             not_null(gap, "gap")?;

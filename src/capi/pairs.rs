@@ -36,7 +36,7 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads_of(
     force: *mut f64,
     dforce_dload: *mut f64,
 ) -> asperity_status {
-    boundary::fast!(contained_status, {
+    boundary::contained_status(|| {
         if models_length > 0 {
             not_null(models, "models")?;
         }

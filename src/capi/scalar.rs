@@ -6,7 +6,6 @@
 
 use super::batch::Quantity;
 use super::boundary;
-use super::fp_environment;
 use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
@@ -50,8 +49,8 @@ unsafe extern "C" fn value_at<const QUANTITY: u8>(model: &Model, load: f64) -> f
 fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
     let table = quantity(QUANTITY).table(model);
     // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-    if !finite(load) || !fp_environment::rounds_to_nearest() {
-        return beside_rows::<QUANTITY>(model, load);
+    if !finite(load) {
+        return beside_table::<QUANTITY>(model, load);
     }
     let x = load - table.pull_off;
     let Some(index) = table.index_of(x) else {
@@ -90,17 +89,10 @@ extern "C" fn in_part<const QUANTITY: u8>(model: &Model, load: f64, row: &Row, t
     }
 }
 
-/// What the table does not answer, where results are rounded to nearest.
+/// What the table does not answer.
 #[inline(never)]
 extern "C" fn beside_table<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
     boundary::contained_value(|| quantity(QUANTITY).beside_table(model, load).0)
-}
-
-/// What may not be asked of a row.
-#[cold]
-#[inline(never)]
-extern "C" fn beside_rows<const QUANTITY: u8>(model: &Model, load: f64) -> f64 {
-    boundary::fast!(contained_value, quantity(QUANTITY).at(model, load).0)
 }
 
 #[cfg(target_arch = "x86_64")]

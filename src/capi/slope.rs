@@ -16,7 +16,7 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     load: f64,
     dmu_dload: *mut f64,
 ) -> f64 {
-    boundary::fast!(contained_value, {
+    boundary::contained_value(|| {
         let (mu, slope) = at(model, Quantity::Coefficient, load);
         write(dmu_dload, 0, slope);
         mu
@@ -38,7 +38,7 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     load: f64,
     dforce_dload: *mut f64,
 ) -> f64 {
-    boundary::fast!(contained_value, {
+    boundary::contained_value(|| {
         let (force, slope) = at(model, Quantity::Force, load);
         write(dforce_dload, 0, slope);
         force

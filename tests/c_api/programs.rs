@@ -54,10 +54,10 @@ fn every_call_keeps_to_the_stack_that_is_promised() {
     passes("stack.c");
 }
 
-/// Environments of the host: rounding, flushing to zero, flags, and the traps that `check.h` turns on.
+/// Environments of the host: rounding, flushing to zero, and the traps that `check.h` turns on.
 #[test]
 #[cfg(not(target_env = "msvc"))]
-fn the_answers_are_the_same_and_the_environment_is_kept_in_every_environment_of_the_host() {
+fn no_environment_of_the_host_does_harm_and_each_is_kept() {
     passes("environments.c");
 }
 
