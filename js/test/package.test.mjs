@@ -30,7 +30,7 @@ test("parameters that the library refuses are refused in its words", () => {
 
 test("loads that the library refuses are refused in its words, in arrays by their index", () => {
   const model = new Model(silicon);
-  assert.throws(() => model.frictionAtLoad(1e300), { message: /^load = 1e300: must be at most/, status: Status.OUT_OF_RANGE });
+  assert.throws(() => model.frictionAtLoad(1e300), { message: /^load = 1e300: must be below/, status: Status.OUT_OF_RANGE });
   const many = new Float64Array(5000).fill(1e-3);
   many[4321] = NaN;
   const message = "element 4321: load = NaN: must be finite";

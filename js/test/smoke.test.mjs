@@ -28,6 +28,7 @@ const string = (text) => {
   return at;
 };
 const texts = {};
+/** A text that stays. Memory may grow here, which makes views of it useless: take them afterwards. */
 const textAt = (text) => (texts[text] ??= string(text));
 
 const params = place(LAYOUTS.asperity_params.size).at;
@@ -64,12 +65,13 @@ function plausible(name, declared, i, model) {
   if (type.endsWith("asperity_params *")) return filled();
   if (type === "const char *") return textAt(TEXTS[argument] ?? (name.endsWith("set_pair") ? "Si/Si" : "height_std"));
   const { at, view } = (places[i] ??= place(OUTPUT));
+  const parameter = textAt("height_std");
   new Uint8Array(exports.memory.buffer, at, OUTPUT).fill(0);
   const struct = type.replace("const ", "").replace(" *", "");
   if (LAYOUTS[struct]) view().setBigUint64(0, BigInt(LAYOUTS[struct].size), true);
   else if (type === "const double *") for (let one = 0; one < 3; one++) view().setFloat64(8 * one, NUMBERS[argument] ?? 1e-3, true);
   else if (type.includes("asperity_model *const")) view().setUint32(0, model, true);
-  else if (type.includes("char *const")) view().setUint32(0, textAt("height_std"), true);
+  else if (type.includes("char *const")) view().setUint32(0, parameter, true);
   return at;
 }
 
