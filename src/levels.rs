@@ -6,10 +6,10 @@
 //! have not been displaced. A level follows the surfaces up to its limit, and slips beyond. Cells of levels share one
 //! displacement, their mean; a cell that K cuts counts up to K. What the limits are is left to `law`.
 
-use crate::elementary::hypot;
 use crate::error::Error;
-use crate::float_bits::finite;
-use crate::four::Four;
+use crate::numerics::elementary::hypot;
+use crate::numerics::float_bits::finite;
+use crate::numerics::four::Four;
 
 /// How many cells of levels there are.
 pub const LEVELS: usize = 20;
@@ -680,7 +680,7 @@ fn sum(lanes: &PerLevel) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::four::Portable;
+    use crate::numerics::four::Portable;
 
     type State = [f64; STATE];
 

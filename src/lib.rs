@@ -34,32 +34,23 @@
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::private_intra_doc_links)]
 
 mod by_name;
-mod c_string;
 #[doc(hidden)]
 pub mod capi;
-mod elementary;
 mod equilibrium;
 mod error;
 mod estimate;
-mod float_bits;
-mod four;
 mod law;
 mod levels;
 pub mod materials;
 mod model;
-mod nearest;
-mod neighbours;
 mod numerics;
 mod params;
-mod spectrum;
 
 // Parts of the physics, which tests of this crate ask one by one; no part of the interface.
 #[doc(hidden)]
 pub mod asperity;
 #[doc(hidden)]
 pub mod distribution;
-#[doc(hidden)]
-pub mod groups;
 #[doc(hidden)]
 pub mod population;
 
@@ -71,5 +62,5 @@ pub use model::validity::{
     WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 pub use model::{MicroslipStep, Model, State, Summary, SummitState};
+pub use params::spectrum::SpectralMoments;
 pub use params::{ContactLawKind, HeightFamily, Params};
-pub use spectrum::SpectralMoments;

@@ -9,7 +9,7 @@
 mod fuzz_calls;
 #[path = "../../tests/c_api/interface.rs"]
 mod interface;
-#[path = "../../src/neighbours.rs"]
+#[path = "../../src/numerics/neighbours.rs"]
 mod neighbours;
 #[path = "../../tests/common/processor_time.rs"]
 mod processor_time;

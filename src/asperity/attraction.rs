@@ -3,7 +3,7 @@
 //! A constant stress w/h acts within a circle of radius `c`, where the deformed gap is `h`. The overlap is
 //! a quadratic polynomial in `c`, which makes `c` the natural variable of integration.
 
-use crate::groups::Groups;
+use crate::asperity::groups::Groups;
 use std::f64::consts::PI;
 
 /// lambda_g^3 from which a summit out of contact no longer attracts: (0.655...)^3, exact.

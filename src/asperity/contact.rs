@@ -113,7 +113,7 @@ pub const KINKS: usize = 2;
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::groups::Groups;
+    use crate::asperity::groups::Groups;
 
     /// Of elastic summits.
     pub fn elastic([alpha, beta, gamma, b_over_h]: [f64; 4]) -> Groups {

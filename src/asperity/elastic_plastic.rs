@@ -13,8 +13,8 @@
 
 use super::contact::{Contact, ContactLaw, Rates, KINKS};
 use super::hertz::Hertz;
-use crate::elementary::log;
-use crate::groups::Groups;
+use crate::asperity::groups::Groups;
+use crate::numerics::elementary::log;
 use std::f64::consts::PI;
 
 /// K: the mean pressure at first yield over the hardness.

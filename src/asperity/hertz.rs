@@ -1,7 +1,7 @@
 //! Hertz' contact of one asperity: Maugis' law without adhesion, eqs (5) and (6) with gamma = 0.
 
 use super::contact::{Contact, ContactLaw, Rates};
-use crate::groups::Groups;
+use crate::asperity::groups::Groups;
 
 /// Hertz' law. Its parameter is the square root of the overlap.
 #[derive(Debug, Clone)]

@@ -7,8 +7,8 @@
 //! Attraction without contact belongs to [`super::attraction`], friction to [`super::slip`].
 
 use super::contact::{Contact, ContactLaw, Rates};
-use crate::elementary::{cbrt, sincos};
-use crate::groups::Groups;
+use crate::asperity::groups::Groups;
+use crate::numerics::elementary::{cbrt, sincos};
 use crate::numerics::root::{self, LAST_STEP, MOST_STEPS};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -6,7 +6,7 @@
 //! times the load of Hertz' contact of the same radius, which is the load and what adhesion adds to it.
 
 use super::contact::{Contact, Rates};
-use crate::elementary::{exp, log};
+use crate::numerics::elementary::{exp, log};
 use std::f64::consts::PI;
 
 /// The constants of eq (13): contact radii over b, shear stresses over G*.

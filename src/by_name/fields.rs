@@ -2,8 +2,8 @@
 
 use super::draft::Draft;
 use crate::asperity::slip::SlipOnset;
-use crate::c_string::c_string;
 use crate::error::Error;
+use crate::materials::names::c_string;
 use crate::params::ContactLawKind;
 use std::ffi::CStr;
 

@@ -2,7 +2,7 @@
 
 use super::fields::FIELDS;
 use super::toml::{self, Keys, Outcome, Problem, Shown, Value};
-use crate::nearest::{expected, Expected, Instead};
+use crate::materials::names::{expected, Expected, Instead};
 use std::fmt::{Display, Formatter};
 
 /// A table of a text, or the top of it.

@@ -4,11 +4,11 @@ use super::draft::{Draft, JOHNSON, WEIBULL};
 use super::fields::FIELDS;
 use super::keys::{meant, LISTED};
 use crate::error::Error;
-use crate::float_bits::nan;
+use crate::materials::names::{Instead, Unknown};
 use crate::materials::{Bodies, Interface};
-use crate::nearest::{Instead, Unknown};
+use crate::numerics::float_bits::nan;
+use crate::params::spectrum::SpectralMoments;
 use crate::params::{positive, Params};
-use crate::spectrum::SpectralMoments;
 use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 

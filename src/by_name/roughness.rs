@@ -7,8 +7,8 @@
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
 use crate::estimate::known::{machined_slope, Process, PROCESSES};
+use crate::params::spectrum::SpectralMoments;
 use crate::params::{positive, STEEPEST};
-use crate::spectrum::SpectralMoments;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::fmt::Arguments;
 use std::ops::RangeInclusive;

@@ -429,7 +429,7 @@ impl Given<'_> {
 
     /// All that is known of two materials by their names, and what is not known of them from beside it.
     fn set_bodies(&mut self, entry: &Entry, bodies: Bodies) -> Outcome<()> {
-        let name = [bodies.first, bodies.second].map(|body| crate::nearest::text(body.name)).join("/");
+        let name = [bodies.first, bodies.second].map(|body| crate::materials::names::text(body.name)).join("/");
         if bodies.pair().is_none() && self.numbers.get("work_of_adhesion").is_none() {
             return Err(Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes()))));
         }

@@ -1,6 +1,6 @@
 //! Four numbers in a register of AVX2.
 
-use crate::four::Four;
+use crate::numerics::four::Four;
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 

@@ -1,7 +1,7 @@
 //! Names that callers give: how much of them is read.
 
 use super::boundary::{not_null, Failure};
-use crate::nearest::LONGEST;
+use crate::materials::names::LONGEST;
 use std::ffi::c_char;
 
 /// A caller's name, as far as it is read.

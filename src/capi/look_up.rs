@@ -7,8 +7,8 @@ use super::names;
 use super::text;
 use super::validity::WARNINGS;
 use crate::by_name::{Draft, Quoted, Real, Written, FIELDS};
+use crate::materials::names::{text, Instead, Unknown};
 use crate::materials::{no_interface, no_material, Interface, Material, NoPair, Pair, INTERFACES, MATERIALS, PAIRS};
-use crate::nearest::{self, Instead, Unknown};
 use std::ffi::{c_char, CStr};
 use std::fmt::{Display, Write};
 
@@ -105,7 +105,7 @@ impl Lines {
     }
 
     fn words(self, key: &str, words: &CStr) -> Self {
-        self.line(key, Quoted(nearest::text(words)))
+        self.line(key, Quoted(text(words)))
     }
 
     /// A number in its unit, unless it is 0, which stands for what is not known.
@@ -172,7 +172,7 @@ fn constant(
 ) -> Result<String, Failure> {
     let found = all.iter().find(|(other, ..)| other.to_bytes() == name);
     let (found, number, says) = found.ok_or_else(|| {
-        let names = all.iter().map(|(name, ..)| nearest::text(name));
+        let names = all.iter().map(|(name, ..)| text(name));
         unknown(&Unknown { name, thing, instead: Instead::of(name, names, "asperity.h lists them") })
     })?;
     Ok(Lines::of(found).line(key, number).words("text", says).0)
@@ -208,7 +208,10 @@ mod tests {
                     // SAFETY: a constant string.
                     let name = unsafe { CStr::from_ptr(name) };
                     let text = described(kind, name).expect("a description");
-                    assert!(text.starts_with(&format!("name = \"{}\"\n", nearest::text(name))), "{text}");
+                    assert!(
+                        text.starts_with(&format!("name = \"{}\"\n", crate::materials::names::text(name))),
+                        "{text}"
+                    );
                     assert!(
                         text.lines().skip(1).all(|line| line.contains(" = ") && !line.contains("= 0.0 ")),
                         "{text}"

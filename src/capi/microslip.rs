@@ -7,10 +7,10 @@ use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::float_bits::nan;
-use crate::four::{Four, Portable};
 use crate::levels::{self, Levels, STATE};
 use crate::model::{MicroslipStep, Model};
+use crate::numerics::float_bits::nan;
+use crate::numerics::four::{Four, Portable};
 
 /// What resists a displacement of the surfaces along each other.
 #[repr(C)]

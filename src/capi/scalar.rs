@@ -6,9 +6,9 @@
 
 use super::batch::Quantity;
 use super::boundary;
-use crate::float_bits::finite;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
+use crate::numerics::float_bits::finite;
 
 /// A quantity at a load, or at minus a gap.
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
@@ -125,7 +125,7 @@ mod avx2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
     use crate::params::Params;
 
     /// The function of this processor and that of any, within the table, beyond it, and where friction is capped.

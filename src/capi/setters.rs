@@ -6,8 +6,8 @@ use super::params::{asperity_params, check_size};
 use super::status::asperity_status;
 use crate::error::Error;
 use crate::materials::{Bodies, NoPair};
+use crate::params::spectrum::SpectralMoments;
 use crate::params::Params;
-use crate::spectrum::SpectralMoments;
 use std::ffi::c_char;
 
 /// Changes the caller's parameters; what `set` does not change stays bit for bit, and all of it where it fails.

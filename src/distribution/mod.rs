@@ -9,8 +9,8 @@ pub mod panel;
 pub mod tabulated;
 pub mod weibull;
 
-use crate::elementary::exp_each;
 use crate::error::Error;
+use crate::numerics::elementary::exp_each;
 use crate::numerics::quadrature::POINTS;
 use gaussian::Gaussian;
 use std::sync::Arc;

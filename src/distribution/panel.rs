@@ -4,7 +4,7 @@
 //! over it, and no breakpoint lies within.
 
 use super::HeightDistribution;
-use crate::elementary::pow;
+use crate::numerics::elementary::pow;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root;
 
@@ -217,7 +217,7 @@ pub fn slack(z: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::distribution::tests::families;
-    use crate::elementary::exp;
+    use crate::numerics::elementary::exp;
     use crate::numerics::quadrature::nodes;
 
     /// The integrals of the density times powers of the height above the mean, by panels; and how many panels.

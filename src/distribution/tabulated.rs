@@ -7,9 +7,9 @@
 //! negative, and none is larger than all of the table. Zero densities at the ends are left out up to the last one.
 
 use super::HeightDistribution;
-use crate::elementary::log;
 use crate::error::Error;
-use crate::float_bits::finite;
+use crate::numerics::elementary::log;
+use crate::numerics::float_bits::finite;
 use crate::numerics::quadrature::{integrate_short, POINTS};
 
 /// How many heights a table may have: each is a kink of the friction law, and the table of the law resolves no more.
@@ -271,8 +271,8 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
 mod tests {
     use super::*;
     use crate::error::Value;
-    use crate::neighbours::Neighbours;
     use crate::numerics::near;
+    use crate::numerics::neighbours::Neighbours;
 
     /// Uneven heights with uneven densities, zero in the middle and at one end.
     fn uneven(count: usize) -> (Vec<f64>, Vec<f64>) {

@@ -1,7 +1,7 @@
 //! What holds for heights of every family, from one end of the domain to the other.
 
 use super::*;
-use crate::elementary::exp;
+use crate::numerics::elementary::exp;
 
 /// Families and shapes, next to each other where the domain ends.
 pub fn families() -> Vec<Arc<dyn HeightDistribution>> {

@@ -2,9 +2,9 @@
 //! omega alone remains, and with it skew and kurtosis together.
 
 use super::HeightDistribution;
-use crate::elementary::{exp, exp_each, expm1, log, log1p, log1p_each, pow};
 use crate::error::Error;
-use crate::float_bits::finite;
+use crate::numerics::elementary::{exp, exp_each, expm1, log, log1p, log1p_each, pow};
+use crate::numerics::float_bits::finite;
 use crate::numerics::quadrature::POINTS;
 use crate::numerics::root;
 
@@ -203,8 +203,8 @@ impl Moments {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
     use crate::numerics::near;
+    use crate::numerics::neighbours::Neighbours;
 
     fn weibull(shape: f64) -> Weibull {
         Weibull::new(shape).expect("a shape")

@@ -8,8 +8,8 @@ mod pull_off;
 
 pub use pull_off::PullOff;
 
-use crate::elementary::{exp, log};
 use crate::error::Error;
+use crate::numerics::elementary::{exp, log};
 use crate::numerics::root::MOST_STEPS;
 use crate::population::{Population, Sums};
 use fall::Fall;

@@ -1,7 +1,7 @@
 //! The pull-off point: the first minimum of the load over separation, coming from heavy load.
 
-use crate::elementary::log;
 use crate::error::Error;
+use crate::numerics::elementary::log;
 use crate::numerics::root;
 use crate::population::{Population, Sums};
 

@@ -2,7 +2,7 @@
 
 use super::known::{deviation, SLOPE_FACTOR};
 use crate::by_name::{Case, Machined};
-use crate::elementary::exp;
+use crate::numerics::elementary::exp;
 
 /// The middle first. Of one unknown they are the three nodes of Gauss, of two the five that integrate as exactly: the middle, and
 /// 3^(1/2) standard deviations to either side of it along each.

@@ -4,7 +4,7 @@
 //! Ra by process has a source. For slopes of machined surfaces none was found that names its sampling length, so that these are
 //! assumptions with a wide band (docs/when-to-use.md).
 
-use crate::elementary::log;
+use crate::numerics::elementary::log;
 
 /// Of a normal distribution, 95 % lie within so many standard deviations.
 pub const REACH_95: f64 = 1.959_963_984_540_054;

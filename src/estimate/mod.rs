@@ -12,13 +12,13 @@ mod strength;
 mod words;
 
 use crate::by_name::{describe, of_points, Case, Described};
-use crate::elementary::{exp, log};
 use crate::error::{Error, LOAD};
-use crate::float_bits::finite;
 use crate::model::calibration::Calibrated;
 use crate::model::points::{slice, slices, Seen, Slice};
 use crate::model::validity::WARNING_FEW;
 use crate::model::Model;
+use crate::numerics::elementary::{exp, log};
+use crate::numerics::float_bits::finite;
 use crate::params::Params;
 pub use strength::Rests;
 use strength::Strength;

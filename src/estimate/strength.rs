@@ -2,12 +2,12 @@
 
 use super::known::{deviation, DEFAULT_FACTOR, LARGEST_ROW_PRESSURE, ROW_FACTOR, ROW_PRESSURE};
 use crate::by_name::Described;
-use crate::elementary::{exp, log};
 use crate::error::Error;
-use crate::float_bits::finite;
 use crate::materials::Interface;
 use crate::model::points::Prior;
 use crate::model::Model;
+use crate::numerics::elementary::{exp, log};
+use crate::numerics::float_bits::finite;
 use crate::params::Params;
 
 /// What is taken for the strength where nothing is measured on these surfaces.

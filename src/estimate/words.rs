@@ -2,11 +2,11 @@
 
 use super::known::SLOPE_FACTOR;
 use super::{Answer, Estimate, Rests};
-use crate::elementary::{exp, log};
+use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
 use crate::model::points::Point;
 use crate::model::validity::WARNINGS;
-use crate::nearest::text;
+use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
 use std::fmt::{Display, Formatter, Result, Write};
 use std::ops::RangeInclusive;

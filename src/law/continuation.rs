@@ -7,9 +7,9 @@
 use super::row::{polynomial, Row, RowBasis, INTERIOR};
 use super::table::{Table, MANTISSA_BITS};
 use super::FRACTION;
-use crate::elementary::{exp, log, log1p};
-use crate::float_bits::{moderate, MODERATE};
-use crate::neighbours::Neighbours;
+use crate::numerics::elementary::{exp, log, log1p};
+use crate::numerics::float_bits::{moderate, MODERATE};
+use crate::numerics::neighbours::Neighbours;
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::RangeInclusive;
 
@@ -188,7 +188,7 @@ fn moderate_binades(binade: u64, gain: f64, power: f64, is_heavy: bool) -> Range
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
 
     #[test]
     fn beyond_its_end_the_law_is_a_power_that_meets_value_and_slope() {

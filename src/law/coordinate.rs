@@ -1,7 +1,7 @@
 //! The coordinate of the curve, s = arsinh((x/|pull-off|)^(1/2)) with x = load - pull-off: near pull-off, where load has its
 //! minimum over separation, it is linear in separation, far from it logarithmic in load. Without adhesion it is ln(x)/2.
 
-use crate::elementary::{exp, exp_each, log, log1p, sinh};
+use crate::numerics::elementary::{exp, exp_each, log, log1p, sinh};
 use std::f64::consts::LN_2;
 
 /// Where ln(sinh s) is larger, so many terms of the series of ln((1 + (1 + y)^(1/2))/2) give it to rounding.

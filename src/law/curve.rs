@@ -11,8 +11,8 @@ use super::position::Positions;
 use super::steps::{Steps, Stretch};
 use super::tolerance::{self, larger};
 use super::{Quantity, Reach};
-use crate::elementary::{exp_each, log};
 use crate::equilibrium::{Branch, BranchPoint};
+use crate::numerics::elementary::{exp_each, log};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;

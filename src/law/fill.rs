@@ -5,8 +5,8 @@ use super::row::{
 };
 use super::table::Table;
 use super::tolerance::{self, larger};
-use crate::elementary::{exp, log, log1p};
 use crate::numerics::ascending;
+use crate::numerics::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
 use std::ops::Range;
 
@@ -360,7 +360,7 @@ mod tests {
         let wiggly = |per_row: f64| {
             move |log_excess: f64| {
                 let rate = 2.0 * std::f64::consts::PI * per_row / WIDTH;
-                let (sine, cosine) = crate::elementary::sincos(rate * log_excess);
+                let (sine, cosine) = crate::numerics::elementary::sincos(rate * log_excess);
                 (exp(log_excess) * (1.0 + 1e-3 * sine), 1.0 + 1e-3 * rate * cosine / (1.0 + 1e-3 * sine))
             }
         };

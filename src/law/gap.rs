@@ -10,9 +10,9 @@ use super::curve::Curve;
 use super::fill::{Filling, Source};
 use super::table::Table;
 use super::Reach;
-use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
-use crate::neighbours::Neighbours;
+use crate::numerics::elementary::{exp, log};
+use crate::numerics::neighbours::Neighbours;
 use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.

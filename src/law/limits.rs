@@ -12,10 +12,10 @@
 
 use super::table::MANTISSA_BITS;
 use super::{Curve, Quantity, Table};
-use crate::elementary::log;
 use crate::equilibrium::Branch;
-use crate::four::Four;
 use crate::levels::{PerEdge, PerLevel, EDGES, LEVELS};
+use crate::numerics::elementary::log;
+use crate::numerics::four::Four;
 
 /// There is a row at each load that is a power of two; at every so many Phi is asked for in any case, and between them.
 const LONGEST: usize = 16;
@@ -329,7 +329,7 @@ mod tests {
     use super::super::tests::branch;
     use super::super::{Law, Lengths, Reach};
     use super::*;
-    use crate::four::Portable;
+    use crate::numerics::four::Portable;
 
     /// H and X of contacts of one size that slip from their rims, and of sizes by which Phi is an exponential.
     type Levels = (&'static str, fn(f64) -> (f64, f64));

@@ -20,8 +20,8 @@ mod steps;
 mod table;
 pub mod tolerance;
 
-use crate::elementary::{exp, log};
 use crate::equilibrium::Branch;
+use crate::numerics::elementary::{exp, log};
 use crate::population::Sums;
 pub use continuation::Beyond;
 #[cfg(target_arch = "x86_64")]
@@ -299,7 +299,7 @@ impl Compiled {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
     use crate::params::Params;
 
     /// The paper's default case with another surface energy.

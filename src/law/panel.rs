@@ -4,7 +4,7 @@
 use super::position::Positions;
 use super::tolerance::{self, larger};
 use super::Quantity;
-use crate::elementary::{cos, log};
+use crate::numerics::elementary::{cos, log};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 

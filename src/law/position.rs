@@ -1,7 +1,7 @@
 //! Positions, in which lengths of panels are measured: equal to separations among the heights, logarithmic far from them,
 //! where what matters is the part by which a separation changes.
 
-use crate::elementary::{exp, log};
+use crate::numerics::elementary::{exp, log};
 
 /// Positions turn from separations to their logarithms this far from the mean height, in sigma.
 const TURN: f64 = 3.7;

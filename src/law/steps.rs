@@ -3,8 +3,8 @@
 
 use super::position::Positions;
 use super::tolerance;
-use crate::elementary::log;
 use crate::equilibrium::Branch;
+use crate::numerics::elementary::log;
 
 /// Without adhesion, how near to the highest summit the branch is followed: loads there are no numbers.
 const LEAST_OVERLAP: f64 = 1e-100;

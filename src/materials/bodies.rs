@@ -2,7 +2,7 @@
 //! against it.
 
 use super::{Material, NONE};
-use crate::c_string::c_string;
+use crate::materials::names::c_string;
 
 /// Rows of a name, what the body is called in words, Young's modulus E [Pa] in its range, Poisson's ratio nu, hardness H
 /// [Pa] in its range, Burgers vector b [m], and where the numbers are from. What has no source is left out.

@@ -2,7 +2,7 @@
 //! against it.
 
 use super::Interface;
-use crate::c_string::c_string;
+use crate::materials::names::c_string;
 
 /// Rows of a name, the shear strength `tau` [Pa] at no pressure and its growth with pressure `kappa`, or a friction coefficient `mu`
 /// and the load [N] at which it was measured, the conditions, and where the numbers are from: `read` there, or `quoted`. What has

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod interfaces;
+pub(crate) mod names;
 mod pairs;
 mod unknown;
 

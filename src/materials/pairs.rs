@@ -2,7 +2,7 @@
 //! against it.
 
 use super::{Pair, NONE};
-use crate::c_string::c_string;
+use crate::materials::names::c_string;
 
 /// Rows of two bodies, the work of adhesion w [J/m^2] in its range, the Hamaker constant A [J] that it is estimated
 /// from, `slip_stress_1` where it is measured, and where the numbers are from. What has no source is left out.

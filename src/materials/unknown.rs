@@ -1,7 +1,7 @@
 //! What is said of a name that no material, pair or interface has.
 
 use super::{halves, Bodies, Material, INTERFACES, MATERIALS, PAIRS};
-use crate::nearest::{expected, text, Expected, Instead, Unknown};
+use crate::materials::names::{expected, text, Expected, Instead, Unknown};
 use std::fmt::{Display, Formatter};
 
 const LISTED: &str = "docs/materials.md lists them";

@@ -6,9 +6,9 @@
 
 use super::points::{misfit, nearest, tell_pressure, Point, Seen};
 use super::Model;
-use crate::elementary::{exp, log};
 use crate::error::{CalibrationFailure as Reason, Error};
-use crate::float_bits::finite;
+use crate::numerics::elementary::{exp, log};
+use crate::numerics::float_bits::finite;
 use crate::params::{Params, LARGEST};
 use std::ops::RangeInclusive;
 

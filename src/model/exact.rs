@@ -2,10 +2,10 @@
 
 use super::validity::{extent_of, is_one, warnings_between, Measures};
 use super::Model;
-use crate::elementary::log;
 use crate::error::Error;
-use crate::float_bits::finite;
 use crate::law::Quantity;
+use crate::numerics::elementary::log;
+use crate::numerics::float_bits::finite;
 use crate::params::Params;
 use crate::population::{OneSummit, Statistics, Sums};
 
@@ -447,7 +447,7 @@ impl Model {
 mod tests {
     use super::*;
     use crate::model::HEAVIEST_LOAD;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
     use crate::params::{HeightFamily, Params};
 
     fn default_case() -> Model {

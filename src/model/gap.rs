@@ -4,8 +4,8 @@
 
 use super::Model;
 use crate::error::Error;
-use crate::float_bits::{finite, nan};
 use crate::law::{Beyond, Table};
+use crate::numerics::float_bits::{finite, nan};
 
 impl Model {
     /// The load at a gap on the branch of load control; 0 where the surfaces are apart: from pull-off's gap on, or

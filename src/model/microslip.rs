@@ -5,11 +5,11 @@
 
 use super::Model;
 use crate::error::{Error, LOAD};
-use crate::float_bits::{finite, infinite};
-use crate::four::{Four, Portable};
 use crate::law::Quantity;
 use crate::levels::{within, Levels, Response, Sloped, FARTHEST, LAST, REACH, STATE};
-use crate::neighbours::Neighbours;
+use crate::numerics::float_bits::{finite, infinite};
+use crate::numerics::four::{Four, Portable};
+use crate::numerics::neighbours::Neighbours;
 
 /// What resists a displacement of the surfaces along each other, in the caller's units.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -9,14 +9,14 @@ mod microslip;
 pub(crate) mod points;
 pub mod validity;
 
-use crate::elementary::cbrt;
+use crate::asperity::groups::Groups;
 use crate::equilibrium::Branch;
 use crate::error::{Error, LOAD};
-use crate::float_bits::finite;
-use crate::groups::Groups;
 use crate::law::tolerance::{self, larger};
 use crate::law::{Beyond, Law, Lengths, Quantity, Table, Unfollowed};
-use crate::neighbours::Neighbours;
+use crate::numerics::elementary::cbrt;
+use crate::numerics::float_bits::finite;
+use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
 pub use exact::{State, SummitState};

@@ -4,8 +4,8 @@
 //! measurement, or quite unknown; kappa >= 0 is fixed, or half-normal where the points tell it better than that. The errors of the
 //! points are those of ln F.
 
-use crate::elementary::{exp, log};
-use crate::float_bits::nan;
+use crate::numerics::elementary::{exp, log};
+use crate::numerics::float_bits::nan;
 
 /// A friction force measured at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]

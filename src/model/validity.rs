@@ -3,7 +3,7 @@
 
 use super::State;
 use crate::error::Error;
-use crate::neighbours::Neighbours;
+use crate::numerics::neighbours::Neighbours;
 use crate::params::{ContactLawKind, Params};
 
 /// Set in [`State::warnings`](crate::State::warnings) where summits yield, but the contact law is elastic.

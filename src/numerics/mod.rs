@@ -1,7 +1,12 @@
-//! Numerical methods that know nothing of contacts: quadrature, interpolation and roots.
+//! Numerical methods that know nothing of contacts: elementary functions, the bits of numbers, four numbers side by side,
+//! quadrature, interpolation and roots.
 
+pub mod elementary;
+pub mod float_bits;
+pub mod four;
 pub mod hermite;
 pub mod legendre;
+pub mod neighbours;
 pub mod quadrature;
 pub mod root;
 

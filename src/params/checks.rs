@@ -2,11 +2,11 @@
 
 use super::numbers::{magnitude, not_negative, positive, POSITIVE};
 use super::{unit_slips, ContactLawKind, Params, LEAST_BANDWIDTH, RADIUS_RATES};
+use crate::asperity::groups::Groups;
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::{self, HeightDistribution};
 use crate::error::Error;
-use crate::float_bits::{finite, infinite, nan};
-use crate::groups::Groups;
+use crate::numerics::float_bits::{finite, infinite, nan};
 use crate::population::radius::RadiusProfile;
 use std::sync::Arc;
 
@@ -222,7 +222,7 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
     use crate::params::numbers::LARGEST;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the name in the message.

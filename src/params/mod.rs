@@ -1,10 +1,11 @@
 //! A surface pair in the user's own consistent units, and the ways to set its parameters.
 //!
 //! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be; `units` converts
-//! them.
+//! them; `spectrum` has the asperities of a rough surface.
 
 mod checks;
 mod numbers;
+pub(crate) mod spectrum;
 mod unit_slips;
 mod units;
 
@@ -12,14 +13,14 @@ use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
 use crate::distribution::weibull::Weibull;
 pub use crate::distribution::HeightFamily;
 use crate::error::Error;
-use crate::float_bits::infinite;
 use crate::materials::{Bodies, Interface};
-pub(crate) use crate::spectrum::LEAST_BANDWIDTH;
-use crate::spectrum::{SpectralMoments, Summits};
+use crate::numerics::float_bits::infinite;
 pub(crate) use checks::STEEPEST;
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST;
 use numbers::{magnitude, not_negative, poisson_ratio};
+pub(crate) use spectrum::LEAST_BANDWIDTH;
+use spectrum::{SpectralMoments, Summits};
 use std::f64::consts::PI;
 use unit_slips::BROADEST;
 
@@ -443,7 +444,7 @@ impl Params {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
 
     #[test]
     fn poissons_ratios_are_taken_above_minus_1_up_to_a_half() {

@@ -1,7 +1,7 @@
 //! What one number may be.
 
 use crate::error::Error;
-use crate::float_bits::{finite, nan};
+use crate::numerics::float_bits::{finite, nan};
 
 /// Raw quantities beyond this, or below its inverse, could overflow when combined.
 pub const LARGEST: f64 = 1e40;

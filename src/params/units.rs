@@ -2,7 +2,7 @@
 
 use super::{positive, Params};
 use crate::error::Error;
-use crate::float_bits::nan;
+use crate::numerics::float_bits::nan;
 
 impl Params {
     /// Converts all quantities into units of which one is so many of the present units of length and of force: from SI into

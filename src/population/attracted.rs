@@ -7,8 +7,8 @@ use super::walk::PART_AT_LOWER_END;
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
-use crate::elementary::exp;
 use crate::error::Error;
+use crate::numerics::elementary::exp;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root;
 

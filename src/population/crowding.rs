@@ -8,7 +8,7 @@
 //! finite.
 
 use super::Sums;
-use crate::elementary::{exp, log};
+use crate::numerics::elementary::{exp, log};
 
 const POWER: f64 = 1.8;
 /// The largest share of the nominal area.

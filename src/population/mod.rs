@@ -28,12 +28,12 @@ pub use sums::Sums;
 use crate::asperity::attraction::Attraction;
 use crate::asperity::contact::{Contact, ContactLaw, Rates, KINKS};
 use crate::asperity::elastic_plastic::{first_yield, ElasticPlastic};
+use crate::asperity::groups::Groups;
 use crate::asperity::hertz::Hertz;
 use crate::asperity::maugis::Maugis;
 use crate::asperity::slip::Slip;
 use crate::distribution::{panel, HeightDistribution};
 use crate::error::Error;
-use crate::groups::Groups;
 use crate::numerics::root::LAST_STEP;
 use break_away::Edge;
 use crowding::Crowding;
@@ -300,7 +300,7 @@ impl Population {
         if !self.has_summits_at(edge) {
             return;
         }
-        let density = crate::elementary::exp(self.heights.log_density(z)) / edge.rate;
+        let density = crate::numerics::elementary::exp(self.heights.log_density(z)) / edge.rate;
         let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= density * (edge.point.contact.load - below);
         sums.friction_slope -= density * self.slip.friction(&edge.point.contact).force;

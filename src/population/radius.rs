@@ -1,6 +1,6 @@
 //! Radius of curvature of a summit as a function of its height, eq (3).
 
-use crate::elementary::{exp, hypot};
+use crate::numerics::elementary::{exp, hypot};
 
 /// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one.
 #[derive(Debug, Clone, Copy, PartialEq)]

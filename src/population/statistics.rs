@@ -7,8 +7,8 @@ use super::sums::Summit;
 use super::walk::Visitor;
 use super::{Point, Population};
 use crate::distribution::panel;
-use crate::elementary::{exp, log};
 use crate::error::Error;
+use crate::numerics::elementary::{exp, log};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 

@@ -1,7 +1,7 @@
 //! Sums next to kinks, the edge of contact, and surfaces for unit tests.
 
 use super::*;
-use crate::neighbours::Neighbours;
+use crate::numerics::neighbours::Neighbours;
 use crate::params::{ContactLawKind, HeightFamily, Params};
 
 /// The population of a surface that is valid.

@@ -5,8 +5,8 @@ use super::sums::{out_of_panels, Summit};
 use super::{Point, Population};
 use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
-use crate::elementary::exp;
 use crate::error::Error;
+use crate::numerics::elementary::exp;
 use crate::numerics::quadrature::POINTS;
 
 /// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this

@@ -3,7 +3,7 @@
 #![allow(dead_code)]
 
 pub mod c_compiler;
-#[path = "../../src/neighbours.rs"]
+#[path = "../../src/numerics/neighbours.rs"]
 pub mod neighbours;
 pub mod processor_time;
 pub mod reference_rows;

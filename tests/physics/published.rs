@@ -1,11 +1,11 @@
 //! The model against numbers that others have published, each with its source beside it.
 
 use asperity::asperity::contact::{Contact, ContactLaw};
+use asperity::asperity::groups::Groups;
 use asperity::asperity::hertz::Hertz;
 use asperity::asperity::maugis::Maugis;
 use asperity::distribution::weibull::Weibull;
 use asperity::distribution::HeightDistribution;
-use asperity::groups::Groups;
 use asperity::{HeightFamily, Model, Params};
 use std::f64::consts::PI;
 

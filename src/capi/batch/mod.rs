@@ -12,9 +12,9 @@ mod lanes;
 use super::boundary::{write, Failure};
 use super::fp_environment;
 use crate::error::Error;
-use crate::float_bits::{moderate, nan};
 use crate::law::{Beyond, Quantity as Tabulated, Table};
 use crate::model::Model;
+use crate::numerics::float_bits::{moderate, nan};
 
 /// Which law is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]

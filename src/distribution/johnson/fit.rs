@@ -9,7 +9,7 @@
 //!
 //! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there.
 
-use crate::elementary::{cbrt, exp, expm1, log1p, pow};
+use crate::numerics::elementary::{cbrt, exp, expm1, log1p, pow};
 use crate::numerics::root;
 
 /// No S_B curve of the domain has a larger epsilon.

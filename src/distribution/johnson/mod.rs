@@ -8,9 +8,9 @@ mod fit;
 
 use super::gaussian::Gaussian;
 use super::{HeightDistribution, LN_SQRT_2_PI};
-use crate::elementary::{exp, expm1, hypot, log, log1p};
 use crate::error::Error;
-use crate::float_bits::finite;
+use crate::numerics::elementary::{exp, expm1, hypot, log, log1p};
+use crate::numerics::float_bits::finite;
 use crate::numerics::root;
 use fit::{Fit, Kind};
 use std::sync::Arc;
@@ -240,7 +240,7 @@ struct At {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
 
     fn curve(skew: f64, kurtosis: f64) -> Johnson {
         check(skew, kurtosis).expect("a curve of the domain");

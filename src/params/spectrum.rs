@@ -6,7 +6,7 @@
 //! J. Lubr. Technol. 93 (1971) 398-407, derived them; Bush, Gibson and Keogh, Mech. Res. Commun. 3 (1976) 169-174, gave the
 //! variance of their heights; McCool, J. Tribol. 109 (1987) 264-270, writes them as they are used here.
 
-use crate::elementary::{exp, log};
+use crate::numerics::elementary::{exp, log};
 use std::f64::consts::PI;
 
 /// The bandwidth of a surface with one wavelength, below which no isotropic surface is.

@@ -24,7 +24,7 @@ pub fn nan(x: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::Neighbours;
+    use crate::numerics::neighbours::Neighbours;
 
     #[test]
     fn moderate_numbers_are_positive_and_far_from_overflow() {

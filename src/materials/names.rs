@@ -1,7 +1,18 @@
-//! Which of some names a name that is none was meant to be.
+//! Names: constant strings that C reads in place, and which of some names a name that is none was meant to be.
 
 use std::ffi::CStr;
 use std::fmt::{Display, Formatter};
+
+/// A constant string that ends in NUL.
+macro_rules! c_string {
+    ($text:expr) => {
+        match std::ffi::CStr::from_bytes_with_nul(concat!($text, "\0").as_bytes()) {
+            Ok(text) => text,
+            Err(_) => panic!("a NUL inside"),
+        }
+    };
+}
+pub(crate) use c_string;
 
 /// Longer than every name: no more is read of a name that is given.
 pub const LONGEST: usize = 64;
