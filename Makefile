@@ -63,7 +63,7 @@ tests/harden/memory.sh
 tests/harden/supply_chain.sh
 tests/harden/python_mutants.py --quick
 packaging/size.py
-tests/dist/same_bits.sh
+tests/dist/same_answers.sh
 tests/dist/refusals.sh
 tests/setup.sh hosts
 hosts/run.sh

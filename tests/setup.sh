@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the demo and the tests need beside cargo, a C compiler and make.
 #
-# usage: tests/setup.sh [core] [node] [ode] [hosts] [harden] [validation] [bits] [deny] [dist] [web]     (core when no group is named)
+# usage: tests/setup.sh [core] [node] [ode] [hosts] [harden] [validation] [deny] [dist] [web]     (core when no group is named)
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
@@ -17,20 +17,14 @@ web="chromium fonts-dejavu-core python3 python3-venv $node"
 deny_tools="cargo-deny@0.20.2"
 harden_tools="$deny_tools cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
 
-# For the short form of tests/dist/same_bits.sh: 64-bit ARM, Windows. That adds Rust's targets itself.
-bits="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mingw-w64-x86-64-win32 wine64"
-
 # What make dist and make dist-test need beside the tools that come from PyPI.
 dist="cmake debhelper debootstrap dh-python dpkg-dev gfortran lintian llvm pkg-config python3 python3-venv xz-utils zstd"
 dist_targets="x86_64-unknown-linux-gnu aarch64-unknown-linux-gnu x86_64-unknown-linux-musl x86_64-pc-windows-gnu
     aarch64-apple-darwin x86_64-apple-darwin wasm32-unknown-unknown"
 
-# The compilers of other machines for tests/dist/same_bits.sh, and what runs their programs.
-machines="$bits gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-i686-linux-gnu libc6-dev-i386-cross
-    gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-powerpc64le-linux-gnu libc6-dev-ppc64el-cross gcc-s390x-linux-gnu
-    libc6-dev-s390x-cross musl-tools clang lld wasi-libc nodejs"
-machine_targets="armv7-unknown-linux-gnueabihf i686-unknown-linux-gnu riscv64gc-unknown-linux-gnu
-    powerpc64le-unknown-linux-gnu s390x-unknown-linux-gnu"
+# The compilers of other machines for tests/dist/same_answers.sh, and what runs their programs.
+machines="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mingw-w64-x86-64-win32 wine64 musl-tools clang lld
+    wasi-libc nodejs"
 
 # Of PyPI, at the versions that were tried, in environments of their own under the target directory.
 dist_packages="ziglang==0.17.1 cargo-zigbuild==0.24.0 build==1.6.1 setuptools==84.2.1 wheel==0.48.0 twine==7.0.0
@@ -47,11 +41,10 @@ for group in $groups; do
     hosts) packages+=" $hosts" ;;
     harden) packages+=" $harden" tools+=" $harden_tools" ;;
     validation) packages+=" python3 python3-venv" ;;
-    bits) packages+=" $bits" ;;
     deny) tools+=" $deny_tools" ;;
     dist) packages+=" $dist $machines" ;;
     web) packages+=" $web" ;;
-    *) echo "tests/setup.sh: unknown group '$group': core, node, ode, hosts, harden, validation, bits, deny, dist or web" >&2; exit 2 ;;
+    *) echo "tests/setup.sh: unknown group '$group': core, node, ode, hosts, harden, validation, deny, dist or web" >&2; exit 2 ;;
     esac
 done
 
@@ -67,7 +60,7 @@ fi
 
 if [[ " $* " == *" dist "* ]] && command -v rustup >/dev/null; then
     # shellcheck disable=SC2086
-    rustup -q target add $dist_targets $machine_targets
+    rustup -q target add $dist_targets
     rustup -q component add rust-src
 fi
 

@@ -84,8 +84,8 @@ use_files() {
     # ---- The same answers from all of them ----
     mapfile -t run_here < <(cd "$prefixes" && ls -d -- *linux* *windows* *wasm32* 2>/dev/null)
     if [ "${#run_here[@]}" != 0 ]; then
-        STAGE=$prefixes tests/dist/same_bits.sh "${run_here[@]}"
-        passed "the archives" "the same bits on ${#run_here[@]} targets"
+        STAGE=$prefixes tests/dist/same_answers.sh "${run_here[@]}"
+        passed "the archives" "the same answers to 1e-12 on ${#run_here[@]} targets"
     fi
 
     # ---- Wheels ----

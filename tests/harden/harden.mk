@@ -10,7 +10,6 @@
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make miri            every C function in Miri, by two rules of aliasing,
 #                        an hour for each on a slow processor          needs a nightly Rust with miri
-#   make processors      the same bits on emulated machines               needs what `tests/setup.sh dist` installs
 #   make supply-chain    known faults of crates, licences, bans, sources   needs cargo-deny and the network
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
 #   make coverage        lines that the tests run                         needs llvm-22
@@ -39,11 +38,11 @@ MIRI_PROCESSOR = $(if $(findstring x86_64,$(HOST)),-Ctarget-feature=+avx2$(COMMA
 MIRI_OPTIONS := -Zmiri-strict-provenance -Zmiri-deterministic-floats
 COMMA := ,
 
-.PHONY: harden fuzz fuzz-coverage domain memory races miri processors supply-chain oldest-rust coverage constants mutants
+.PHONY: harden fuzz fuzz-coverage domain memory races miri supply-chain oldest-rust coverage constants mutants
 
 harden:
-	tests/setup.sh core hosts harden dist
-	$(MAKE) --no-print-directory fuzz fuzz-coverage domain memory races miri processors supply-chain \
+	tests/setup.sh core hosts harden
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain memory races miri supply-chain \
 	    oldest-rust coverage
 
 fuzz:
@@ -73,9 +72,6 @@ miri:
 	    CARGO_TARGET_DIR=$(TARGET)/miri RUSTFLAGS="$(MIRI_PROCESSOR)" MIRIFLAGS="$(MIRI_OPTIONS) $$aliasing" \
 	        $(LOW) $(NIGHTLY) miri test --locked --test c_api pointers:: || exit 1; \
 	done
-
-processors:
-	$(LOW) tests/dist/same_bits.sh all
 
 supply-chain:
 	$(CARGO) deny --locked check advisories licenses bans sources
