@@ -1,9 +1,8 @@
 //! What is evaluated exactly, by sums over the summits at a separation: states, microslip, warnings.
 
-use super::validity::{extent_of, is_one, warnings_between, Measures};
+use super::validity::{warnings_between, Measures};
 use super::Model;
 use crate::error::Error;
-use crate::law::Quantity;
 use crate::numerics::elementary::log;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
@@ -188,31 +187,6 @@ impl Model {
     /// The same with the strength that other parameters of these surfaces have.
     pub(crate) fn check_loads_with(&self, params: &Params, lightest: f64, heaviest: f64) -> Result<u64, Error> {
         Self { params: params.clone(), ..self.clone() }.check_loads(lightest, heaviest)
-    }
-
-    /// Between which loads of the compiled law a warning holds: the lightest and the heaviest at which it does; `None` if it
-    /// holds at none.
-    ///
-    /// # Errors
-    /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `warning` is not one of the `WARNING_` bits.
-    pub fn warning_loads(&self, warning: u64) -> Result<Option<(f64, f64)>, Error> {
-        if !is_one(warning) {
-            // No bit pattern is too large to be told.
-            return Err(Error::invalid("warning", warning as f64, "must be one bit of the warnings, 1 to 512"));
-        }
-        let (lightest, heaviest) = self.law.table(Quantity::Friction).range();
-        let (farthest, _) = self.equilibrium_at(lightest)?;
-        let (nearest, _) = self.equilibrium_at(heaviest)?;
-        let found = extent_of(warning, nearest, farthest, |d| self.measures_at(d))?;
-        let load = |separation: f64| {
-            // At the ends it is the law's own.
-            match separation {
-                _ if separation == nearest => heaviest,
-                _ if separation == farthest => lightest,
-                _ => self.branch.population().at_separation(separation).load() * self.units.load,
-            }
-        };
-        Ok(found.map(|(near, far)| (load(far), load(near))))
     }
 
     /// How far what the model assumes fails under a load, at a separation in sigma, with these sums.

@@ -59,11 +59,6 @@ pub struct Measures([f64; WARNINGS]);
 pub const ALL: u64 = 2 * WARNING_FEW_WAVES - 1;
 pub const WARNINGS: usize = ALL.count_ones() as usize;
 
-/// Whether this is the bit of one warning.
-pub fn is_one(warning: u64) -> bool {
-    warning.is_power_of_two() && warning <= ALL
-}
-
 impl Measures {
     /// Of a state of the surfaces with these parameters.
     pub fn new(params: &Params, state: &State) -> Self {
@@ -102,11 +97,6 @@ impl Measures {
         Self([plastic, crowded, steep, atomic, few, adhesive, uncalibrated, broad, strong, few_waves])
     }
 
-    /// Whether one of the assumptions fails.
-    fn has(&self, warning: u64) -> bool {
-        self.warnings() & warning != 0
-    }
-
     /// The bits of the assumptions that fail.
     pub fn warnings(&self) -> u64 {
         self.0.iter().enumerate().filter(|(_, measure)| **measure > 1.0).map(|(bit, _)| 1 << bit).sum()
@@ -131,8 +121,6 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const SECTIONS: u32 = 34;
 /// A peak with straight sides rises above the second of three even states by four times what their parabola does.
 const RISE: f64 = 4.0;
-/// The load at which a warning begins or ends is found to 1e-9 of a step of the separation.
-const EDGE_HALVINGS: u32 = 30;
 
 /// The warnings of all states between two separations, in sigma, from what is measured at each.
 ///
@@ -148,57 +136,12 @@ pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures
     let mut warnings = states.iter().fold(0, |bits, (_, measures)| bits | measures.warnings());
     for around in states.windows(3) {
         for bit in (0..WARNINGS).filter(|&bit| may_exceed(around, bit)) {
-            if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))?.is_some() {
+            if warnings & (1 << bit) == 0 && exceeds(around[0].0, around[2].0, |d| Ok(at(d)?.0[bit]))? {
                 warnings |= 1 << bit;
             }
         }
     }
     Ok(warnings)
-}
-
-/// The nearest and the farthest separation, in sigma, at which a warning holds, from what is measured at each between two;
-/// `None` if it holds at none.
-///
-/// # Errors
-/// Those of the states.
-pub fn extent_of(
-    warning: u64,
-    near: f64,
-    far: f64,
-    at: impl Fn(f64) -> Result<Measures, Error>,
-) -> Result<Option<(f64, f64)>, Error> {
-    let states: Result<Vec<_>, Error> = separations(near, far).into_iter().map(|d| Ok((d, at(d)?))).collect();
-    let mut states = states?;
-    if !states.iter().any(|(_, measures)| measures.has(warning)) {
-        // It may hold between two states alone.
-        let bit = warning.trailing_zeros() as usize;
-        let may_exceed = |around: &&[(f64, Measures)]| may_exceed(around, bit);
-        let peaks: Vec<_> = states.windows(3).filter(may_exceed).map(|around| (around[0].0, around[2].0)).collect();
-        for (from, to) in peaks {
-            if let Some(peak) = exceeds(from, to, |d| Ok(at(d)?.0[bit]))? {
-                states.insert(states.partition_point(|(separation, _)| *separation <= peak), (peak, at(peak)?));
-            }
-        }
-    }
-    let holds = |(_, measures): &(f64, Measures)| measures.has(warning);
-    let (Some(first), Some(last)) = (states.iter().position(holds), states.iter().rposition(holds)) else {
-        return Ok(None);
-    };
-    // Between a state without it and one with it.
-    let edge = |mut without: f64, mut with: f64| -> Result<f64, Error> {
-        for _ in 0..EDGE_HALVINGS {
-            let middle = 0.5 * (without + with);
-            if at(middle)?.has(warning) {
-                with = middle;
-            } else {
-                without = middle;
-            }
-        }
-        Ok(with)
-    };
-    let nearest = if first > 0 { edge(states[first - 1].0, states[first].0)? } else { states[first].0 };
-    let farthest = if last + 1 < states.len() { edge(states[last + 1].0, states[last].0)? } else { states[last].0 };
-    Ok(Some((nearest, farthest)))
 }
 
 /// Separations from `near` to `far`, both included.
@@ -232,14 +175,14 @@ fn may_exceed(around: &[(f64, Measures)], bit: usize) -> bool {
     here + (RISE * above).max(rise.max(fall)) > 1.0
 }
 
-/// Where a measure with one maximum between two separations exceeds 1, if it does.
-fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Error>) -> Result<Option<f64>, Error> {
+/// Whether a measure with one maximum between two separations exceeds 1.
+fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Error>) -> Result<bool, Error> {
     let inner = |from: f64, to: f64| from + GOLDEN * (to - from);
     let mut left = (inner(from, to), measure(inner(from, to))?);
     let mut right = (inner(to, from), measure(inner(to, from))?);
     for _ in 0..SECTIONS {
-        if let Some((d, _)) = [left, right].into_iter().find(|(_, measure)| *measure > 1.0) {
-            return Ok(Some(d));
+        if left.1.max(right.1) > 1.0 {
+            return Ok(true);
         }
         if left.1 >= right.1 {
             (to, right) = (right.0, left);
@@ -249,7 +192,7 @@ fn exceeds(mut from: f64, mut to: f64, measure: impl Fn(f64) -> Result<f64, Erro
             right = (inner(to, from), measure(inner(to, from))?);
         }
     }
-    Ok(None)
+    Ok(false)
 }
 
 #[cfg(test)]
@@ -269,12 +212,6 @@ mod tests {
         assert_eq!(Measures::new(&plastic, &state).warnings(), 0);
     }
 
-    #[test]
-    fn a_warning_is_one_bit() {
-        assert!((0..WARNINGS).all(|bit| is_one(1 << bit)));
-        assert!(![0, 3, ALL, ALL + 1, 1 << 63].into_iter().any(is_one));
-    }
-
     /// A body yields in shear at 1/3^(1/2) of the yield stress, which is a third of its hardness.
     #[test]
     fn an_interface_is_too_strong_from_the_shear_strength_of_the_softer_body_on() {
@@ -284,7 +221,7 @@ mod tests {
             let hardness = part * strength * Params::paper().effective_shear_modulus * 27.0_f64.sqrt();
             let params = Params { hardness, slip, ..Params::paper() };
             let state = Model::new(&params).expect("a model").state_at_load(10.0).expect("a state");
-            assert_eq!(Measures::new(&params, &state).has(WARNING_STRONG), warned, "{part}");
+            assert_eq!(Measures::new(&params, &state).warnings() & WARNING_STRONG != 0, warned, "{part}");
         }
     }
 
@@ -299,11 +236,6 @@ mod tests {
                 Ok(measures)
             };
             assert_eq!(warnings_between(near, far, at), Ok(1 << 2), "{from} to {to}");
-            let (nearest, farthest) = extent_of(1 << 2, near, far, at).expect("states").expect("an extent");
-            assert!(
-                (nearest - from).abs().max((farthest - to).abs()) < 1e-6,
-                "{nearest} to {farthest}, not {from} to {to}"
-            );
         }
     }
 
@@ -313,9 +245,6 @@ mod tests {
         for (height, found) in [(1.0 + 1e-9, 1 << 2), (1.0 - 1e-9, 0)] {
             for peak in [-3e5, -0.3217, 0.0004, 4.0561, 7.7999] {
                 let scale = 1.0 + f64::abs(peak);
-                // So far from the peak it is 1.
-                let half = scale * f64::sqrt(f64::max(height - 1.0, 0.0));
-                let [from, to] = [peak - half, (peak + half).min(7.8)];
                 let at = |d: f64| {
                     let steep = height - ((d - peak) / scale).powi(2);
                     let mut measures = Measures([0.0; WARNINGS]);
@@ -323,11 +252,6 @@ mod tests {
                     Ok(measures)
                 };
                 assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
-                let extent = extent_of(1 << 2, -1e6, 7.8, at).expect("an extent");
-                assert_eq!(extent.is_some(), found != 0, "{peak}");
-                let (near, far) = extent.unwrap_or((from, to));
-                let off = (near - from).abs().max((far - to).abs());
-                assert!(off < 1e-6 * scale, "{near} to {far}, not {peak}: {off:e}");
             }
         }
     }
