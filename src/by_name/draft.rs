@@ -10,6 +10,9 @@ pub const WEIBULL: i32 = 1;
 pub const JOHNSON: i32 = 2;
 pub const TABULATED: i32 = 3;
 
+/// What is said of a number that is none of them.
+pub const NO_FAMILY: &str = "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)";
+
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;
 
@@ -61,10 +64,7 @@ impl Draft {
                 HeightFamily::Tabulated { .. } => self.params.heights.clone(),
                 _ => return Err(tabulated::check_length(0).err().unwrap_or(Error::Unset { name: "table_height" })),
             },
-            other => {
-                let allowed = "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)";
-                return Err(Error::invalid("height_distribution", other, allowed));
-            }
+            other => return Err(Error::invalid("height_distribution", other, NO_FAMILY)),
         };
         self.check_shape()?;
         Ok(Params { heights, ..self.params })

@@ -1,6 +1,6 @@
 //! The parameters that are one number each, by their names. A new one is a line here.
 
-use super::draft::Draft;
+use super::draft::{Draft, NO_FAMILY};
 use crate::asperity::slip::SlipOnset;
 use crate::error::Error;
 use crate::materials::names::c_string;
@@ -16,64 +16,75 @@ pub struct Field {
     pub unit: &'static str,
     /// The words for 0, 1, ... where it is a choice.
     pub words: &'static [&'static str],
+    allowed: &'static str,
     of: fn(&mut Draft) -> &mut dyn Number,
 }
 
 /// The words of what is true or false.
 pub const FLAG: &[&str] = &["false", "true"];
 
+/// Hands the parameters that are one number to a macro, with their units, places in a draft, words, and what is said of a number
+/// without a word. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last, setting one after
+/// another what another surface has copies that surface.
+macro_rules! with_fields {
+    ($then:ident) => {
+        $then! {
+            composite_modulus "stress": params.composite_modulus;
+            effective_shear_modulus "stress": params.effective_shear_modulus;
+            work_of_adhesion "force/length": params.work_of_adhesion;
+            adhesion_range "length": params.adhesion_range;
+            burgers_vector "length": params.burgers_vector;
+            height_std "length": params.height_std;
+            summit_radius "length": params.summit_radius;
+            asperity_count: params.asperity_count;
+            attraction: params.attraction as FLAG, "must be 0 or 1";
+            radius_amplitude: params.radius_amplitude;
+            radius_rate: params.radius_rate;
+            slip_radius_1: params.slip.radius_1;
+            slip_stress_1: params.slip.stress_1;
+            slip_radius_2: params.slip.radius_2;
+            slip_stress_2: params.slip.stress_2;
+            max_friction_coefficient: params.max_friction_coefficient;
+            hardness "stress": params.hardness;
+            tangential_modulus "stress": params.tangential_modulus;
+            nominal_area "length^2": params.nominal_area;
+            pressure_coefficient: params.pressure_coefficient;
+            bandwidth: params.bandwidth;
+            calibration_error: params.calibration_error;
+            summit_mean_height "length": params.summit_mean_height;
+            rms_slope: params.rms_slope;
+            contact_law: params.contact_law as &["maugis", "elastic-plastic"],
+                    "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)";
+            slip_onset: params.slip_onset as &["partial", "whole"],
+                    "must be one of ASPERITY_SLIP_: PARTIAL (0), WHOLE (1)";
+            weibull_shape: weibull_shape;
+            kurtosis: kurtosis;
+            skew: skew;
+            height_distribution: height_distribution as &["gaussian", "weibull", "johnson", "tabulated"], NO_FAMILY;
+        }
+    };
+}
+pub(crate) use with_fields;
+
 macro_rules! fields {
-    (@words) => { &[] };
-    (@words $words:expr) => { $words };
-    (@unit) => { "1" };
-    (@unit $unit:literal) => { $unit };
-    ($($name:ident $($unit:literal)?: $($place:ident).+ $(as $words:expr)?;)*) => {
+    (@ $default:expr) => { $default };
+    (@ $default:expr, $given:expr) => { $given };
+    ($($name:ident $($unit:literal)?: $($place:ident).+ $(as $words:expr, $allowed:expr)?;)*) => {
         &[$(Field {
             name: stringify!($name),
             c_name: c_string!(stringify!($name)),
-            unit: fields!(@unit $($unit)?),
-            words: fields!(@words $($words)?),
+            unit: fields!(@ "1" $(, $unit)?),
+            words: fields!(@ &[] $(, $words)?),
+            allowed: fields!(@ "" $(, $allowed)?),
             of: |draft| &mut draft.$($place).+,
         }),*]
     };
 }
 
-/// All of them. Shape, kurtosis and skew choose the heights; in this order, with the choice itself last, setting one after
-/// another what another surface has copies that surface.
-pub static FIELDS: &[Field; 30] = fields! {
-    composite_modulus "stress": params.composite_modulus;
-    effective_shear_modulus "stress": params.effective_shear_modulus;
-    work_of_adhesion "force/length": params.work_of_adhesion;
-    adhesion_range "length": params.adhesion_range;
-    burgers_vector "length": params.burgers_vector;
-    height_std "length": params.height_std;
-    summit_radius "length": params.summit_radius;
-    asperity_count: params.asperity_count;
-    attraction: params.attraction as FLAG;
-    radius_amplitude: params.radius_amplitude;
-    radius_rate: params.radius_rate;
-    slip_radius_1: params.slip.radius_1;
-    slip_stress_1: params.slip.stress_1;
-    slip_radius_2: params.slip.radius_2;
-    slip_stress_2: params.slip.stress_2;
-    max_friction_coefficient: params.max_friction_coefficient;
-    hardness "stress": params.hardness;
-    tangential_modulus "stress": params.tangential_modulus;
-    nominal_area "length^2": params.nominal_area;
-    pressure_coefficient: params.pressure_coefficient;
-    bandwidth: params.bandwidth;
-    calibration_error: params.calibration_error;
-    summit_mean_height "length": params.summit_mean_height;
-    rms_slope: params.rms_slope;
-    contact_law: params.contact_law as &["maugis", "elastic-plastic"];
-    slip_onset: params.slip_onset as &["partial", "whole"];
-    weibull_shape: weibull_shape;
-    kurtosis: kurtosis;
-    skew: skew;
-    height_distribution: height_distribution as &["gaussian", "weibull", "johnson", "tabulated"];
-};
+pub static FIELDS: &[Field; 30] = with_fields!(fields);
 
-trait Number {
+/// A number of a parameter, whatever its type.
+pub trait Number {
     fn get(&self) -> f64;
     /// Whether it can have the value, which it then has.
     fn set(&mut self, value: f64) -> bool;
@@ -131,10 +142,9 @@ impl Field {
     /// # Errors
     /// [`Error::InvalidParameter`] of a choice that is none.
     pub fn set(&self, draft: &mut Draft, value: f64) -> Result<(), Error> {
-        if (self.of)(draft).set(value) {
-            return Ok(());
+        match (self.of)(draft).set(value) {
+            true => Ok(()),
+            false => Err(Error::invalid(self.name, value, self.allowed)),
         }
-        let allowed = "must be a whole number, one of the constants that asperity.h lists for it";
-        Err(Error::invalid(self.name, value, allowed))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `fields` names the numbers of a `Draft`, parameters whose heights may still be chosen; `numbers` has what their names mean when
 //! some are given together. `toml` reads the form of a text, `keys` which there are, `surface` what they mean; `roughness` is a
-//! part of that, and `write` the way back.
+//! part of that, and `write` the way back. `units` converts parameters.
 
 mod draft;
 mod fields;
@@ -11,10 +11,12 @@ mod numbers;
 mod roughness;
 mod surface;
 mod toml;
+mod units;
 mod write;
 
 pub use draft::Draft;
-pub use fields::{Field, FIELDS};
+pub(crate) use fields::with_fields;
+pub use fields::{Field, Number, FIELDS};
 pub use numbers::{Numbers, ARGUMENTS};
 pub use roughness::{Case, Machined};
 pub use surface::{describe, of_points, read, Described};

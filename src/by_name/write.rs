@@ -104,3 +104,23 @@ impl Display for Quoted<'_> {
         write!(f, "\"{}\"", self.0.replace('\\', "\\\\").replace('"', "\\\""))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::materials::Bodies;
+    use crate::params::ContactLawKind;
+
+    /// What a text leaves open of metal is that it yields, so that the elastic law must be written.
+    #[test]
+    fn contact_laws_of_metal_read_back_as_they_are() {
+        let mut elastic = Params { height_std: 1e-6, summit_radius: 1e-5, asperity_count: 1e5, ..Params::default() };
+        elastic.set_bodies(&Bodies::find("steel/steel").expect("bodies")).expect("bodies");
+        elastic.work_of_adhesion = 0.0;
+        let plastic = Params { contact_law: ContactLawKind::ElasticPlastic, ..elastic.clone() };
+        assert!(elastic.plasticity_index() > 1.0);
+        for params in [elastic, plastic] {
+            assert_eq!(Params::from_toml(&params.to_toml()).expect("a surface"), params);
+        }
+    }
+}

@@ -16,11 +16,11 @@ impl asperity_params {
         &mut self,
         set: impl FnOnce(&mut Params) -> Result<(), Error>,
     ) -> Result<(), Failure> {
-        let mut params = self.to_params()?;
+        let mut draft = self.whole_draft()?;
+        let mut params = draft.clone().into_params()?;
         set(&mut params)?;
-        (self.slip_stress_1, self.slip_stress_2) = (params.slip.stress_1, params.slip.stress_2);
-        (self.calibration_load, self.calibration_friction_force) =
-            (params.calibration_load, params.calibration_friction_force);
+        draft.params = params;
+        self.take(draft);
         Ok(())
     }
 }

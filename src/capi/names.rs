@@ -43,7 +43,7 @@ impl asperity_params {
     unsafe fn set_numbers(&mut self, numbers: &Numbers) -> Result<(), Failure> {
         let mut draft = self.draft()?;
         numbers.set(&mut draft)?;
-        self.take(&draft);
+        self.take(draft);
         match numbers.measured()? {
             Some((load, force)) => self.calibrate(|surfaces| surfaces.calibrate_force(load, force)),
             None => Ok(()),

@@ -1,11 +1,9 @@
 //! Parameters, as C sees them.
 
 use super::boundary::{not_null, reference, wrong_struct_size, Failure};
-use crate::asperity::slip::{SlipConstants, SlipOnset};
-use crate::by_name::Draft;
+use crate::by_name::{with_fields, Draft, Number, FIELDS};
 use crate::distribution::tabulated;
-use crate::error::Error;
-use crate::params::{ContactLawKind, HeightFamily, Params};
+use crate::params::{HeightFamily, Params};
 use std::mem::size_of;
 use std::sync::Arc;
 
@@ -138,35 +136,17 @@ pub struct asperity_params {
 /// Size of the struct.
 const SIZE: u64 = size_of::<asperity_params>() as u64;
 
-/// Parameters in one form, with the numbers that have the same names in the other.
-macro_rules! with_same_numbers {
-    ($from:ident => $struct:ident { $($others:tt)* }) => {
-        $struct {
-            composite_modulus: $from.composite_modulus,
-            effective_shear_modulus: $from.effective_shear_modulus,
-            work_of_adhesion: $from.work_of_adhesion,
-            adhesion_range: $from.adhesion_range,
-            burgers_vector: $from.burgers_vector,
-            height_std: $from.height_std,
-            summit_radius: $from.summit_radius,
-            asperity_count: $from.asperity_count,
-            radius_amplitude: $from.radius_amplitude,
-            radius_rate: $from.radius_rate,
-            max_friction_coefficient: $from.max_friction_coefficient,
-            hardness: $from.hardness,
-            tangential_modulus: $from.tangential_modulus,
-            nominal_area: $from.nominal_area,
-            pressure_coefficient: $from.pressure_coefficient,
-            bandwidth: $from.bandwidth,
-            calibration_load: $from.calibration_load,
-            calibration_friction_force: $from.calibration_friction_force,
-            calibration_error: $from.calibration_error,
-            summit_mean_height: $from.summit_mean_height,
-            rms_slope: $from.rms_slope,
-            $($others)*
+/// The numbers that have a name, in the order of `FIELDS`.
+macro_rules! numbers {
+    ($($name:ident $($unit:literal)?: $($place:ident).+ $(as $words:expr, $allowed:expr)?;)*) => {
+        impl asperity_params {
+            fn numbers(&mut self) -> [&mut dyn Number; FIELDS.len()] {
+                [$(&mut self.$name),*]
+            }
         }
     };
 }
+with_fields!(numbers);
 
 impl asperity_params {
     /// The parameters of a caller.
@@ -180,7 +160,9 @@ impl asperity_params {
 
     /// The C form of parameters; a table is pointed to where it is.
     pub(super) fn from_params(params: &Params) -> Self {
-        let mut whole = Self::from_draft(&Draft::of(params));
+        // SAFETY: numbers and pointers, which may all be 0.
+        let mut whole = Self { struct_size: SIZE, ..unsafe { std::mem::zeroed() } };
+        whole.take(Draft::of(params));
         if let HeightFamily::Tabulated { height, density } = &params.heights {
             (whole.table_height, whole.table_density) = (height.as_ptr(), density.as_ptr());
             whole.table_length = height.len() as u64;
@@ -188,86 +170,31 @@ impl asperity_params {
         whole
     }
 
-    #[inline(never)]
-    fn from_draft(draft: &Draft) -> Self {
-        let params = &draft.params;
-        with_same_numbers!(params => Self {
-            struct_size: SIZE,
-            height_distribution: draft.height_distribution,
-            attraction: params.attraction.into(),
-            weibull_shape: draft.weibull_shape,
-            slip_radius_1: params.slip.radius_1,
-            slip_stress_1: params.slip.stress_1,
-            slip_radius_2: params.slip.radius_2,
-            slip_stress_2: params.slip.stress_2,
-            skew: draft.skew,
-            kurtosis: draft.kurtosis,
-            table_height: std::ptr::null(),
-            table_density: std::ptr::null(),
-            table_length: 0,
-            contact_law: match params.contact_law {
-                ContactLawKind::Maugis => ASPERITY_CONTACT_MAUGIS,
-                ContactLawKind::ElasticPlastic => ASPERITY_CONTACT_ELASTIC_PLASTIC,
-            },
-            slip_onset: match params.slip_onset {
-                SlipOnset::Partial => ASPERITY_SLIP_PARTIAL,
-                SlipOnset::Whole => ASPERITY_SLIP_WHOLE,
-            },
-        })
-    }
-
     /// Takes all that a draft has, but for a table: that stays.
-    #[inline(never)]
-    pub(super) fn take(&mut self, draft: &Draft) {
-        let (table_height, table_density, table_length) = (self.table_height, self.table_density, self.table_length);
-        *self = Self { table_height, table_density, table_length, ..Self::from_draft(draft) };
+    pub(super) fn take(&mut self, mut draft: Draft) {
+        for (field, number) in FIELDS.iter().zip(self.numbers()) {
+            number.set(field.get(&mut draft));
+        }
+        self.calibration_load = draft.params.calibration_load;
+        self.calibration_friction_force = draft.params.calibration_friction_force;
     }
 
     /// What is set by name, without the table; only what is an enum in spirit is checked here, the numbers where they are used.
-    #[inline(never)]
-    pub(super) fn draft(&self) -> Result<Draft, Failure> {
-        let invalid = |name, value: i32, allowed| Err(Failure::from(Error::invalid(name, value, allowed)));
-        let attraction = match self.attraction {
-            0 => false,
-            1 => true,
-            other => return invalid("attraction", other, "must be 0 or 1"),
-        };
-        let contact_law = match self.contact_law {
-            ASPERITY_CONTACT_MAUGIS => ContactLawKind::Maugis,
-            ASPERITY_CONTACT_ELASTIC_PLASTIC => ContactLawKind::ElasticPlastic,
-            other => {
-                let allowed = "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)";
-                return invalid("contact_law", other, allowed);
-            }
-        };
-        let slip_onset = match self.slip_onset {
-            ASPERITY_SLIP_PARTIAL => SlipOnset::Partial,
-            ASPERITY_SLIP_WHOLE => SlipOnset::Whole,
-            other => {
-                return invalid("slip_onset", other, "must be one of ASPERITY_SLIP_: PARTIAL (0), WHOLE (1)");
-            }
-        };
-        let slip = SlipConstants {
-            radius_1: self.slip_radius_1,
-            stress_1: self.slip_stress_1,
-            radius_2: self.slip_radius_2,
-            stress_2: self.slip_stress_2,
-        };
-        let heights = HeightFamily::Gaussian;
-        Ok(Draft {
-            params: with_same_numbers!(self => Params { heights, attraction, contact_law, slip, slip_onset, }),
-            height_distribution: self.height_distribution,
-            weibull_shape: self.weibull_shape,
-            skew: self.skew,
-            kurtosis: self.kurtosis,
-        })
+    pub(super) fn draft(mut self) -> Result<Draft, Failure> {
+        let mut draft = Draft::default();
+        draft.params.calibration_load = self.calibration_load;
+        draft.params.calibration_friction_force = self.calibration_friction_force;
+        for (field, number) in FIELDS.iter().zip(self.numbers()) {
+            field.set(&mut draft, number.get())?;
+        }
+        Ok(draft)
     }
 
     /// The same with the table, where the heights are one.
     ///
     /// # Safety
     /// The table, where the heights are one, has the length it says.
-    pub(super) unsafe fn whole_draft(&self) -> Result<Draft, Failure> {
+    pub(super) unsafe fn whole_draft(self) -> Result<Draft, Failure> {
         let mut draft = self.draft()?;
         if self.height_distribution == ASPERITY_HEIGHTS_TABULATED {
             draft.params.heights = self.table()?;

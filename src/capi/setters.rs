@@ -35,7 +35,7 @@ unsafe fn change_draft(
     change(params, |params| {
         let mut draft = params.draft()?;
         set(&mut draft.params)?;
-        params.take(&draft);
+        params.take(draft);
         Ok(())
     })
 }

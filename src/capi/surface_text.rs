@@ -41,7 +41,7 @@ impl asperity_params {
             HeightFamily::Tabulated { height, density } if after != before => Some(Kept::new(height, density)),
             _ => None,
         };
-        self.take(&draft);
+        self.take(draft);
         if let Some(table) = table.map(keep) {
             (self.table_height, self.table_density) = (table.height.as_ptr(), table.density.as_ptr());
             self.table_length = table.height.len() as u64;
@@ -152,4 +152,27 @@ pub unsafe extern "C" fn asperity_params_text(
         return write_text(buffer, length, []);
     }
     whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Params;
+
+    #[test]
+    fn tables_of_equal_heights_have_their_own_densities() {
+        let set = |density: f64| {
+            let text = format!("table_height = [0, 1, 2, 3]\ntable_density = [0, {density}, 1, 0]\n");
+            let mut params = asperity_params::from_params(&Params::default());
+            // SAFETY: parameters without a table.
+            unsafe { params.set_text(text.as_bytes(), Failure::from) }.expect("a table");
+            params
+        };
+        for density in [1.0, 9.0, 1.0] {
+            // SAFETY: the library keeps a table of this length.
+            let kept = unsafe { std::slice::from_raw_parts(set(density).table_density, 4) };
+            assert_eq!(kept, [0.0, density, 1.0, 0.0]);
+        }
+        assert_eq!(set(9.0).table_density, set(9.0).table_density, "each table is kept once");
+    }
 }

@@ -1,13 +1,12 @@
 //! A surface pair in the user's own consistent units, and the ways to set its parameters.
 //!
-//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be; `units` converts
-//! them; `spectrum` has the asperities of a rough surface.
+//! `checks` says what they may be together, and what they amount to; `numbers` what one of them may be; `spectrum` has the
+//! asperities of a rough surface.
 
 mod checks;
 mod numbers;
 pub(crate) mod spectrum;
 mod unit_slips;
-mod units;
 
 use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
 use crate::distribution::weibull::Weibull;

@@ -1,0 +1,39 @@
+//! Parameters in other units.
+
+use super::{Draft, FIELDS};
+use crate::error::Error;
+use crate::numerics::float_bits::nan;
+use crate::params::{positive, Params};
+
+impl Params {
+    /// Converts all quantities into units of which one is so many of the present units of length and of force: from SI into
+    /// N, mm and MPa with 1e-3 and 1. What is unset stays so; numbers without a unit and tables of heights stay as they are.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] of a unit; the parameters are then as before.
+    pub fn set_units(&mut self, length: f64, force: f64) -> Result<(), Error> {
+        positive("length", length)?;
+        positive("force", force)?;
+        let mut draft = Draft::of(self);
+        for field in FIELDS {
+            let unit = match field.unit {
+                "length" => length,
+                "length^2" => length * length,
+                "stress" => force / (length * length),
+                "force/length" => force / length,
+                _ => continue,
+            };
+            let number = field.get(&mut draft);
+            if !nan(number) {
+                field.set(&mut draft, number / unit)?;
+            }
+        }
+        *self = draft.params;
+        for number in [&mut self.calibration_load, &mut self.calibration_friction_force] {
+            if !nan(*number) {
+                *number /= force;
+            }
+        }
+        Ok(())
+    }
+}
