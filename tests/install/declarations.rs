@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What the program writes, as folders and files of the tree.
-const WRITTEN: [&str; 5] = ["docs", "fortran/asperity.f90", "include", "js/src", "python/src/asperity"];
+const WRITTEN: [&str; 6] =
+    ["docs", "fortran/asperity.f90", "fortran/tests/smoke.f90", "include", "js/src", "python/src/asperity"];
 
 fn run(program: &str, arguments: &[&str]) {
     let output = Command::new(program).args(arguments).current_dir(root()).output();
@@ -65,6 +66,7 @@ fn a_parameter_and_a_function_that_are_added_reach_every_language_and_the_pages(
             "fortran/asperity.f90",
             &["real(c_double) :: added_modulus   ", "function asperity_added_answer(load, of, answer)"],
         ),
+        ("fortran/tests/smoke.f90", &["call check('asperity_added_answer', "]),
         ("python/src/asperity/_header.py", &["\"added_modulus\": \"stress\"", "\"asperity_added_answer\": (c_int32"]),
         (
             "python/src/asperity/params.py",
