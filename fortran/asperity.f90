@@ -315,7 +315,7 @@ module asperity
       type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: UTF-8, as of
                                                     ! asperity_params_set_text
       integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL
-      integer(c_size_t), intent(in), value :: n     ! number of loads
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [N]
       type(asperity_estimate), intent(inout) :: estimates ! receives n estimates; unchanged on failure
       integer(c_int32_t) :: asperity_estimate_at_loads_c
@@ -330,9 +330,8 @@ module asperity
       integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads
       integer(c_size_t), intent(in), value :: n     ! as of asperity_estimate_at_loads
       type(c_ptr), intent(in), value :: load        ! real(c_double): as of asperity_estimate_at_loads
-      type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, NUL-terminated, cut to fit;
-                                                    ! c_null_ptr to ask for the length only
-      integer(c_size_t), intent(in), value :: buffer_length ! size of buffer [bytes]
+      type(c_ptr), intent(in), value :: buffer      ! characters:
+      integer(c_size_t), intent(in), value :: buffer_length
       integer(c_size_t) :: asperity_estimate_text_c
     end function asperity_estimate_text_c
 
@@ -347,7 +346,7 @@ module asperity
     ! Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8)
     function asperity_params_set_dimensionless(params, alpha, beta, gamma, b_over_h, poisson) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       real(c_double), intent(in), value :: alpha    ! (sigma/R)^(1/2) > 0, surface roughness
       real(c_double), intent(in), value :: beta     ! (R sigma)^(1/2)/b > 0, friction regime
       real(c_double), intent(in), value :: gamma    ! w/(E* b) >= 0, surface energy
@@ -359,7 +358,7 @@ module asperity
     ! Sets E*, G* and tangential_modulus from Young's modulus and Poisson's ratio of the two bodies
     function asperity_params_set_materials(params, E1, nu1, E2, nu2) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       real(c_double), intent(in), value :: E1       ! Young's moduli [stress] > 0; infinity is a rigid body, which at
                                                     ! most one may be
       real(c_double), intent(in), value :: nu1      ! Poisson's ratios, above -1, at most 0.5
@@ -372,7 +371,7 @@ module asperity
     ! Sets the roughness from the spectral moments of an isotropic surface, rough on however many scales
     function asperity_params_set_spectral_moments(params, m0, m2, m4, nominal_area) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0
       real(c_double), intent(in), value :: m2       ! variance of the slopes [-] > 0
       real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0, alpha at least 1.5;
@@ -384,7 +383,7 @@ module asperity
     ! Sets what is known of two materials in contact, in SI units; you set the roughness
     function asperity_params_set_pair_c(params, name) bind(c, name='asperity_params_set_pair')
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: two materials of asperity_name
                                                     ! with a slash between
       integer(c_int32_t) :: asperity_params_set_pair_c
@@ -393,7 +392,7 @@ module asperity
     ! Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver
     function asperity_params_set_units(params, length, force) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       real(c_double), intent(in), value :: length   ! the new unit of length in the present one, > 0: 1e-3 from m to mm
       real(c_double), intent(in), value :: force    ! the new unit of force in the present one, > 0
       integer(c_int32_t) :: asperity_params_set_units
@@ -402,19 +401,18 @@ module asperity
     ! Sets parameters by their names, in any order, all or none: for hosts whose input file has names and numbers
     function asperity_params_set_values(params, count, names, values) bind(c)
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       integer(c_size_t), intent(in), value :: count ! number of names
-      type(c_ptr), intent(in), value :: names       ! count strings, of which the library reads at most 64 bytes; not
-                                                    ! c_null_ptr unless count is 0
-      type(c_ptr), intent(in), value :: values      ! real(c_double): count numbers; the last counts where a name is
-                                                    ! given twice; not c_null_ptr unless count is 0
+      type(c_ptr), intent(in), value :: names       ! count strings; not c_null_ptr unless count is 0
+      type(c_ptr), intent(in), value :: values      ! real(c_double): count numbers, of which the last counts where a
+                                                    ! name is given twice; not c_null_ptr unless count is 0
       integer(c_int32_t) :: asperity_params_set_values
     end function asperity_params_set_values
 
     ! Reads one parameter by its name
     function asperity_params_get_value(params, name, value) bind(c)
       import
-      type(asperity_params), intent(in) :: params   ! initialised parameters
+      type(asperity_params), intent(in) :: params
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: a name of asperity_name
       type(c_ptr), intent(in), value :: value       ! real(c_double): receives the number
       integer(c_int32_t) :: asperity_params_get_value
@@ -446,7 +444,7 @@ module asperity
     ! refused
     function asperity_params_set_text_c(params, text, length) bind(c, name='asperity_params_set_text')
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       type(c_ptr), intent(in), value :: text        ! characters, the last c_null_char: UTF-8, with or without a byte
                                                     ! order mark; lines end in LF or CRLF
       integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL; at most 1 MiB
@@ -457,7 +455,7 @@ module asperity
     ! table of interfaces: models of them have its friction
     function asperity_params_set_estimate_c(params, surface, length) bind(c, name='asperity_params_set_estimate')
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as of
                                                     ! asperity_estimate_at_loads, which returns the same
       integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads, which returns the same
@@ -467,17 +465,16 @@ module asperity
     ! Writes parameters as a text of which asperity_params_set_text makes the same in fresh parameters, bit for bit
     function asperity_params_text_c(params, buffer, length) bind(c, name='asperity_params_text')
       import
-      type(asperity_params), intent(in) :: params   ! initialised parameters
-      type(c_ptr), intent(in), value :: buffer      ! characters: receives the text, NUL-terminated, cut to fit;
-                                                    ! c_null_ptr to ask for the length only
-      integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
+      type(asperity_params), intent(in) :: params
+      type(c_ptr), intent(in), value :: buffer      ! characters:
+      integer(c_size_t), intent(in), value :: length
       integer(c_size_t) :: asperity_params_text_c
     end function asperity_params_text_c
 
     ! Sets parameters from a surface file, as asperity_params_set_text does from its text
     function asperity_params_read_c(params, path) bind(c, name='asperity_params_read')
       import
-      type(asperity_params), intent(inout) :: params ! initialised parameters
+      type(asperity_params), intent(inout) :: params
       type(c_ptr), intent(in), value :: path        ! characters, the last c_null_char: of the file: as the system has
                                                     ! it, on Windows UTF-8
       integer(c_int32_t) :: asperity_params_read_c
@@ -494,7 +491,7 @@ module asperity
     ! Gives a model other parameters; on failure the model is as before
     function asperity_set_params(model, params) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       type(asperity_params), intent(in) :: params   ! the new parameters
       integer(c_int32_t) :: asperity_set_params
     end function asperity_set_params
@@ -502,7 +499,7 @@ module asperity
     ! Copies the parameters of a model
     function asperity_get_params_c(model, params) bind(c, name='asperity_get_params')
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       type(asperity_params), intent(inout) :: params ! receives the parameters
       integer(c_int32_t) :: asperity_get_params_c
     end function asperity_get_params_c
@@ -529,9 +526,8 @@ module asperity
       integer(c_int32_t), intent(in), value :: kind ! one of ASPERITY_NAMES_...
       type(c_ptr), intent(in), value :: name        ! characters, the last c_null_char: one of asperity_name; a material
                                                     ! also by other words, as "gold", a pair in either order
-      type(c_ptr), intent(in), value :: buffer      ! characters: receives the text, NUL-terminated, cut to fit;
-                                                    ! c_null_ptr to ask for the length only
-      integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
+      type(c_ptr), intent(in), value :: buffer      ! characters:
+      integer(c_size_t), intent(in), value :: length
       integer(c_size_t) :: asperity_describe_c
     end function asperity_describe_c
 
@@ -612,7 +608,7 @@ module asperity
     ! Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick
     pure function asperity_tangential_stiffness_at_load(model, load) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force]
       real(c_double) :: asperity_tangential_stiffness_at_load
     end function asperity_tangential_stiffness_at_load
@@ -620,8 +616,8 @@ module asperity
     ! Tangential stiffnesses at many loads
     function asperity_tangential_stiffness_at_loads(model, n, load, stiffness) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: stiffness   ! real(c_double): receives n stiffnesses [force/length]
       integer(c_int32_t) :: asperity_tangential_stiffness_at_loads
@@ -630,7 +626,7 @@ module asperity
     ! The tangential force T at a load and a displacement, by integration over the summits, without the table
     function asperity_tangential_at_load(model, load, displacement, force, stiffness) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force], from the pull-off load upwards
       real(c_double), intent(in), value :: displacement
                                                     ! of the surfaces along each other [length]; T is an odd function of
@@ -643,7 +639,7 @@ module asperity
     ! How many doubles the state of one contact takes; today 42, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       integer(c_size_t) :: asperity_microslip_length
     end function asperity_microslip_length
 
@@ -651,7 +647,7 @@ module asperity
     ! slip
     function asperity_microslip_step(model, load, increment, before, after, out) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load of this step [force]
       type(c_ptr), intent(in), value :: increment   ! real(c_double): 2 displacements of one surface along the other
                                                     ! since before [length]
@@ -664,8 +660,8 @@ module asperity
     ! One step of many contacts, each as asperity_microslip_step gives it, to the bit
     function asperity_microslip_steps(model, n, load, increment, before, after, force, stiffness) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of contacts
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: increment   ! real(c_double): 2 n displacements [length], both of a contact
                                                     ! together
@@ -715,8 +711,8 @@ module asperity
     ! summits
     function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of summits
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
                                                     ! reach beyond the flat, negative for a gap unless n = 0
       type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
@@ -734,7 +730,7 @@ module asperity
     ! Computes the exact state at a load, by integration over the summits, without the table
     function asperity_state_at_load(model, load, state) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force], from the pull-off load upwards
       type(asperity_state), intent(inout) :: state  ! receives the state
       integer(c_int32_t) :: asperity_state_at_load
@@ -743,7 +739,7 @@ module asperity
     ! Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium
     function asperity_state_at_gap(model, gap, state) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: gap      ! as for asperity_load_and_slope_at_gap [length]; may be negative
       type(asperity_state), intent(inout) :: state  ! receives the state
       integer(c_int32_t) :: asperity_state_at_gap
@@ -752,7 +748,7 @@ module asperity
     ! Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table
     function asperity_summary_of(model, summary) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       type(asperity_summary), intent(inout) :: summary ! receives the constants
       integer(c_int32_t) :: asperity_summary_of
     end function asperity_summary_of
@@ -761,7 +757,7 @@ module asperity
     ! these loads
     function asperity_check_loads(model, lightest, heaviest, warnings) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: lightest ! normal load [force], from the pull-off load upwards; above 0
                                                     ! without adhesion, where nothing touches at 0
       real(c_double), intent(in), value :: heaviest ! normal load [force], not below lightest
@@ -774,21 +770,18 @@ module asperity
     function asperity_warnings_text(warnings, buffer, length) bind(c)
       import
       integer(c_int64_t), intent(in), value :: warnings
-                                                    ! bits ASPERITY_WARNING_... of a state or of asperity_check_loads; a
-                                                    ! line "unknown warning" stands for all others
-      type(c_ptr), intent(in), value :: buffer      ! characters: receives the lines, separated by line feeds,
-                                                    ! NUL-terminated, cut to fit; "no warning" for 0; c_null_ptr to ask
-                                                    ! for the length only
-      integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
+                                                    ! bits ASPERITY_WARNING_...; a line "unknown warning" stands for all
+                                                    ! others
+      type(c_ptr), intent(in), value :: buffer      ! characters:
+      integer(c_size_t), intent(in), value :: length
       integer(c_size_t) :: asperity_warnings_text
     end function asperity_warnings_text
 
     ! Copies the message of this thread's last failure: which parameter, its value, and what is allowed
     function asperity_last_error(buffer, length) bind(c)
       import
-      type(c_ptr), intent(in), value :: buffer      ! characters: receives the message, NUL-terminated, cut to fit;
-                                                    ! c_null_ptr to ask for the length only
-      integer(c_size_t), intent(in), value :: length ! size of buffer [bytes]
+      type(c_ptr), intent(in), value :: buffer      ! characters:
+      integer(c_size_t), intent(in), value :: length
       integer(c_size_t) :: asperity_last_error
     end function asperity_last_error
 
@@ -814,7 +807,7 @@ module asperity
     ! Fills a view of a compiled law of a model
     function asperity_table_of(model, kind, table) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       integer(c_int32_t), intent(in), value :: kind ! ASPERITY_TABLE_FRICTION or ASPERITY_TABLE_LOAD_AT_GAP
       type(asperity_table), intent(inout) :: table  ! receives the view, valid until asperity_set_params or
                                                     ! asperity_free of the model
@@ -1785,7 +1778,7 @@ contains
   ! ---- generated by packaging/declarations: texts ----
   ! Sets what is known of two materials in contact, in SI units; you set the roughness
   subroutine asperity_params_set_pair(params, name, stat, errmsg)
-    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    type(asperity_params), intent(inout) :: params
     character(*), intent(in) :: name                ! two materials of asperity_name with a slash between
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -1796,7 +1789,7 @@ contains
 
   ! Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused
   subroutine asperity_params_set_text(params, text, stat, errmsg)
-    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    type(asperity_params), intent(inout) :: params
     character(*), intent(in) :: text                ! UTF-8, with or without a byte order mark; lines end in LF or CRLF
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -1808,7 +1801,7 @@ contains
   ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
   ! table of interfaces: models of them have its friction
   subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
-    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    type(asperity_params), intent(inout) :: params
     character(*), intent(in) :: surface             ! as of asperity_estimate_at_loads, which returns the same
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -1819,7 +1812,7 @@ contains
 
   ! Sets parameters from a surface file, as asperity_params_set_text does from its text
   subroutine asperity_params_read(params, path, stat, errmsg)
-    type(asperity_params), intent(inout) :: params  ! initialised parameters
+    type(asperity_params), intent(inout) :: params
     character(*), intent(in) :: path                ! of the file: as the system has it, on Windows UTF-8
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg

@@ -29,12 +29,9 @@ impl asperity_params {
 /// that the friction coefficient at this load is the measured one.
 ///
 /// The model does not predict the shear strength of an interface: films and oxides govern it. Measure the friction of your
-/// pair once, on surfaces and at a load that you know. Set the parameters of these surfaces, and call this function last. The
-/// model then predicts how friction changes with load, area, roughness and adhesion. `pressure_coefficient` stays as it is. The
-/// measurement is kept in `calibration_load` and `calibration_friction_force`, with `calibration_error`, for error bands.
-/// The call makes one model and one exact state: milliseconds.
-///
-/// With a coefficient measured at 1 mN, in SI units:
+/// pair once, on surfaces and at a load that you know. Set the parameters of these surfaces, and call this function last, which
+/// takes milliseconds. The model then predicts how friction changes with load, area, roughness and adhesion. The measurement is
+/// kept in `calibration_load` and `calibration_friction_force`. With a coefficient measured at 1 mN, in SI units:
 ///
 /// ```c
 /// asperity_params_calibrate(&params, 1e-3, 0.4);

@@ -2,9 +2,9 @@
 
 use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
 use super::last_error::asperity_last_error;
-use super::status::{asperity_status, ASPERITY_OK};
+use super::status::asperity_status;
 use super::surface_text::bytes;
-use super::text::write_text;
+use super::text;
 use crate::estimate::known::DEFAULT_FACTOR;
 use crate::estimate::{write, Answer, Estimate, Rests};
 use std::ffi::c_char;
@@ -103,7 +103,6 @@ unsafe fn estimated(
 ///
 /// @param surface    UTF-8, as of `asperity_params_set_text`
 /// @param length     of the text [bytes], without a NUL
-/// @param n          number of loads
 /// @param load       normal loads [N]
 /// @param estimates  receives n estimates; unchanged on failure
 /// @return as `asperity_params_set_text`, and `ASPERITY_INVALID_LOAD` or `ASPERITY_OUT_OF_RANGE` of an element, which the
@@ -167,10 +166,7 @@ const LARGEST: u64 = 4096;
 /// would narrow the bands.
 ///
 /// @param surface,length,n,load  as of `asperity_estimate_at_loads`
-/// @param buffer         receives the lines, NUL-terminated, cut to fit; NULL to ask for the length only
-/// @param buffer_length  size of `buffer` [bytes]
-/// @return the length of the whole text [bytes], without the NUL: it is cut unless `buffer_length` is greater; 0 on failure:
-///         the buffer has what `asperity_last_error` has then
+/// @return the length; 0 on failure: the buffer has what `asperity_last_error` has then
 #[no_mangle]
 pub unsafe extern "C" fn asperity_estimate_text(
     surface: *const c_char,
@@ -180,18 +176,15 @@ pub unsafe extern "C" fn asperity_estimate_text(
     buffer: *mut c_char,
     buffer_length: usize,
 ) -> usize {
-    let mut whole = 0;
-    let status = boundary::status(|| {
+    let whole = text::written(buffer, buffer_length, || {
         let (estimate, answers, warnings) = estimated(surface, length, n, load)?;
         let mut text = String::new();
         // Writing to a string does not fail.
         let _ = write(&estimate, bytes(surface, length), &answers, warnings, &mut text);
-        whole = write_text(buffer, buffer_length, [text.as_bytes()]);
-        Ok(())
+        Ok(text)
     });
-    if status != ASPERITY_OK {
+    if whole == 0 {
         let _ = asperity_last_error(buffer, buffer_length);
-        return 0;
     }
     whole
 }

@@ -55,10 +55,7 @@ pub fn set(message: &dyn Display) {
 /// }
 /// ```
 ///
-/// @param buffer  receives the message, NUL-terminated, cut to fit; NULL to ask for the length only
-/// @param length  size of `buffer` [bytes]
 /// @return the length of the whole message [bytes], without the NUL: it is cut unless `length` is greater
-///
 #[no_mangle]
 pub unsafe extern "C" fn asperity_last_error(buffer: *mut c_char, length: usize) -> usize {
     MESSAGE.with(|cell| {

@@ -58,10 +58,7 @@ pub extern "C" fn asperity_name(kind: i32, index: usize) -> *const c_char {
 ///
 /// @param kind    one of `ASPERITY_NAMES_...`
 /// @param name    one of `asperity_name`; a material also by other words, as "gold", a pair in either order
-/// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
-/// @param length  size of `buffer` [bytes]
-/// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure:
-///         of an unknown name `asperity_last_error` says which is nearest
+/// @return the length; 0 for an unknown name, of which `asperity_last_error` says which is nearest
 #[no_mangle]
 pub unsafe extern "C" fn asperity_describe(
     kind: i32,

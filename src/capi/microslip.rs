@@ -33,7 +33,6 @@ pub struct asperity_microslip {
 
 /// How many doubles the state of one contact takes; today 42, the same for all models.
 ///
-/// @param model  a model
 /// @return the number of doubles; 0 for a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model) -> usize {
@@ -55,7 +54,6 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 /// step that is accepted keeps `after`. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
 /// the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
 ///
-/// @param model      a model
 /// @param load       normal load of this step [force]
 /// @param increment  2 displacements of one surface along the other since `before` [length]
 /// @param before     the state before the step
@@ -101,8 +99,6 @@ pub unsafe extern "C" fn asperity_microslip_step(
 /// An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not
 /// written.
 ///
-/// @param model      a model
-/// @param n          number of contacts
 /// @param load       n loads [force]
 /// @param increment  2 n displacements [length], both of a contact together
 /// @param before     n states, that of a contact together

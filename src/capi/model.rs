@@ -59,7 +59,6 @@ pub unsafe extern "C" fn asperity_create(
 
 /// Gives a model other parameters; on failure the model is as before.
 ///
-/// @param model   a model
 /// @param params  the new parameters
 /// @return as `asperity_create`
 ///
@@ -81,7 +80,6 @@ pub unsafe extern "C" fn asperity_set_params(
 /// A table of heights is not copied: the pointers lead to the model's own copy and are valid until `asperity_set_params` or
 /// `asperity_free`. You may pass them to `asperity_set_params` of the same model.
 ///
-/// @param model   a model
 /// @param params  receives the parameters
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
 #[no_mangle]

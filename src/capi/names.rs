@@ -76,9 +76,9 @@ impl asperity_params {
 /// Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
 ///
 /// Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
-/// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it chooses the Weibull heights that have
-/// it, from -1.1100 to 2: 0 gives a shape of 3.602.
-/// `height_distribution`, if given, decides; `asperity_create` refuses a skew or kurtosis that these heights do not read.
+/// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it chooses the Weibull heights that have it, from
+/// -1.1100 to 2. `height_distribution`, if given, decides; `asperity_create` refuses a skew or kurtosis that these heights do not
+/// read.
 ///
 /// ```c
 /// const char *const names[] = {"E1", "nu1", "E2", "nu2", "height_std"};
@@ -86,13 +86,11 @@ impl asperity_params {
 /// asperity_params_set_values(&params, 5, names, values);
 /// ```
 ///
-/// @param params  initialised parameters
 /// @param count   number of names
-/// @param names   `count` strings, of which the library reads at most 64 bytes; not NULL unless `count` is 0
-/// @param values  `count` numbers; the last counts where a name is given twice; not NULL unless `count` is 0
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
-///         is nearest; a number that must be an integer; a name that needs others in the same call),
-///         `ASPERITY_OUT_OF_RANGE`
+/// @param names   `count` strings; not NULL unless `count` is 0
+/// @param values  `count` numbers, of which the last counts where a name is given twice; not NULL unless `count` is 0
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an unknown name; a number that is no choice;
+///         a name that needs others in the same call), `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_values(
     params: *mut asperity_params,
@@ -105,7 +103,6 @@ pub unsafe extern "C" fn asperity_params_set_values(
 
 /// Reads one parameter by its name.
 ///
-/// @param params  initialised parameters
 /// @param name    a name of `asperity_name`
 /// @param value   receives the number
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name; a name that is not a

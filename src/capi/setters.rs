@@ -1,4 +1,4 @@
-//! Functions that set parameters, as C calls them.
+//! Functions that set parameters, and convert them, as C calls them.
 
 use super::boundary::{self, not_null, Failure};
 use super::given;
@@ -42,10 +42,8 @@ unsafe fn change_draft(
 
 /// Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset.
 ///
-/// The inputs `composite_modulus` to `asperity_count` become NaN. `asperity_create` then refuses the first that you did not
-/// set, with the message "asperity_count: must be set".
-///
-/// For two bodies of polysilicon, in SI units (Pa, J/m^2, m):
+/// The inputs `composite_modulus` to `asperity_count` become NaN, and `asperity_create` refuses the first that you did not set:
+/// "asperity_count: must be set". For two bodies of polysilicon, in SI units (Pa, J/m^2, m):
 ///
 /// ```c
 /// asperity_params_init(&params, sizeof params);
@@ -70,12 +68,10 @@ pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params, stru
 
 /// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
 ///
-/// The paper's case is alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1, nu = 0.3. The units are the paper's, b = 1, G = 1,
-/// N = 1: E* = 2/(1 - nu), G* = 2, sigma = alpha beta, R = beta/alpha,
-/// w = gamma E*, h = 1/(b/h). Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default, which is exact for
-/// these bodies. The other parameters stay as they are.
+/// The paper's case is alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1, nu = 0.3, in units b = G = N = 1: E* = 2/(1 - nu), G* = 2,
+/// sigma = alpha beta, R = beta/alpha, w = gamma E*. Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default,
+/// which is exact for these bodies.
 ///
-/// @param params    initialised parameters
 /// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
 /// @param beta      (R sigma)^(1/2)/b > 0, friction regime
 /// @param gamma     w/(E* b) >= 0, surface energy
@@ -97,9 +93,8 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
 /// Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
 ///
 /// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
-/// G = E/(2 (1 + nu)). The other parameters stay as they are.
+/// G = E/(2 (1 + nu)).
 ///
-/// @param params  initialised parameters
 /// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
 /// @param nu1,nu2 Poisson's ratios, above -1, at most 0.5
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
@@ -123,7 +118,6 @@ pub unsafe extern "C" fn asperity_params_set_materials(
 /// 1000 (docs/validation.md); docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
 /// `radius_amplitude`, `radius_rate`, `summit_mean_height`, `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
 ///
-/// @param params        initialised parameters
 /// @param m0            variance of the heights [length^2] > 0
 /// @param m2            variance of the slopes [-] > 0
 /// @param m4            variance of the curvatures [1/length^2] > 0, alpha at least 1.5; 0: not known, alpha = 10
@@ -143,21 +137,13 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 
 /// Sets what is known of two materials in contact, in SI units; you set the roughness.
 ///
-/// It sets
-///
-/// - E*, G* and `tangential_modulus` as `asperity_params_set_materials`
-/// - `work_of_adhesion`
-/// - `burgers_vector`, the longer one of both bodies, and `adhesion_range`, equal to it as in the paper
-/// - `hardness`, that of the softer body, or 0 if one is not known
-/// - `slip_stress_1`, where it is measured
-///
-/// The other parameters stay as they are, and must be in SI units too.
+/// It sets the moduli as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer one of both bodies,
+/// `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body, or 0 if one is not known, and
+/// `slip_stress_1`, where it is measured. The other parameters must be in SI units too.
 ///
 /// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`: the work of
-/// adhesion of what is no pair of `asperity_name`, and both lengths where a body has no Burgers vector. `asperity_create` then
-/// says what is left to set.
+/// adhesion of what is no pair of `asperity_name`, and both lengths where a body has no Burgers vector.
 ///
-/// @param params  initialised parameters
 /// @param name    two materials of `asperity_name` with a slash between
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
 ///         is nearest)
@@ -175,16 +161,12 @@ pub unsafe extern "C" fn asperity_params_set_pair(
 
 /// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
 ///
-/// Lengths, forces, stresses, areas and the work of adhesion are converted, and the calibration with them. Numbers without a unit
-/// and tables of heights stay as they are, and so does what is unset.
-///
-/// From SI into mm, N and MPa:
+/// Numbers without a unit and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
 ///
 /// ```c
 /// asperity_params_set_units(&params, 1e-3, 1.0);
 /// ```
 ///
-/// @param params  initialised parameters
 /// @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
 /// @param force   the new unit of force in the present one, > 0
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`

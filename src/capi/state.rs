@@ -11,7 +11,7 @@ use crate::model::{Model, State};
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_state {
-    /// Set it to `sizeof(asperity_state)` before the call; the library writes no more than that.
+    /// Set it to `sizeof(asperity_state)`; no more is written.
     pub struct_size: u64,
     /// Normal load P [force]; negative pulls.
     pub load: f64,
@@ -80,7 +80,7 @@ pub struct asperity_state {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_summary {
-    /// Set it to `sizeof(asperity_summary)` before the call; the library writes no more than that.
+    /// Set it to `sizeof(asperity_summary)`; no more is written.
     pub struct_size: u64,
     /// Surface roughness parameter (sigma/R)^(1/2) [-].
     pub alpha: f64,
@@ -151,7 +151,6 @@ unsafe fn exact(
 /// }
 /// ```
 ///
-/// @param model  a model
 /// @param load   normal load [force], from the pull-off load upwards
 /// @param state  receives the state
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`),
@@ -167,7 +166,6 @@ pub unsafe extern "C" fn asperity_state_at_load(
 
 /// Computes the exact state at a gap, also beyond the pull-off point, where no load holds the surfaces in equilibrium.
 ///
-/// @param model  a model
 /// @param gap    as for `asperity_load_and_slope_at_gap` [length]; may be negative
 /// @param state  receives the state
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, or a gap that is not
@@ -183,7 +181,6 @@ pub unsafe extern "C" fn asperity_state_at_gap(
 
 /// Fills the constants of a model: dimensionless groups, pull-off, extent and error of the table.
 ///
-/// @param model    a model
 /// @param summary  receives the constants
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)
 #[no_mangle]

@@ -11,8 +11,6 @@ use crate::model::{Model, SummitState};
 /// Use it for contacts of so few summits that each one counts. A summit stays in contact down to the overlap at which it
 /// breaks away, which is negative with adhesion; below that it may attract without contact.
 ///
-/// @param model    a model
-/// @param n        number of summits
 /// @param overlap  n overlaps [length]: how far the summit would reach beyond the flat, negative for a gap unless n = 0
 /// @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
 ///                 `radius_amplitude` is not 0; NULL: all summits have the mean height

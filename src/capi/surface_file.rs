@@ -10,10 +10,8 @@ use std::path::Path;
 
 /// Sets parameters from a surface file, as `asperity_params_set_text` does from its text.
 ///
-/// A message has the file, the line and the key: "film.toml: line 3: slip_onset = "hole": must be "partial" or "whole"". In
-/// WebAssembly, where there are no files, the call fails.
+/// A message begins with the file: "film.toml: line 3: ...". In WebAssembly, where there are no files, the call fails.
 ///
-/// @param params  initialised parameters
 /// @param path    of the file: as the system has it, on Windows UTF-8; NUL-terminated
 /// @return as `asperity_params_set_text`, and `ASPERITY_INVALID_PARAMETER` for what is no file, or cannot be read
 #[no_mangle]

@@ -1,11 +1,11 @@
-//! A surface as a text, and in other units, as C asks for them.
+//! A surface as a text, as C asks for it.
 
 use super::boundary::{self, not_null, Failure};
 use super::params::asperity_params;
 use super::setters::change;
-use super::status::{asperity_status, ASPERITY_OK};
+use super::status::asperity_status;
 use super::tables::{keep, Kept};
-use super::text::write_text;
+use super::text;
 use crate::by_name::{self, is_of_these_surfaces, Draft, LONGEST};
 use crate::error::Error;
 use crate::estimate::Estimate;
@@ -80,7 +80,6 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 /// A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by
 /// the library, once for each table, as long as it is loaded: the parameters point to it.
 ///
-/// @param params  initialised parameters
 /// @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
 /// @param length  of the text [bytes], without a NUL; at most 1 MiB
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`;
@@ -102,7 +101,6 @@ pub unsafe extern "C" fn asperity_params_set_text(
 /// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
 /// interfaces: models of them have its friction.
 ///
-/// @param params          initialised parameters
 /// @param surface,length  as of `asperity_estimate_at_loads`, which returns the same
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_estimate(
@@ -126,32 +124,21 @@ pub unsafe extern "C" fn asperity_params_set_estimate(
 /// Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
 /// force at that load; otherwise it is a comment.
 ///
-/// @param params  initialised parameters
-/// @param buffer  receives the text, NUL-terminated, cut to fit; NULL to ask for the length only
-/// @param length  size of `buffer` [bytes]
-/// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater; 0 on failure, which
-///         `asperity_last_error` describes: choices that are none, a shape that is not of the heights, or no table
+/// @return the length; 0 for choices that are none, a shape that is not of the heights, or no table
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_text(
     params: *const asperity_params,
     buffer: *mut c_char,
     length: usize,
 ) -> usize {
-    let mut whole = 0;
-    let status = boundary::status(|| {
-        let params = asperity_params::read(params)?;
-        let mut draft = params.whole_draft()?;
+    text::written(buffer, length, || {
+        let mut draft = asperity_params::read(params)?.whole_draft()?;
         let is_measured = is_of_these_surfaces(&draft.clone().into_params()?);
         let mut text = String::new();
         // Writing to a string does not fail.
         let _ = by_name::write(&mut draft, is_measured, &mut text);
-        whole = write_text(buffer, length, [text.as_bytes()]);
-        Ok(())
-    });
-    if status != ASPERITY_OK {
-        return write_text(buffer, length, []);
-    }
-    whole
+        Ok(text)
+    })
 }
 
 #[cfg(test)]

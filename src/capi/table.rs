@@ -27,7 +27,7 @@ pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_table {
-    /// Set it to `sizeof(asperity_table)` before the call; the library writes no more than that.
+    /// Set it to `sizeof(asperity_table)`; no more is written.
     pub struct_size: u64,
     /// `row_count` rows of 8 doubles, aligned to 64 bytes.
     pub rows: *const f64,
@@ -71,7 +71,6 @@ pub const ASPERITY_TABLE_LOAD_AT_GAP: i32 = 1;
 
 /// Fills a view of a compiled law of a model.
 ///
-/// @param model  a model
 /// @param kind   `ASPERITY_TABLE_FRICTION` or `ASPERITY_TABLE_LOAD_AT_GAP`
 /// @param table  receives the view, valid until `asperity_set_params` or `asperity_free` of the model
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`kind`, `struct_size`)

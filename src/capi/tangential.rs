@@ -12,7 +12,6 @@ use super::status::asperity_status;
 /// the length before gross slip: what solvers call bristle deflection or elastic slip. At a constant load the tangential force
 /// is `asperity_tangential_at_load`.
 ///
-/// @param model  a model
 /// @param load   normal load [force]
 /// @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and,
 ///         without adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated
@@ -24,8 +23,6 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asp
 
 /// Tangential stiffnesses at many loads.
 ///
-/// @param model      a model
-/// @param n          number of loads
 /// @param load       n loads [force]
 /// @param stiffness  receives n stiffnesses [force/length]
 /// @return as `asperity_friction_at_loads`
@@ -46,7 +43,6 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
 /// tangential force, at constant load. After a reversal at displacement r, where the force is T_r, Masing's rule gives
 /// T = T_r - 2 T((r - displacement)/2). Any path under changing load: `asperity_microslip_step`.
 ///
-/// @param model         a model
 /// @param load          normal load [force], from the pull-off load upwards
 /// @param displacement  of the surfaces along each other [length]; T is an odd function of it
 /// @param force         receives T [force]

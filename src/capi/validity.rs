@@ -66,7 +66,6 @@ const _: () = {
 /// }
 /// ```
 ///
-/// @param model     a model
 /// @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing
 ///                  touches at 0
 /// @param heaviest  normal load [force], not below `lightest`
@@ -92,12 +91,8 @@ pub unsafe extern "C" fn asperity_check_loads(
 
 /// Copies the texts of several warnings, one line each: what fails and what to do about it.
 ///
-/// @param warnings  bits `ASPERITY_WARNING_...` of a state or of `asperity_check_loads`; a line "unknown warning"
-///                  stands for all others
-/// @param buffer    receives the lines, separated by line feeds, NUL-terminated, cut to fit; "no warning" for 0; NULL
-///                  to ask for the length only
-/// @param length    size of `buffer` [bytes]
-/// @return the length of the whole text [bytes], without the NUL: it is cut unless `length` is greater
+/// @param warnings  bits `ASPERITY_WARNING_...`; a line "unknown warning" stands for all others
+/// @return the length of the text, "no warning" for 0
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
     let known = WARNINGS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(.., says)| *says);

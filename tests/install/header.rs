@@ -61,7 +61,7 @@ fn in_c89(header: &str) -> String {
         let is_argument = line.starts_with("     ") && !text.starts_with('*');
         match lines.last_mut() {
             Some(last) if last.ends_with("/**") && text.starts_with("* ") => *last += &text[1..],
-            Some(last) if text == "*/" && last.len() + 3 <= WIDTH => *last += " */",
+            Some(last) if text == "*/" => *last = format!("{} */", last.trim_end_matches([' ', '*'])),
             Some(last) if is_whole(last) && text.ends_with(';') && last.len() + 1 + text.len() <= WIDTH => {
                 *last = format!("{last} {text}");
             }
