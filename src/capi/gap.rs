@@ -2,6 +2,7 @@
 
 use super::batch::{self, Arrays, FirstInvalid, Quantity};
 use super::boundary::{self, not_null, write};
+use super::evaluate::at;
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use crate::model::{by_gap, Model};
@@ -35,8 +36,7 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
         return model::value_at(model, Quantity::Load, -gap);
     }
     boundary::contained_value(|| {
-        let at = |handle: &asperity_model| Quantity::Load.at(&handle.model, -gap);
-        let (load, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), at);
+        let (load, slope) = at(model, Quantity::Load, -gap);
         write(dload_dgap, 0, by_gap(slope));
         load
     })

@@ -17,7 +17,7 @@ const GROUPS: [(&str, &[&str]); 8] = [
     ("Look up: names, and what is known of each.", &["look_up"]),
     (
         "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
-        &["evaluate", "slope", "pairs", "tangential", "microslip", "gap", "summits"],
+        &["evaluate", "pairs", "tangential", "microslip", "gap", "summits"],
     ),
     ("Explain: exact states and the constants of a model.", &["state"]),
     ("Limits: which assumptions fail at which loads, and the remedy.", &["validity"]),

@@ -224,27 +224,6 @@ fn friction_force_grows_with_load() {
 }
 
 #[test]
-fn friction_force_grows_across_the_joints_of_rows() {
-    let mut failures = Failures::default();
-    for model in random_models(SEED ^ 4, 16) {
-        let pull_off = model.summary().pull_off_load;
-        let (nearest, farthest) = excess_range(&model);
-        let sixteenth = 1_u64 << 48;
-        let mut bits = nearest.to_bits() / sixteenth * sixteenth + sixteenth;
-        while f64::from_bits(bits) <= farthest {
-            let x = f64::from_bits(bits);
-            bits += sixteenth;
-            let (below, above) = (pull_off + x * (1.0 - 1e-6), pull_off + x * (1.0 + 1e-6));
-            let forces = [below, pull_off + x, above].map(|load| model.friction_force_at_load(load));
-            failures.claim(forces[0] <= forces[1] && forces[1] <= forces[2], || {
-                format!("x {x:e}: {forces:?}; {:?}", model.params())
-            });
-        }
-    }
-    failures.report();
-}
-
-#[test]
 fn a_heavier_pull_than_pull_off_leaves_no_friction() {
     for model in random_models(SEED ^ 5, 24) {
         let pull_off = model.summary().pull_off_load;
