@@ -45,7 +45,9 @@ impl Draft {
         match params.heights {
             HeightFamily::Gaussian => {}
             HeightFamily::Weibull { shape } => draft.choose_weibull(shape),
-            HeightFamily::Johnson { skew, kurtosis } => draft.choose_johnson(skew, kurtosis),
+            HeightFamily::Johnson { skew, kurtosis } => {
+                (draft.height_distribution, draft.skew, draft.kurtosis) = (JOHNSON, skew, kurtosis);
+            }
             HeightFamily::Tabulated { .. } => draft.height_distribution = TABULATED,
         }
         draft
@@ -89,11 +91,6 @@ impl Draft {
     pub fn choose_weibull(&mut self, shape: f64) {
         (self.height_distribution, self.weibull_shape) = (WEIBULL, shape);
         (self.skew, self.kurtosis) = (0.0, 3.0);
-    }
-
-    fn choose_johnson(&mut self, skew: f64, kurtosis: f64) {
-        self.height_distribution = JOHNSON;
-        (self.skew, self.kurtosis) = (skew, kurtosis);
     }
 
     /// As [`Params::set_skew`].

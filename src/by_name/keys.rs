@@ -97,7 +97,7 @@ const EXPECTED: &Expected = &[
     ("N|count", "the number of summits is asperity_count, or summit_density with nominal_area"),
 ];
 
-/// Of a word that is no slip of a name.
+/// What is said of a word that is no slip of a name.
 pub const LISTED: &str = "docs/solvers.md lists them";
 
 /// What to give in place of a word that people expect to be a name.
@@ -155,10 +155,6 @@ impl<'t> Entries<'t> {
         self.list.iter().find(|entry| is_it(entry.name)).map(|entry| entry.at)
     }
 
-    fn line(&self, at: usize) -> usize {
-        1 + self.text.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count()
-    }
-
     /// Refuses a key that the table does not have.
     #[cold]
     fn unknown(&self, name: &str, at: usize) -> Box<Problem> {
@@ -190,7 +186,8 @@ impl<'t> Keys<'t> for Entries<'t> {
             ));
         };
         if let Some(first) = self.begin(table) {
-            return Err(Problem::new(at, format_args!("[{name}]: given twice, also in line {}", self.line(first))));
+            let line = toml::line(self.text.as_bytes(), first);
+            return Err(Problem::new(at, format_args!("[{name}]: given twice, also in line {line}")));
         }
         self.tables.push((table, at));
         self.table = table;
@@ -206,7 +203,7 @@ impl<'t> Keys<'t> for Entries<'t> {
         };
         let name = if known == HEIGHTS { "height_distribution" } else { known };
         if let Some(first) = self.find(self.table, name) {
-            let line = self.line(first.at);
+            let line = toml::line(self.text.as_bytes(), first.at);
             return Err(Problem::new(at, format_args!("{}{known}: given twice, also in line {line}", self.table)));
         }
         self.list.push(Entry { table: self.table, name, at, value });

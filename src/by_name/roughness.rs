@@ -1,8 +1,8 @@
 //! The roughness of a text: the spectral moments of the two surfaces, from whichever parameters of roughness are given.
 //!
-//! Of isotropic Gaussian surfaces m0 = Rq^2 = Sq^2 = pi/2 Ra^2. By areal parameters m2 = Sdq^2/2, of a profile m2 = Rdq^2 or
-//! m0 (2 pi/RSm)^2. m4, where it is known, is 9 pi/64 Ssc^2 or 6 pi 3^(1/2) m2 Sds, or follows from the bandwidth. Of two rough
-//! surfaces moments add.
+//! Isotropic Gaussian surfaces have m0 = Rq^2 = Sq^2 = pi/2 Ra^2. By areal parameters m2 = Sdq^2/2, of a profile m2 = Rdq^2 or
+//! m0 (2 pi/RSm)^2. m4, where it is known, is 9 pi/64 Ssc^2 or 6 pi 3^(1/2) m2 Sds, or follows from the bandwidth. Moments of two
+//! rough surfaces add.
 
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};

@@ -15,9 +15,9 @@ use crate::params::{HeightFamily, Params};
 use std::fmt::{Arguments, Display, Formatter};
 use std::sync::Arc;
 
-/// Of a band, where the text gives none.
+/// The coverage of a band where the text gives none.
 const DEFAULT_COVERAGE: f64 = 0.95;
-/// Of more than these a fit is to be made.
+/// More measured points than these need a fit.
 const MOST_POINTS: usize = 64;
 /// Names of bodies, and the numbers in their place.
 const BODIES: [(&str, [&str; 2]); 2] = [("first", ["E1", "nu1"]), ("second", ["E2", "nu2"])];
@@ -158,12 +158,12 @@ impl Entries<'_> {
         if let Some(hardness) = case.hardness {
             numbers.give_named("hardness", hardness);
         }
-        // Of parameters that were there before, a text changes what it gives and no more, but where it gives all of them.
+        // A text changes what it gives of the parameters that were there before, and no more, but where it gives all of them.
         let mut alone = Draft::default();
         alone.params.nominal_area = draft.params.nominal_area;
         let is_whole = numbers.set(&mut alone).is_ok() && alone.params.unset().is_none();
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
-        // Of parameters that are not complete no more can be said.
+        // No more can be said of parameters that are not complete.
         let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
         if let Err(error) = params.surface() {
             if let Some(at) = error.name().and_then(|name| self.place(name)) {

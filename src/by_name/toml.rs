@@ -14,7 +14,7 @@ use toml_parser::{ErrorSink, Expected, ParseError, Source, Span};
 
 /// No surface needs more bytes, not even one with a table of heights.
 pub const LONGEST: usize = 1 << 20;
-/// Nor so many words and signs.
+/// No surface needs so many words and signs.
 const MOST_TOKENS: usize = 1 << 17;
 
 /// Longer keys and words are cut where they are shown.
@@ -85,10 +85,13 @@ impl Problem {
 
     /// The error, with the line of the text.
     pub fn in_text(self, text: &[u8]) -> Error {
-        let before = &text[..self.at.min(text.len())];
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Error::InText { line, error: Box::new(self.error) }
+        Error::InText { line: line(text, self.at), error: Box::new(self.error) }
     }
+}
+
+/// The line of a byte of a text, from 1.
+pub fn line(text: &[u8], at: usize) -> usize {
+    1 + text[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
 }
 
 /// What takes the tables and the keys of a text in their order.
@@ -145,7 +148,7 @@ pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
 #[cold]
 fn of_syntax(error: &ParseError, text: &str) -> Box<Problem> {
     let [start, found] = [error.context(), error.unexpected()].map(|span| span.map(|span| span.start()));
-    // Of what has no end, the beginning.
+    // What has no end is shown where it begins.
     let at = found.filter(|&at| at < text.trim_end().len()).or(start).or(found).unwrap_or_default();
     let expected = Alternatives(error.expected().unwrap_or_default());
     let likely = match text.as_bytes().get(at) {
@@ -214,6 +217,14 @@ impl<'t> Reader<'t, '_> {
         self.check(Err(problem));
     }
 
+    /// Hands the last key on as the name of a table.
+    fn begin_table(&mut self) {
+        if let Some((name, at)) = self.key.take().filter(|_| !self.is_over()) {
+            let outcome = self.keys.table(Some(&name), at);
+            self.check(outcome);
+        }
+    }
+
     fn set(&mut self, value: Value<'t>) {
         if let Some((key, at)) = self.key.take() {
             let outcome = self.keys.key(&key, at, value);
@@ -273,13 +284,7 @@ impl<'t> EventReceiver for Reader<'t, '_> {
 
     fn std_table_close(&mut self, _: Span, _: &mut dyn ErrorSink) {
         self.is_header = false;
-        if self.is_over() {
-            return;
-        }
-        if let Some((name, at)) = self.key.take() {
-            let outcome = self.keys.table(Some(&name), at);
-            self.check(outcome);
-        }
+        self.begin_table();
     }
 
     fn array_table_open(&mut self, span: Span, _: &mut dyn ErrorSink) {
@@ -295,10 +300,7 @@ impl<'t> EventReceiver for Reader<'t, '_> {
             self.refuse(span, format_args!("must be a number, an array of numbers or a word in quotes, not a table"));
             return false;
         }
-        if let Some((name, at)) = self.key.take() {
-            let outcome = self.keys.table(Some(&name), at);
-            self.check(outcome);
-        }
+        self.begin_table();
         self.is_inside = true;
         true
     }

@@ -27,17 +27,17 @@ pub struct Material {
     pub words: &'static [&'static str],
     /// Young's modulus, in Pa.
     pub young: f64,
-    /// Of published values, in Pa.
+    /// The range of published values, in Pa.
     pub young_range: [f64; 2],
     /// Poisson's ratio.
     pub poisson: f64,
     /// Indentation hardness, in Pa.
     pub hardness: f64,
-    /// Of published values, in Pa.
+    /// The range of published values, in Pa.
     pub hardness_range: [f64; 2],
     /// What it was measured of.
     pub state: &'static str,
-    /// In m; of a glass the distance of like atoms.
+    /// Burgers vector, in m; in a glass the distance of like atoms.
     pub burgers_vector: f64,
     /// Where the numbers are from.
     pub reference: &'static CStr,
@@ -50,7 +50,7 @@ pub struct Pair {
     pub name: &'static CStr,
     /// w [J/m^2].
     pub work_of_adhesion: f64,
-    /// Of measurements and estimates [J/m^2].
+    /// The range of measurements and estimates [J/m^2].
     pub work_of_adhesion_range: [f64; 2],
     /// The Hamaker constant A, in J, from which w is estimated, A/(12 pi D^2) with D = 0.165 nm.
     pub hamaker: f64,

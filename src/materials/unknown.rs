@@ -30,18 +30,18 @@ const EXPECTED: &Expected = &[
     ),
 ];
 
-/// Of the name of a material that is none.
+/// What is said of the name of a material that is none.
 pub fn no_material(name: &[u8]) -> Unknown<'_> {
     Unknown { name, thing: "material", instead: instead(name) }
 }
 
-/// Of the name of an interface that is none.
+/// What is said of the name of an interface that is none.
 pub fn no_interface(name: &[u8]) -> Unknown<'_> {
     let names = INTERFACES.iter().map(|interface| text(interface.name));
     Unknown { name, thing: "interface", instead: Instead::of(name, names, LISTED) }
 }
 
-/// Of the name of a pair that is none, or of which no work of adhesion is known.
+/// What is said of the name of a pair that is none, or of which no work of adhesion is known.
 pub struct NoPair<'a>(pub &'a [u8]);
 
 impl Display for NoPair<'_> {
