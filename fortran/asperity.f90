@@ -534,7 +534,7 @@ module asperity
     ! Returns the friction coefficient F/P at a normal load
     pure function asperity_friction_at_load(model, load) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load P [force], a total over asperity_count
       real(c_double) :: asperity_friction_at_load
     end function asperity_friction_at_load
@@ -542,7 +542,7 @@ module asperity
     ! Returns the friction force F at a normal load
     pure function asperity_friction_force_at_load(model, load) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force], a total over asperity_count
       real(c_double) :: asperity_friction_force_at_load
     end function asperity_friction_force_at_load
@@ -550,8 +550,8 @@ module asperity
     ! Computes the friction coefficients at many loads, and their slopes
     function asperity_friction_at_loads(model, n, load, mu, dmu_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: mu          ! real(c_double): receives n coefficients [-]
       type(c_ptr), intent(in), value :: dmu_dload   ! real(c_double): receives n slopes d(mu)/d(load) [1/force], 0 where
@@ -562,8 +562,8 @@ module asperity
     ! Computes the friction forces at many loads, and their slopes
     function asperity_friction_force_at_loads(model, n, load, force, dforce_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of loads
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force]
       type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives n slopes dF/d(load) [-]
@@ -573,7 +573,7 @@ module asperity
     ! Returns the friction coefficient at a load, and writes its slope
     function asperity_friction_and_slope_at_load(model, load, dmu_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force]
       type(c_ptr), intent(in), value :: dmu_dload   ! real(c_double): receives d(mu)/d(load) [1/force]: 0 where mu is
                                                     ! capped and below pull-off, NaN where mu is NaN
@@ -583,7 +583,7 @@ module asperity
     ! Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call
     function asperity_friction_force_and_slope_at_load(model, load, dforce_dload) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force]
       type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives dF/d(load) [-]
       real(c_double) :: asperity_friction_force_and_slope_at_load
@@ -594,7 +594,7 @@ module asperity
       import
       type(c_ptr), intent(in), value :: models      ! models_length models, none of them c_null_ptr
       integer(c_size_t), intent(in), value :: models_length ! number of models
-      integer(c_size_t), intent(in), value :: n     ! number of contacts
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: which       ! integer(c_int32_t): n indices of models, from 0
       type(c_ptr), intent(in), value :: load        ! real(c_double): n loads [force]
       type(c_ptr), intent(in), value :: force       ! real(c_double): receives n forces [force], NaN where which is not
@@ -687,7 +687,7 @@ module asperity
     ! Returns the load at a gap, from the compiled law, and writes its slope
     function asperity_load_and_slope_at_gap(model, gap, dload_dgap) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
+      type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: gap      ! between the mean planes [length]; negative in deep compression
       type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives d(load)/d(gap) [force/length], <= 0:
                                                     ! minus the normal stiffness; 0 at pull-off and beyond; NaN where
@@ -698,8 +698,8 @@ module asperity
     ! Loads at many gaps, and their slopes
     function asperity_loads_at_gaps(model, n, gap, load, dload_dgap) bind(c)
       import
-      type(c_ptr), intent(in), value :: model       ! a model
-      integer(c_size_t), intent(in), value :: n     ! number of gaps
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: gap         ! real(c_double): n gaps [length]
       type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force]
       type(c_ptr), intent(in), value :: dload_dgap  ! real(c_double): receives n slopes d(load)/d(gap) [force/length],

@@ -727,7 +727,6 @@ size_t asperity_describe(int32_t kind, const char *name, char *buffer, size_t le
 
 /** Returns the friction coefficient F/P at a normal load.
  *
- * @param model  a model
  * @param load   normal load P [force], a total over `asperity_count`
  * @return the coefficient [-]: F/load for load > 0, at most `max_friction_coefficient`; `max_friction_coefficient`
  *         for pull-off <= load <= 0, where F is finite and F/load is not; 0 below pull-off, where the surfaces are
@@ -738,7 +737,6 @@ double asperity_friction_at_load(const struct asperity_model *model, double load
  *
  * Prefer it to the coefficient where loads reach zero: with adhesion the force is finite there, and the coefficient is not.
  *
- * @param model  a model
  * @param load   normal load [force], a total over `asperity_count`
  * @return F [force]. With adhesion it is positive also at zero load, and at negative load down to pull-off; without
  *         adhesion it is 0 at zero load. 0 below pull-off; a quiet NaN for a NaN or infinite load, for one that
@@ -756,8 +754,6 @@ double asperity_friction_force_at_load(const struct asperity_model *model, doubl
  * }
  * ```
  *
- * @param model      a model
- * @param n          number of loads
  * @param load       n loads [force]
  * @param mu         receives n coefficients [-]
  * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped
@@ -769,8 +765,6 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model, s
 
 /** Computes the friction forces at many loads, and their slopes.
  *
- * @param model         a model
- * @param n             number of loads
  * @param load          n loads [force]
  * @param force         receives n forces [force]
  * @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the
@@ -782,7 +776,6 @@ asperity_status asperity_friction_force_at_loads(const struct asperity_model *mo
 
 /** Returns the friction coefficient at a load, and writes its slope.
  *
- * @param model      a model
  * @param load       normal load [force]
  * @param dmu_dload  receives d(mu)/d(load) [1/force]: 0 where mu is capped and below pull-off, NaN where mu is NaN
  * @return as `asperity_friction_at_load` */
@@ -790,7 +783,6 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model, d
 
 /** Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
  *
- * @param model         a model
  * @param load          normal load [force]
  * @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
  *                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the
@@ -808,7 +800,6 @@ double asperity_friction_force_and_slope_at_load(const struct asperity_model *mo
  *
  * @param models         models_length models, none of them NULL
  * @param models_length  number of models
- * @param n              number of contacts
  * @param which          n indices of models, from 0
  * @param load           n loads [force]
  * @param force          receives n forces [force], NaN where `which` is not below `models_length`
@@ -913,7 +904,6 @@ asperity_status asperity_microslip_turn(double *state, double cosine, double sin
  * rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
  * the load goes on as a power of the depth below the mean height.
  *
- * @param model       a model
  * @param gap         between the mean planes [length]; negative in deep compression
  * @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
  *                    beyond; NaN where the load is
@@ -923,14 +913,13 @@ double asperity_load_and_slope_at_gap(const struct asperity_model *model, double
 
 /** Loads at many gaps, and their slopes.
  *
- * @param model       a model
- * @param n           number of gaps
  * @param gap         n gaps [length]
  * @param load        receives n loads [force]
  * @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
  *                    and beyond
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
- *         below -1e50 `height_std`) */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite),
+ *         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
+ *         `height_std`) */
 asperity_status asperity_loads_at_gaps(const struct asperity_model *model, size_t n, const double *gap, double *load,
     double *dload_dgap);
 

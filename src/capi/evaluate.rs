@@ -7,7 +7,6 @@ use super::status::asperity_status;
 
 /// Returns the friction coefficient F/P at a normal load.
 ///
-/// @param model  a model
 /// @param load   normal load P [force], a total over `asperity_count`
 /// @return the coefficient [-]: F/load for load > 0, at most `max_friction_coefficient`; `max_friction_coefficient`
 ///         for pull-off <= load <= 0, where F is finite and F/load is not; 0 below pull-off, where the surfaces are
@@ -21,7 +20,6 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 ///
 /// Prefer it to the coefficient where loads reach zero: with adhesion the force is finite there, and the coefficient is not.
 ///
-/// @param model  a model
 /// @param load   normal load [force], a total over `asperity_count`
 /// @return F [force]. With adhesion it is positive also at zero load, and at negative load down to pull-off; without
 ///         adhesion it is 0 at zero load. 0 below pull-off; a quiet NaN for a NaN or infinite load, for one that
@@ -42,8 +40,6 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 /// }
 /// ```
 ///
-/// @param model      a model
-/// @param n          number of loads
 /// @param load       n loads [force]
 /// @param mu         receives n coefficients [-]
 /// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped
@@ -63,8 +59,6 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 
 /// Computes the friction forces at many loads, and their slopes.
 ///
-/// @param model         a model
-/// @param n             number of loads
 /// @param load          n loads [force]
 /// @param force         receives n forces [force]
 /// @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the
@@ -84,7 +78,6 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
 
 /// Returns the friction coefficient at a load, and writes its slope.
 ///
-/// @param model      a model
 /// @param load       normal load [force]
 /// @param dmu_dload  receives d(mu)/d(load) [1/force]: 0 where mu is capped and below pull-off, NaN where mu is NaN
 /// @return as `asperity_friction_at_load`
@@ -103,7 +96,6 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
 
 /// Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
 ///
-/// @param model         a model
 /// @param load          normal load [force]
 /// @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
 ///                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the

@@ -20,7 +20,6 @@ const BLOCK: usize = 128;
 /// rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
 /// the load goes on as a power of the depth below the mean height.
 ///
-/// @param model       a model
 /// @param gap         between the mean planes [length]; negative in deep compression
 /// @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
 ///                    beyond; NaN where the load is
@@ -44,14 +43,13 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
 
 /// Loads at many gaps, and their slopes.
 ///
-/// @param model       a model
-/// @param n           number of gaps
 /// @param gap         n gaps [length]
 /// @param load        receives n loads [force]
 /// @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
 ///                    and beyond
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one
-///         below -1e50 `height_std`)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite),
+///         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
+///         `height_std`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_loads_at_gaps(
     model: *const asperity_model,

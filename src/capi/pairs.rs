@@ -20,7 +20,6 @@ const MOST_MODELS: usize = 64;
 ///
 /// @param models         models_length models, none of them NULL
 /// @param models_length  number of models
-/// @param n              number of contacts
 /// @param which          n indices of models, from 0
 /// @param load           n loads [force]
 /// @param force          receives n forces [force], NaN where `which` is not below `models_length`
