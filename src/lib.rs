@@ -40,8 +40,8 @@ mod equilibrium;
 mod error;
 mod estimate;
 mod law;
-mod levels;
 pub mod materials;
+mod memory;
 mod model;
 mod numerics;
 mod params;
@@ -56,11 +56,11 @@ pub mod population;
 
 pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
-pub use levels::STATE as MICROSLIP_LENGTH;
+pub use memory::{MicroslipStep, STATE as MICROSLIP_LENGTH};
 pub use model::validity::{
     WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC,
     WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
-pub use model::{MicroslipStep, Model, State, Summary, SummitState};
+pub use model::{Model, State, Summary, SummitState};
 pub use params::spectrum::SpectralMoments;
 pub use params::{ContactLawKind, HeightFamily, Params};

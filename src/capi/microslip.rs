@@ -7,8 +7,8 @@ use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::levels::{self, Levels, STATE};
-use crate::model::{MicroslipStep, Model};
+use crate::memory::{self, Levels, MicroslipStep, STATE};
+use crate::model::Model;
 use crate::numerics::float_bits::nan;
 use crate::numerics::four::{Four, Portable};
 
@@ -81,7 +81,7 @@ pub unsafe extern "C" fn asperity_microslip_step(
             let step = match one(model, load, read(increment), &mut state) {
                 Err(error @ Error::Separated { .. }) => {
                     separated = Some(error);
-                    MicroslipStep { dissipated: levels::energy(&read(before)), ..MicroslipStep::default() }
+                    MicroslipStep { dissipated: memory::energy(&read(before)), ..MicroslipStep::default() }
                 }
                 other => other?,
             };
@@ -140,7 +140,7 @@ pub unsafe extern "C" fn asperity_microslip_turn(state: *mut f64, cosine: f64, s
     boundary::status(|| {
         not_null(state, "state")?;
         let mut turned = read(state);
-        levels::turn(&mut turned, cosine, sine)?;
+        memory::turn(&mut turned, cosine, sine)?;
         write_all(state, 0, &turned);
         Ok(())
     })

@@ -5,10 +5,10 @@
 //! exp or log.
 
 use super::row::{polynomial, Row, RowBasis, INTERIOR};
-use super::table::{Table, MANTISSA_BITS};
+use super::table::Table;
 use super::FRACTION;
 use crate::numerics::elementary::{exp, log, log1p};
-use crate::numerics::float_bits::{moderate, MODERATE};
+use crate::numerics::float_bits::{moderate, MANTISSA_BITS, MODERATE};
 use crate::numerics::neighbours::Neighbours;
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::RangeInclusive;

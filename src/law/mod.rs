@@ -11,7 +11,6 @@ mod coordinate;
 mod curve;
 mod fill;
 mod gap;
-mod limits;
 mod panel;
 mod planes;
 mod position;
@@ -21,6 +20,7 @@ mod table;
 pub mod tolerance;
 
 use crate::equilibrium::Branch;
+use crate::memory::Limits;
 use crate::numerics::elementary::{exp, log};
 use crate::population::Sums;
 pub use continuation::Beyond;
@@ -29,7 +29,6 @@ pub use continuation::{Continuation, DIGIT, DIGIT_BITS};
 use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
-use limits::Limits;
 use panel::Sample;
 use planes::Planes;
 
@@ -39,8 +38,6 @@ pub use row::{polynomial, Row};
 #[cfg(target_arch = "x86_64")]
 pub use row::{COEFFICIENTS, DIVISIONS, OFFSET};
 pub use table::Table;
-#[cfg(target_arch = "x86_64")]
-pub use table::MANTISSA_BITS;
 
 /// Rows of one table at most, with the parts of rows: 80 KiB, and some for each kink of the curve.
 const MOST_ROWS: usize = 1280;
@@ -194,7 +191,15 @@ impl Law {
             compiled.compare(quantity, scale, &samples);
             compiled
         });
-        let limits = Limits::new(branch, &curve, &compiled[Quantity::Friction as usize].table, load);
+        let table = &compiled[Quantity::Friction as usize].table;
+        let contacts = |x: f64| {
+            let log_excess = log(x) - log(load);
+            let separation = curve.separation(log_excess)?;
+            let [[(friction, _)], [(radius, _)]] = Quantity::ALL.map(|quantity| curve.at_each(quantity, [log_excess]));
+            Some([separation, friction / radius])
+        };
+        let ends = [table.begin_of(0), table.begin_of(table.row_count)];
+        let limits = Limits::new(branch.population(), ends, &contacts);
         let gap = Gap::new(branch, &curve, reach, lengths, load);
         Ok(Self { compiled, gap, planes: curve.into_planes(), limits })
     }

@@ -1,9 +1,7 @@
 //! The table: rows found from the bits of x = load - pull-off, and the parts of those that need several polynomials.
 
 use super::row::{polynomial, Row};
-
-/// Bits of a double below its exponent.
-pub const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+use crate::numerics::float_bits::MANTISSA_BITS;
 
 /// Rows, one for each fraction of a binade of x, and after them the parts to which links among them lead.
 ///

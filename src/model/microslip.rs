@@ -1,30 +1,15 @@
 //! A contact that remembers: what resists a displacement at a load, after all that came before.
 //!
-//! The levels of stiffness are those of `levels`, their limits those of `law`; strength and stiffness are the compiled friction
-//! force and tangential stiffness.
+//! The levels of stiffness and their limits are those of `memory`; strength and stiffness are the compiled friction force and
+//! tangential stiffness.
 
 use super::Model;
 use crate::error::{Error, LOAD};
 use crate::law::Quantity;
-use crate::levels::{within, Levels, Response, Sloped, FARTHEST, LAST, REACH, STATE};
+use crate::memory::{within, Levels, MicroslipStep, Sloped, LAST, MOST_SLIP_LENGTHS, REACH, STATE};
 use crate::numerics::float_bits::{finite, infinite};
 use crate::numerics::four::{Four, Portable};
 use crate::numerics::neighbours::Neighbours;
-
-/// What resists a displacement of the surfaces along each other, in the caller's units.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct MicroslipStep {
-    /// T, along both directions [force].
-    pub force: [f64; 2],
-    /// dT/d(increment) [force/length], row by row.
-    pub stiffness: [f64; 4],
-    /// dT/d(load).
-    pub dforce_dload: [f64; 2],
-    /// Work of slip in this step, and energy that was held by what touches no more, >= 0 [force length].
-    pub dissipated: f64,
-    /// Fraction of the strength that slips.
-    pub slipping: f64,
-}
 
 impl Model {
     /// Displaces a contact under a load; its state, all 0 if it has just closed, becomes what it is after.
@@ -70,10 +55,10 @@ impl Model {
             })?;
             return Err(Self::not_evaluated(load));
         }
-        let farthest = FARTHEST * (strength / stiffness);
+        let farthest = MOST_SLIP_LENGTHS * (strength / stiffness);
         if !(strength > 0.0 && finite(farthest)) {
             self.law.limits().at_excess::<V, false>(excess, [1.0, 0.0], &mut levels.shares, &mut levels.share_slopes);
-            return Ok(MicroslipStep::new(&levels.step_of_none(increment, state)));
+            return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
         if size > farthest {
@@ -82,7 +67,7 @@ impl Model {
         let cut = levels.cut::<V, DETAILS>(increment, state);
         let place = [cut.place, cut.slope];
         self.law.limits().at_excess::<V, DETAILS>(excess, place, &mut levels.shares, &mut levels.share_slopes);
-        Ok(MicroslipStep::new(&levels.step::<V, DETAILS>(increment, cut, state)))
+        Ok(levels.step::<V, DETAILS>(increment, cut, state))
     }
 
     /// A quantity and its slope; at the pull-off load, where that is infinite, the slope at the next load.
@@ -128,17 +113,4 @@ fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE]) -> Result<(), 
         value: last,
         allowed: "must be from 0 to the number before it",
     })
-}
-
-impl MicroslipStep {
-    fn new(response: &Response) -> Self {
-        let [xx, xy, yy] = response.stiffness;
-        Self {
-            force: response.force,
-            stiffness: [xx, xy, xy, yy],
-            dforce_dload: response.by_load,
-            dissipated: response.dissipated,
-            slipping: response.slipping,
-        }
-    }
 }

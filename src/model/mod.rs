@@ -21,7 +21,6 @@ use crate::params::Params;
 use crate::population::Population;
 pub use exact::{State, SummitState};
 pub(crate) use gap::by_gap;
-pub use microslip::MicroslipStep;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;

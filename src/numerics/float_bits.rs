@@ -1,12 +1,21 @@
 //! What kind of number a float is, told by its bits: a comparison with a signalling NaN would raise a floating-point
 //! exception.
 
+/// Bits of a double below its exponent.
+pub const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// 2^e of a biased exponent.
+#[inline]
+pub const fn power_of_two(exponent: u64) -> f64 {
+    f64::from_bits(exponent << MANTISSA_BITS)
+}
+
 pub fn finite(x: f64) -> bool {
     x.to_bits() << 1 < 0x7ff << 53
 }
 
 /// Positive numbers between these are moderate: 2^-500 and 2^500. Products and quotients of two neither overflow nor underflow.
-pub const MODERATE: [f64; 2] = [f64::from_bits((1023 - 500) << 52), f64::from_bits((1023 + 500) << 52)];
+pub const MODERATE: [f64; 2] = [power_of_two(1023 - 500), power_of_two(1023 + 500)];
 
 pub fn moderate(x: f64) -> bool {
     (MODERATE[0].to_bits()..=MODERATE[1].to_bits()).contains(&x.to_bits())

@@ -65,7 +65,7 @@ if readelf -SW "$prefix/lib/libasperity.a" | grep -F .llvmbc; then fail "the sta
 # Those of the system have other last bits on another processor or system.
 nm -D --undefined-only "$library" | awk '{ sub(/@.*/, "", $2); print $2 }' | sort >"$work/imported"
 grep -xE 'a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|hypot|fma|[lt]gamma(_r)?|erfc?' "$work/imported" &&
-    fail "the library takes these functions from the system; take them from src/elementary.rs"
+    fail "the library takes these functions from the system; take them from src/numerics/elementary.rs"
 echo "its elementary functions are its own"
 
 # ---- Projects ----

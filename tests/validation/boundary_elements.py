@@ -177,7 +177,7 @@ class Known:
 
     @property
     def fitted(self) -> bool:
-        """Whether the constants of src/spectrum.rs were fitted to this surface, by fit_asperities.py."""
+        """Whether the constants of src/params/spectrum.rs were fitted to this surface, by fit_asperities.py."""
         return self.seed % 2 == 0
 
     def is_of(self, spectrum: Spectrum) -> bool:

@@ -1,4 +1,4 @@
-"""The constants of src/spectrum.rs, fitted to boundary elements: the asperities that stand for a surface of m0 and m2.
+"""The constants of src/params/spectrum.rs, fitted to boundary elements: the asperities that stand for a surface of m0 and m2.
 
 Half of the surfaces are fitted, the other half tell the errors; all have four waves a side and more, in one band. The sums over
 asperities are written out here, without the library, in units of root mean square height and gradient: then a law depends on

@@ -2,8 +2,9 @@
 
 use super::avx2::{Bits, Lanes, Mask};
 use super::{one, Arrays, FirstInvalid, Quantity};
-use crate::law::{Beyond, Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, MANTISSA_BITS, OFFSET};
+use crate::law::{Beyond, Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, OFFSET};
 use crate::model::{Known, Model};
+use crate::numerics::float_bits::MANTISSA_BITS;
 use std::mem::{size_of, MaybeUninit};
 
 const SIGN_AND_EXPONENT: u64 = !Table::MANTISSA;
