@@ -61,7 +61,7 @@ tests/build_checks.sh
 tests/harden/run.sh
 tests/harden/memory.sh
 tests/harden/supply_chain.sh
-tests/harden/python_mutants.py --quick
+tests/harden/mutants.py --check
 packaging/size.py
 tests/dist/same_answers.sh
 tests/dist/refusals.sh

@@ -7,7 +7,7 @@ set -euo pipefail
 
 core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
 hosts="calculix-ccx libode-dev libsiconos-numerics-dev libsimbody-dev python3-getfem pkg-config yade python3-venv"
-harden="valgrind qemu-user llvm-22"
+harden="valgrind"
 # Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
 node=""
 command -v node >/dev/null || node+=" nodejs"
@@ -15,7 +15,7 @@ command -v npm >/dev/null || node+=" npm"
 web="chromium fonts-dejavu-core python3 python3-venv $node"
 # Of crates.io, at the versions that were tried; fetched and built by cargo.
 deny_tools="cargo-deny@0.20.2"
-harden_tools="$deny_tools cargo-fuzz@0.13.2 cargo-mutants@27.1.0"
+harden_tools="$deny_tools cargo-fuzz@0.13.2"
 
 # What make dist and make dist-test need beside the tools that come from PyPI.
 dist="cmake debhelper debootstrap dh-python dpkg-dev gfortran lintian llvm pkg-config python3 python3-venv xz-utils zstd"
@@ -29,7 +29,6 @@ machines="qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mingw-w64-x8
 # Of PyPI, at the versions that were tried, in environments of their own under the target directory.
 dist_packages="ziglang==0.17.1 cargo-zigbuild==0.24.0 build==1.6.1 setuptools==84.2.1 wheel==0.48.0 twine==7.0.0
     conan==2.34.0 py-rattler==0.28.0 check-jsonschema==0.39.0"
-harden_packages="tree-sitter==0.26.1 tree-sitter-rust==0.24.2"
 validation_packages="tamaas==2.9.0 Adhesion==0.93 mpmath>=1.3 matplotlib>=3.5 scipy>=1.9 pytest>=7"
 
 groups=${*:-core} packages="" tools=""
@@ -86,7 +85,6 @@ environment() {
     echo "$2" >"$venv/packages"
 }
 environments() {
-    environment harden "$harden_packages"
     environment validation "$validation_packages"
     environment dist "$dist_packages"
 }

@@ -12,18 +12,16 @@
 #                        an hour for each on a slow processor          needs a nightly Rust with miri
 #   make supply-chain    known faults of crates, licences, bans, sources   needs cargo-deny and the network
 #   make oldest-rust     the Rust tests with the oldest compiler          needs rustup
-#   make coverage        lines that the tests run                         needs llvm-22
 #   make constants       each constant of the core moved by 4 %,       CONSTANTS (a regular expression of file:NAME)
 #                        half an hour
-#   make mutants         changes to the source that no test notices,      SHARD (k/n), MUTANTS (a regular expression of
-#                        of Rust and of Python                            paths); needs cargo-mutants, tree-sitter
+#   make mutants         200 changes of the source, drawn at random:      MUTANTS (globs of files)
+#                        which of them no test notices
 
 FUZZ_CALLS ?= 10000000
 FUZZ_SEED ?= 1
 FUZZ_SECONDS ?= 1800
 DOMAIN_SETS ?= 20000
-SHARD ?= 0/1
-MUTANTS ?= .
+MUTANTS ?=
 CONSTANTS ?= .
 LOW := nice -n 19
 # Compilers of a toolchain with nightly options; a stable one takes them with RUSTC_BOOTSTRAP.
@@ -38,12 +36,11 @@ MIRI_PROCESSOR = $(if $(findstring x86_64,$(HOST)),-Ctarget-feature=+avx2$(COMMA
 MIRI_OPTIONS := -Zmiri-strict-provenance -Zmiri-deterministic-floats
 COMMA := ,
 
-.PHONY: harden fuzz fuzz-coverage domain memory races miri supply-chain oldest-rust coverage constants mutants
+.PHONY: harden fuzz fuzz-coverage domain memory races miri supply-chain oldest-rust constants mutants
 
 harden:
 	tests/setup.sh core hosts harden
-	$(MAKE) --no-print-directory fuzz fuzz-coverage domain memory races miri supply-chain \
-	    oldest-rust coverage
+	$(MAKE) --no-print-directory fuzz fuzz-coverage domain memory races miri supply-chain oldest-rust
 
 fuzz:
 	ASPERITY_FUZZ_CALLS=$(FUZZ_CALLS) ASPERITY_FUZZ_SEED=$(FUZZ_SEED) \
@@ -81,12 +78,8 @@ oldest-rust:
 	rustup toolchain install $(OLDEST_RUST) --profile minimal
 	CARGO_TARGET_DIR=$(TARGET)/oldest-rust $(LOW) cargo +$(OLDEST_RUST) test --profile mutants --locked
 
-coverage:
-	$(LOW) tests/harden/coverage.sh
-
 constants:
 	$(LOW) python3 tests/harden/nudge_constants.py '$(CONSTANTS)'
 
 mutants:
-	$(LOW) $(TARGET)/harden-venv/bin/python tests/harden/mutants.py $(TARGET)/mutants --shard $(SHARD) --re '$(MUTANTS)'
-	$(LOW) tests/harden/python_mutants.py
+	$(LOW) tests/harden/mutants.py $(MUTANTS)

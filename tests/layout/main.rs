@@ -41,20 +41,6 @@ fn one_file_reads_files_and_none_the_environment_or_a_clock() {
     }
 }
 
-/// A line of the list of changes that no test notices goes with the function that it is about.
-#[test]
-fn what_no_test_notices_is_still_there() {
-    let sources = sources();
-    for line in include_str!("../harden/survivors.txt").lines().filter(|line| !line.starts_with('#')) {
-        let [count_and_file, place, _] = *line.splitn(3, " | ").collect::<Vec<_>>() else { panic!("{line}") };
-        let file = count_and_file.split_once(" src/").and_then(|(_, file)| file.strip_suffix(".rs")).expect(line);
-        let text =
-            sources.get(&file.trim_end_matches("/mod").replace('/', "::")).unwrap_or_else(|| panic!("no file: {line}"));
-        let name = place.rsplit("::").next().and_then(|name| name.split('<').next()).expect(line);
-        assert!(place == "constants" || text.contains(&format!("fn {name}")), "no function: {line}");
-    }
-}
-
 fn sources() -> BTreeMap<String, String> {
     let mut sources = BTreeMap::new();
     read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "", &mut sources);
