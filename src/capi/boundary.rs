@@ -3,8 +3,10 @@
 use super::status::{
     asperity_status, ASPERITY_INTERNAL, ASPERITY_INVALID_PARAMETER, ASPERITY_NULL_POINTER, ASPERITY_OK,
 };
+use super::text::write_text;
 use super::{fp_environment, last_error};
 use crate::error::Error;
+use std::ffi::c_char;
 use std::fmt::{Arguments, Display};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::Path;
@@ -68,6 +70,19 @@ pub fn status(mut body: impl FnMut() -> Result<(), Failure>) -> asperity_status 
 #[inline(never)]
 fn held_status(body: &mut dyn FnMut() -> Result<(), Failure>) -> asperity_status {
     fp_environment::held(|| contained_status(body))
+}
+
+/// Copies a text that is made now into a caller's buffer; returns its whole length, 0 where it cannot be made.
+///
+/// # Safety
+/// `buffer` is NULL or has `length` bytes.
+pub unsafe fn written(buffer: *mut c_char, length: usize, mut make: impl FnMut() -> Result<String, Failure>) -> usize {
+    let mut text = String::new();
+    status(|| {
+        text = make()?;
+        Ok(())
+    });
+    write_text(buffer, length, [text.as_bytes()])
 }
 
 /// A status, whatever the body does: of a call in a solver's inner loop, whose body itself sees to what may raise an exception.

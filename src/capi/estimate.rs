@@ -4,7 +4,6 @@ use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
 use super::last_error::asperity_last_error;
 use super::status::asperity_status;
 use super::surface_text::bytes;
-use super::text;
 use crate::estimate::known::DEFAULT_FACTOR;
 use crate::estimate::{write, Answer, Estimate, Rests};
 use std::ffi::c_char;
@@ -176,7 +175,7 @@ pub unsafe extern "C" fn asperity_estimate_text(
     buffer: *mut c_char,
     buffer_length: usize,
 ) -> usize {
-    let whole = text::written(buffer, buffer_length, || {
+    let whole = boundary::written(buffer, buffer_length, || {
         let (estimate, answers, warnings) = estimated(surface, length, n, load)?;
         let mut text = String::new();
         // Writing to a string does not fail.

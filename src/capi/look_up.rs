@@ -1,10 +1,9 @@
 //! What the library knows by names: which names there are, and what it knows of each, as a text.
 
 use super::about::STATUSES;
-use super::boundary::Failure;
+use super::boundary::{self, Failure};
 use super::given;
 use super::names;
-use super::text;
 use super::validity::WARNINGS;
 use crate::by_name::{Draft, Quoted, Real, Written, FIELDS};
 use crate::materials::names::{text, Instead, Unknown};
@@ -66,7 +65,7 @@ pub unsafe extern "C" fn asperity_describe(
     buffer: *mut c_char,
     length: usize,
 ) -> usize {
-    text::written(buffer, length, || {
+    boundary::written(buffer, length, || {
         let name = given::read(name)?;
         match kind {
             ASPERITY_NAMES_PARAMETERS => parameter(name),

@@ -5,7 +5,6 @@ use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
 use super::tables::{keep, Kept};
-use super::text;
 use crate::by_name::{self, is_of_these_surfaces, Draft, LONGEST};
 use crate::error::Error;
 use crate::estimate::Estimate;
@@ -131,7 +130,7 @@ pub unsafe extern "C" fn asperity_params_text(
     buffer: *mut c_char,
     length: usize,
 ) -> usize {
-    text::written(buffer, length, || {
+    boundary::written(buffer, length, || {
         let mut draft = asperity_params::read(params)?.whole_draft()?;
         let is_measured = is_of_these_surfaces(&draft.clone().into_params()?);
         let mut text = String::new();

@@ -1,20 +1,6 @@
 //! Texts, as C takes them: copied into a buffer of the caller.
 
-use super::boundary::{self, Failure};
 use std::ffi::c_char;
-
-/// Copies a text that is made now into a caller's buffer; returns its whole length, 0 where it cannot be made.
-///
-/// # Safety
-/// `buffer` is NULL or has `length` bytes.
-pub unsafe fn written(buffer: *mut c_char, length: usize, mut make: impl FnMut() -> Result<String, Failure>) -> usize {
-    let mut text = String::new();
-    boundary::status(|| {
-        text = make()?;
-        Ok(())
-    });
-    write_text(buffer, length, [text.as_bytes()])
-}
 
 /// Copies a text, given in pieces, into a caller's buffer, NUL-terminated and cut to fit; returns its whole length.
 ///
