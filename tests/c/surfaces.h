@@ -23,7 +23,7 @@ static asperity_params surface(int which)
     case 1: p.work_of_adhesion = 0; break;
     case 2: asperity_params_set_dimensionless(&p, 0.01, 1000, 0.02, 1.0, 0.3); break;
     case 3: asperity_params_set_dimensionless(&p, 0.01, 1000, 1e-4, 1.0, 0.3); break;
-    case 4: asperity_params_set_skew(&p, -0.5); break;
+    case 4: asperity_params_set_text(&p, "skew = -0.5", 11); break;
     case 5: p.radius_amplitude = 1.0; break;
     case 6: p.radius_amplitude = -0.95; break;
     case 7: p.attraction = 0; break;
