@@ -21,8 +21,8 @@ for tool in "${PYTHON:-python3}" cargo cc; do
 done
 before="$(git status --porcelain)"
 
-quick=(c_interface command_line docstrings export floating_point layers library loads materials microslip model params
-    physics sensitivities surface_file threads)
+quick=(c_interface command_line docstrings export layers library loads materials microslip model params
+    surface_file threads uncertainty)
 if [ "${1:-}" = --quick ]; then
     environment="$(python/environment.sh quick)"
     set -- "${quick[@]/%/.py}"

@@ -217,21 +217,3 @@ def remembered(params: Params, amplitude: float) -> list[tuple[Array, Array]]:
         found.append((way, np.array(forces)))
         way = way[60:]
     return found
-
-
-# Those that the measurement of a surface or the choice of materials leaves open, with their symbols.
-SENSITIVE = {
-    "composite_modulus": "E*",
-    "work_of_adhesion": "w",
-    "adhesion_range": "h",
-    "burgers_vector": "b",
-    "height_std": "σ",
-    "summit_radius": "R",
-}
-
-
-def sensitivities(loads: Array = LOADS) -> Array:
-    """Of the friction on the default surface to the parameters of SENSITIVE, (parameters, loads)."""
-    law = model(surface(*DEFAULT))
-    found = [law.sensitivities(float(load)) for load in loads]
-    return np.array([[getattr(at_load, name) for at_load in found] for name in SENSITIVE])

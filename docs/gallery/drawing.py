@@ -37,7 +37,7 @@ def draw_all(directory: Path) -> list[Path]:
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
         pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
-        pictures |= {"sensitivities": _sensitivities(), **validity.pictures(), **front.pictures()}
+        pictures |= {**validity.pictures(), **front.pictures()}
         pictures |= {"joint-damping": damping.picture(), "remembered": _remembered()}
         files = [directory / f"{name}.svg" for name in pictures]
         for picture, file in zip(pictures.values(), files):
@@ -190,17 +190,6 @@ def _shares(title: str, shares: list[tuple[str, Array]], labels: tuple[str, str,
         *panels[0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(0.1, 0.93), ncol=3, frameon=False,
         fontsize=8.5, columnspacing=1.0, handlelength=1.5,
     )  # fmt: skip
-    return picture
-
-
-def _sensitivities() -> Figure:
-    """Derivatives of friction with respect to each parameter, over the load."""
-    picture, (axes,) = _picture(4.2, [(0.15, 0.13, 0.74, 0.73)])
-    _entitle(axes, "Stiffer or rougher surfaces have less friction", r"$\alpha = 0.01$, $\beta = 1000$, $\gamma = 0.001$")
-    for number, (symbol, values) in enumerate(zip(curves.SENSITIVE.values(), curves.sensitivities())):
-        _line(axes, number, number, curves.LOADS, values, symbol)
-    axes.set(xlabel=_LOAD, ylabel="sensitivity of the friction [% per %]")
-    label_ends(axes)
     return picture
 
 

@@ -25,7 +25,7 @@ def text() -> str:
     """The whole page."""
     parts = [_introduction(), _figure_3(), *map(_skew_figure, curves.SKEW_FIGURES)]
     parts += [_radius_figure(figure) for figure in curves.RADIUS_FIGURES]
-    parts += [_kurtosis(), _regimes(), _yield(), _microslip(), _sensitivities()]
+    parts += [_kurtosis(), _regimes(), _yield(), _microslip()]
     return "\n\n".join(parts) + "\n"
 
 
@@ -388,26 +388,6 @@ of summits that all slip at the same displacement, 4 (A − 1) for A > 1:
 | A | Work | Of equal summits that slip as a whole |
 |---|---|---|
 {chr(10).join(works)}"""
-
-
-def _sensitivities() -> str:
-    values = curves.sensitivities(_SHOWN)
-    rows = [f"| {symbol} | {_cells(row, '.3f').replace('-', '−')} |" for symbol, row in zip(curves.SENSITIVE.values(), values)]
-    elastic, adhesion, *_, roughness, _ = curves.sensitivities()
-    order = _where(np.abs(roughness) < np.abs(elastic), "E* counts for more than σ")
-    return f"""\
-## What friction depends on
-
-![Sensitivities of the friction to six parameters, over the load](../figures/sensitivities.svg)
-
-Logarithmic derivatives of the friction force with respect to each parameter, at constant load: per cent of friction per per cent of the
-parameter ([model.md](../model.md#sensitivities)). Here {order}; w counts for
-{_pair(adhesion)}. `Model.sensitivities` has all parameters at one load, and `uncertainty`
-makes a band of them ([python.md](../python.md#what-friction-depends-on)).
-
-| % per % | {_heads(_SHOWN)} |
-|---|{'---|' * _SHOWN.size}
-{chr(10).join(rows)}"""
 
 
 # ---- Words and cells ----

@@ -38,7 +38,6 @@ PICTURES = {
     "regimes.svg": [2, 2, 2],
     "yield.svg": [2, 2, 2],
     "microslip.svg": [3, 3],
-    "sensitivities.svg": [6],
 }
 
 

@@ -12,6 +12,7 @@ from asperity import Warnings
 from gallery import joint
 
 Array = NDArray[np.float64]
+DOCS = Path(__file__).resolve().parents[1]
 
 
 class Stepped:
@@ -45,8 +46,8 @@ class Stepped:
         return float(slip[-1] + pull / self.tension * self.arm)
 
 
-def test_the_page_has_the_numbers_of_the_joint(root: Path) -> None:
-    page = (root / "docs" / "dev" / "validation-data.md").read_text(encoding="utf-8")
+def test_the_page_has_the_numbers_of_the_joint() -> None:
+    page = (DOCS / "dev" / "validation-data.md").read_text(encoding="utf-8")
     loading, model, rigid = joint.first_loading(), joint.iwan(), joint.rigid_loading()
     share = loading.pull / loading.slip_pull
     fitted = share >= joint.FITTED[0]
@@ -67,7 +68,7 @@ def test_the_page_has_the_numbers_of_the_joint(root: Path) -> None:
         said.append(f"| {1e-3 * at[0]:.2f} | {1e6 * at[1]:.2f} | {1e3 * at[2]:.3g} | {1e3 * at[3]:.3g} |")
     missing = [words for words in said if words not in page]
     assert not missing
-    guide = " ".join((root / "docs" / "stiffness-and-microslip.md").read_text(encoding="utf-8").split())
+    guide = " ".join((DOCS / "stiffness-and-microslip.md").read_text(encoding="utf-8").split())
     assert f"to the power {joint.slope(loading, *joint.FITTED):.2f}, because" in guide
     assert f"within {100 * np.abs(ratio - 1).max():.0f} % from a tenth of the slip load up" in guide
 

@@ -189,7 +189,7 @@ def main():
     error = 0.0
     for params in (carbon, carbon.replace(work_of_adhesion=carbon.work_of_adhesion / 3)):
         model = asperity.Model(params)
-        states = shear(model.friction_at_pressure, model.state_at_load(mean).friction_coefficient)
+        states = shear(model.friction_at_load, model.state_at_load(mean).friction_coefficient)
         error = np.maximum(error, check(model, states))
     return error <= LIMIT, f"max |traction / mu(p) p - 1|, imbalance = {error:.1e} (limit {LIMIT:.0e})"
 

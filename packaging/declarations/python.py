@@ -73,6 +73,8 @@ def ctype(kind):
         return "c_char_p"
     name, _, stars = kind.replace("const", "").strip().partition(" ")
     pointers, pointed = stars.count("*"), CTYPES.get(name, name)
+    if name == "char" and pointers == 2:
+        pointers, pointed = 1, "c_char_p"
     if pointers and (name == "double" or name not in CTYPES):
         pointers, pointed = pointers - 1, alias(name)
     return "POINTER(" * pointers + pointed + ")" * pointers

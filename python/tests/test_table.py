@@ -76,7 +76,7 @@ int main(void)
     if (asperity_params_init(&params, sizeof params) != ASPERITY_OK ||
         asperity_params_set_dimensionless(&params, 0.01, 1000.0, 0.001, 1.0, 0.3) != ASPERITY_OK)
         return 1;
-    if (asperity_create(&params, &model) != ASPERITY_OK || asperity_table_of(model, &table) != ASPERITY_OK)
+    if (asperity_create(&params, &model) != ASPERITY_OK || asperity_table_of(model, ASPERITY_TABLE_FRICTION, &table) != ASPERITY_OK)
         return 1;
     count = asperity_eval_make_float(&table, NULL, NULL);
     rows = (float *)malloc(count * 8 * sizeof *rows);

@@ -33,7 +33,6 @@ from .model import Model
 from .one_line import friction
 from .params import Params
 from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
-from .sensitivity import Sensitivities
 from .studies.pad_results import Pads
 from .studies.pads import pads
 
@@ -49,7 +48,6 @@ __all__ = [
     "Pads",
     "Params",
     "Prediction",
-    "Sensitivities",
     "State",
     "States",
     "Status",

@@ -19,7 +19,6 @@ from ._microslip import Microslip
 from .errors import Error, Status, check
 from .params import Params
 from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
-from .sensitivity import Sensitivities
 from .tools import caller, checks
 from .tools.labelled import HasLabels, Labelled, like
 from .tools.progress import Progress, teller
@@ -33,7 +32,6 @@ Array = npt.NDArray[np.float64]
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
 # More exact states than these take more than some seconds.
 _MANY = 20_000
-_SLIP_NAMES = ("slip_force", "dforce_dload", "dforce_dslip_rate")
 
 
 class FrictionLaw:
@@ -119,79 +117,6 @@ class FrictionLaw:
         one, one_with_slope = LIBRARY.asperity_friction_force_at_load, LIBRARY.asperity_friction_force_and_slope_at_load
         return self._evaluate("friction_force", one, one_with_slope, LIBRARY.asperity_friction_force_at_loads, load, slope)
 
-    def friction_at_pressure(self, pressure: Any, nominal_area: float | None = None, *, slope: bool = False) -> Any:
-        """Friction coefficient at a nominal contact pressure, or at many: `friction_at_load` at pressure times area.
-
-        Args:
-            pressure: nominal contact pressure [stress], positive in compression; a number or an array.
-            nominal_area: the area that carries `asperity_count` summits [length^2]; by default that of the parameters.
-            slope: whether to return d(mu)/d(pressure) [1/stress] too.
-
-        Returns:
-            mu, or (mu, slope): a float for a number, an array of the same shape and labels for an array.
-
-        Raises:
-            Error: a pressure that is NaN, infinite, or too heavy; an area that is not given or not > 0.
-        """
-        return self._at_pressure(self.friction_at_load, pressure, nominal_area, slope, lambda values, area: values)
-
-    def shear_stress_at_pressure(self, pressure: Any, nominal_area: float | None = None, *, slope: bool = False) -> Any:
-        """Frictional shear stress at a nominal contact pressure, or at many: friction force per nominal area.
-
-        Args:
-            pressure: as for `friction_at_pressure`.
-            nominal_area: as for `friction_at_pressure`.
-            slope: whether to return d(stress)/d(pressure) too.
-
-        Returns:
-            The stress, or (stress, slope), as for `friction_at_pressure`.
-
-        Raises:
-            Error: as for `friction_at_pressure`.
-        """
-        return self._at_pressure(
-            self.friction_force_at_load, pressure, nominal_area, slope, lambda values, area: values / area
-        )
-
-    def slip_force(self, load: Any, slip_rate: Any, transition_rate: float, *, slope: bool = False) -> Any:
-        """Friction force [force] of a sliding contact with a smooth sign of the slip rate: F(load) tanh(slip_rate/transition_rate).
-
-        For solvers that integrate through zero slip rate. A contact that should stick creeps instead, more slowly for a
-        smaller `transition_rate`. The force has the sign of the slip rate, and friction opposes slip: apply minus this force
-        to the body whose slip rate you give.
-
-        Args:
-            load: normal load [force]; a number or an array.
-            slip_rate: tangential velocity [length/time], signed; a number or an array. The two are broadcast.
-            transition_rate: slip rate at which the force reaches 76 % of F [length/time], 1e-60 to 1e60.
-            slope: whether to return the derivatives by load and by slip rate too.
-
-        Returns:
-            The force [force], or (force, d/d(load), d/d(slip_rate)): floats for two numbers, else arrays.
-
-        Raises:
-            Error: a load as for `friction_at_load`, a slip rate that is not finite, a transition rate out of its range.
-        """
-        handle = self._open()
-        rate = _number("transition_rate", transition_rate, "slip_force")
-        if not 1e-60 <= rate <= 1e60:
-            raise Error(f"transition_rate = {rate:g}: must be from 1e-60 to 1e60")
-        pairs = np.broadcast_arrays(checks.array("load", load), checks.array("slip_rate", slip_rate))
-        loads, rates = (np.ascontiguousarray(of.ravel()) for of in pairs)
-        still = ~np.isfinite(rates)
-        if still.any():
-            i = int(np.argmax(still))
-            raise Error(f"element {i}: slip_rate = {rates[i]}: must be finite")
-        found = np.empty((3, loads.size))
-        LIBRARY.asperity_slip_forces(handle.pointer, loads.size, _data(loads), _data(rates), rate, *map(_data, found))
-        refused = np.isnan(found[0])
-        if refused.any():
-            i = int(np.argmax(refused))
-            _refuse(handle, float(loads[i]), () if pairs[0].ndim == 0 else (i,))
-        given = load if np.ndim(load) >= np.ndim(slip_rate) else slip_rate
-        values = tuple(_shaped(given, row, pairs[0].shape, name) for row, name in zip(found, _SLIP_NAMES))
-        return values if slope else values[0]
-
     @overload
     def load_at_gap(self, gap: float, *, slope: Literal[False] = ...) -> float: ...
     @overload
@@ -219,48 +144,8 @@ class FrictionLaw:
         Raises:
             Error: a gap that is NaN, infinite, or out of range; the message names it.
         """
-        one, one_with_slope = LIBRARY.asperity_load_at_gap, LIBRARY.asperity_load_and_slope_at_gap
-        many = LIBRARY.asperity_loads_at_gaps
-        return self._evaluate("load", one, one_with_slope, many, gap, slope, "gap")
-
-    @overload
-    def contact_radius_sum_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
-    @overload
-    def contact_radius_sum_at_load(self, load: float, *, slope: Literal[True]) -> tuple[float, float]: ...
-    @overload
-    def contact_radius_sum_at_load(self, load: Loads, *, slope: Literal[False] = ...) -> Array: ...
-    @overload
-    def contact_radius_sum_at_load(self, load: Loads, *, slope: Literal[True]) -> tuple[Array, Array]: ...
-    @overload
-    def contact_radius_sum_at_load(self, load: Labelled, *, slope: Literal[False] = ...) -> Labelled: ...
-    @overload
-    def contact_radius_sum_at_load(self, load: Labelled, *, slope: Literal[True]) -> tuple[Labelled, Labelled]: ...
-
-    def contact_radius_sum_at_load(self, load: Any, *, slope: bool = False) -> Any:
-        """Sum of the radii of all contacts at a load, or at many, from the compiled law.
-
-        The thermal or electrical conductance of independent contacts is 2 k times the sum, with k = 2 k1 k2/(k1 + k2) of the
-        conductivities of the two bodies.
-
-        Args:
-            load: normal load [force], as for `friction_at_load`.
-            slope: whether to return d(sum)/d(load) [length/force] too.
-
-        Returns:
-            The sum [length], or (sum, slope); 0 below the pull-off load: a float for a number, an array of the same shape for an
-            array.
-
-        Raises:
-            Error: a load that is NaN, infinite, or too heavy; the class tells more.
-        """
-
-        def one_with_slope(model: Any, at: float, slope: ctypes.c_double) -> float:
-            found = ctypes.c_double()
-            LIBRARY.asperity_contact_radius_sum_at_loads(model, 1, ctypes.c_double(at), found, slope)
-            return found.value
-
-        one, many = LIBRARY.asperity_contact_radius_sum_at_load, LIBRARY.asperity_contact_radius_sum_at_loads
-        return self._evaluate("contact_radius_sum", one, one_with_slope, many, load, slope)
+        one = LIBRARY.asperity_load_and_slope_at_gap
+        return self._evaluate("load", lambda model, at: one(model, at, None), one, LIBRARY.asperity_loads_at_gaps, gap, slope, "gap")
 
     @overload
     def tangential_stiffness_at_load(self, load: float) -> float: ...
@@ -391,23 +276,6 @@ class FrictionLaw:
         """
         return self._states(LIBRARY.asperity_state_at_gap, "gap", gap, progress)
 
-    def sensitivities(self, load: float) -> Sensitivities:
-        """Logarithmic derivatives of the friction force with respect to each parameter, d(ln F)/d(ln p), at a load [force].
-
-        `print(model.sensitivities(load).by_size())` lists them, `.plot()` draws them. They grow without limit next to the
-        pull-off load.
-
-        Raises:
-            Error: a load below the pull-off load (status SEPARATED), not finite, or out of range: the pull-off load itself,
-                zero without adhesion, or too heavy.
-            TypeError: not a number; an array takes a loop.
-        """
-        at = _number("load", load, "sensitivities")
-        handle = self._open()
-        struct = _header.asperity_sensitivities(struct_size=ctypes.sizeof(_header.asperity_sensitivities))
-        check(LIBRARY.asperity_sensitivities_at_load(handle.pointer, at, ctypes.byref(struct)))
-        return Sensitivities(at, *_values(struct))
-
     def check(self, lightest: float, heaviest: float) -> Warnings:
         """Warnings of all states between two loads: whether the model holds for a contact that meets these loads.
 
@@ -456,7 +324,7 @@ class FrictionLaw:
 
     def load_table(self) -> _table.Table:
         """Load against gap as arrays: minus the gap stands in place of a load, and the load in place of F."""
-        return _table.of_doubles(self._open(), LIBRARY.asperity_load_table_of)
+        return _table.of_doubles(self._open(), _header.ASPERITY_TABLE_LOAD_AT_GAP)
 
     def warn(self, lightest: float, heaviest: float) -> None:
         """Issues a `ValidityWarning` for each assumption that fails between two loads, once per model and assumption.
@@ -544,26 +412,6 @@ class FrictionLaw:
         tell(1.0, "exact states")
         return States.of(found, at, places.shape)
 
-    def _at_pressure(self, call: Any, pressure: Any, nominal_area: float | None, slope: bool, scaled: Any) -> Any:
-        given = self.params.nominal_area if nominal_area is None else nominal_area
-        area = _number("nominal_area", given, "friction_at_pressure")
-        if not 1e-60 <= area <= 1e60:
-            missing = nominal_area is None and area == 0
-            says = "must be given, here or in the parameters" if missing else "must be from 1e-60 to 1e60"
-            raise Error(f"nominal_area = {area:g}: {says}")
-        pressures = float(pressure) if isinstance(pressure, numbers.Real) else checks.array("pressure", pressure)
-        wrong = ~np.isfinite(pressures)
-        if wrong.any():
-            at = np.unravel_index(int(np.argmax(wrong)), wrong.shape)
-            element = f"element {_place(at)}: " if at else ""
-            value = f"{np.asarray(pressures)[at]}".replace("nan", "NaN")
-            raise Error(f"{element}pressure = {value}: must be finite", Status.INVALID_LOAD)
-        load = pressures * area
-        if not slope:
-            return _relabelled(pressure, scaled(call(load), area))
-        values, slopes = call(load, slope=True)
-        return _relabelled(pressure, scaled(values, area)), _relabelled(pressure, scaled(slopes, area) * area)
-
     def _evaluate(
         self, name: str, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool, argument: str = "load"
     ) -> Any:
@@ -581,12 +429,6 @@ class FrictionLaw:
         if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
             _refuse(handle, float(load), (), argument)
         return (value, found.value) if slope else value
-
-
-def _number(name: str, at: Any, method: str) -> float:
-    if not isinstance(at, numbers.Real):
-        raise TypeError(f"{name} = {at!r}: must be one number; for many, [model.{method}(x) for x in ...]")
-    return float(at)
 
 
 def _evaluate_array(
@@ -631,10 +473,6 @@ def _shaped(given: Any, values: Array, shape: tuple[int, ...], name: str) -> Any
     if shape == ():
         return float(values[0])
     return like(given, values.reshape(shape), name) if np.shape(given) == shape else values.reshape(shape)
-
-
-def _relabelled(given: Any, values: Any) -> Any:
-    return values if isinstance(given, numbers.Real) else like(given, values, "friction")
 
 
 def _state(handle: Handle, call: Any, at: float) -> State:

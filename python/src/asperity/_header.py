@@ -225,7 +225,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_set_spectral_moments": (c_int32, [_params, c_double, c_double, c_double, c_double]),
     "asperity_params_set_pair": (c_int32, [_params, c_char_p]),
     "asperity_params_set_units": (c_int32, [_params, c_double, c_double]),
-    "asperity_params_set_values": (c_int32, [_params, c_size_t, POINTER(POINTER(c_char)), _double]),
+    "asperity_params_set_values": (c_int32, [_params, c_size_t, POINTER(c_char_p), _double]),
     "asperity_params_get_value": (c_int32, [_params, c_char_p, _double]),
     "asperity_params_calibrate": (c_int32, [_params, c_double, c_double]),
     "asperity_params_calibrate_force": (c_int32, [_params, c_double, c_double]),

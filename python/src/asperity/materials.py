@@ -17,14 +17,14 @@ The numbers are those of the library, which C, C++ and Fortran read too; none st
 from __future__ import annotations
 
 import ctypes
+import json
 import math
 from dataclasses import dataclass, fields
 from itertools import count, takewhile
-from types import MappingProxyType
-from typing import Any, Callable, Dict, Mapping, Tuple, TypeVar
+from typing import Any, Callable, Iterator, Mapping, Tuple, TypeVar
 
 from . import _header
-from ._library import LIBRARY
+from ._library import LIBRARY, last_error, text_of
 from .errors import Error, UnknownKey, check
 from .tools import checks
 
@@ -34,20 +34,32 @@ Range = Tuple[float, float]
 _Entry = TypeVar("_Entry")
 
 
-class _Named(Dict[str, _Entry]):
-    """The entries of a kind by their names, which finds a pair in either order; of an unknown one it says what the library does."""
+class _Known(Mapping[str, _Entry]):
+    """What the library knows of a kind, by name, each read once; it finds a pair in either order, and of an unknown name it says
+    what the library does."""
 
-    def __init__(self, kind: str, read: Callable[[str], _Entry]) -> None:
-        call = getattr(LIBRARY, f"asperity_{kind}_name")
-        names = takewhile(lambda name: name is not None, map(call, count()))
-        super().__init__({name.decode(): read(name.decode()) for name in names})
-        self._kind = kind
+    def __init__(self, kind: int, made: Callable[[dict[str, Any]], _Entry]) -> None:
+        found = takewhile(lambda name: name is not None, (LIBRARY.asperity_name(kind, i) for i in count()))
+        self._kind, self._made = kind, made
+        self._entries: dict[str, _Entry | None] = {name.decode(): None for name in found}
 
-    def __missing__(self, name: object) -> _Entry:
+    def __getitem__(self, name: str) -> _Entry:
+        entry: _Entry | None = self._entries.get(name)
+        if entry is not None:
+            return entry
         try:
-            return self[_data(self._kind, str(name)).name.decode()]
+            values = _described(self._kind, str(name))
         except Error as error:
             raise UnknownKey(f"{error}; all: {', '.join(self)}") from None
+        found = self._entries[values["name"]] or self._made(values)
+        self._entries[values["name"]] = found
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
 
 
 class _Sourced:
@@ -198,7 +210,7 @@ def contact(first: str, second: str, **given: float) -> dict[str, Any]:
     if struct.hardness > 0:
         found["hardness"] = struct.hardness
     if "work_of_adhesion" not in found | given:
-        _data("pair", f"{first}/{second}")  # which the library refuses
+        _described(_header.ASPERITY_NAMES_PAIRS, f"{first}/{second}")  # which the library refuses
     if "burgers_vector" not in found | given:
         says = f"burgers_vector: none is known of a body of {first}/{second}: give one"
         raise Error(says)
@@ -207,65 +219,31 @@ def contact(first: str, second: str, **given: float) -> dict[str, Any]:
     return bodies | found | given
 
 
-def _data(kind: str, name: str) -> Any:
-    """What the library has of this name."""
-    struct = getattr(_header, f"asperity_{kind}_data")
-    data = struct(struct_size=ctypes.sizeof(struct))
-    check(getattr(LIBRARY, f"asperity_{kind}")(name.encode(), ctypes.byref(data)))
-    return data
+def _described(kind: int, name: str) -> dict[str, Any]:
+    """What the library says of a name: lines `key = value`, whose texts and numbers JSON reads too."""
+    text = text_of(LIBRARY.asperity_describe, kind, name.encode())
+    if not text:
+        raise Error(last_error())
+    lines = (line.partition(" = ") for line in text.splitlines())
+    return {key: _DECODER.raw_decode(value)[0] for key, _, value in lines}
 
 
-def _known(value: float) -> float | None:
-    """0 is the library's word for what no source is known for."""
-    return value if value > 0 else None
+_DECODER = json.JSONDecoder()
 
 
-def _range(low: float, high: float) -> Range | None:
-    return (low, high) if high > 0 else None
+def _with_ranges(values: dict[str, Any], made: type[Any], **others: Any) -> Any:
+    """An entry, in which two ends are one range, and None what is not known."""
+    values.update(others)
+    for name in [name[:-4] for name in values if name.endswith("_low")]:
+        values[f"{name}_range"] = values.pop(f"{name}_low"), values.pop(f"{name}_high")
+    return made(**{field.name: values.get(field.name) for field in fields(made)})
 
 
-def _material(name: str) -> Material:
-    data = _data("material", name)
-    return Material(
-        name=name,
-        young=data.young,
-        young_range=_range(data.young_low, data.young_high),
-        poisson=data.poisson,
-        hardness=_known(data.hardness),
-        hardness_range=_range(data.hardness_low, data.hardness_high),
-        burgers_vector=_known(data.burgers_vector),
-        reference=data.reference.decode(),
-    )
+def _pair(values: dict[str, Any]) -> Pair:
+    first, second = values["name"].split("/")
+    return _with_ranges(values, Pair, first=MATERIALS[first], second=MATERIALS[second])  # type: ignore[no-any-return]
 
 
-def _pair(name: str) -> Pair:
-    data = _data("pair", name)
-    first, second = name.split("/")
-    return Pair(
-        first=MATERIALS[first],
-        second=MATERIALS[second],
-        work_of_adhesion=data.work_of_adhesion,
-        work_of_adhesion_range=_range(data.work_of_adhesion_low, data.work_of_adhesion_high),
-        hamaker=_known(data.hamaker),
-        slip_stress_1=_known(data.slip_stress_1),
-        reference=data.reference.decode(),
-    )
-
-
-def _interface(name: str) -> Interface:
-    data = _data("interface", name)
-    return Interface(
-        name=name,
-        shear_strength=_known(data.shear_strength),
-        pressure_coefficient=_known(data.pressure_coefficient),
-        friction_coefficient=_known(data.friction_coefficient),
-        load=_known(data.load),
-        conditions=data.conditions.decode(),
-        source=data.source.decode(),
-        reference=data.reference.decode(),
-    )
-
-
-MATERIALS: Mapping[str, Material] = MappingProxyType(_Named("material", _material))
-PAIRS: Mapping[str, Pair] = MappingProxyType(_Named("pair", _pair))
-INTERFACES: Mapping[str, Interface] = MappingProxyType(_Named("interface", _interface))
+MATERIALS: Mapping[str, Material] = _Known(_header.ASPERITY_NAMES_MATERIALS, lambda values: _with_ranges(values, Material))
+PAIRS: Mapping[str, Pair] = _Known(_header.ASPERITY_NAMES_PAIRS, _pair)
+INTERFACES: Mapping[str, Interface] = _Known(_header.ASPERITY_NAMES_INTERFACES, lambda values: _with_ranges(values, Interface))

@@ -421,10 +421,7 @@ class Params:
             top["burgers_vector"] = contact["burgers_vector"]  # a crystal's tells that lengths are in m
         checks.word("summits", summits, ("moments", "mccool"))
         struct: Any = _initialised()
-        try:
-            _set_text(struct, f"{_lines(top)}[roughness]\n{_lines({'summits': summits} | roughness)}")
-        except Error as error:
-            raise Error(re.sub(r"^line \d+: (\[roughness\] )?", "", str(error)), error.status) from None
+        _set_line(struct, f"{_lines(top)}[roughness]\n{_lines({'summits': summits} | roughness)}")
         names = (*_SUMMITS, *(_SHAPE if "Sku" in roughness else ()))
         return cls.si(**{name: getattr(struct, name) for name in names}, **contact)
 
@@ -714,9 +711,8 @@ class Params:
         Raises:
             Error: a hardness that is not finite and > 0.
         """
-        struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_set_elastic_plastic(ctypes.byref(struct), checks.real("hardness", hardness)))
-        return self._of_struct(struct, self.in_si)
+        changes = {"contact_law": "elastic-plastic", "hardness": checks.positive("hardness", hardness), "work_of_adhesion": 0.0}
+        return self.replace(**changes)
 
     def with_interface(self, name: str) -> Params:
         """A copy whose strength of the interface was measured on other specimens, by the name of the interface.
@@ -732,7 +728,7 @@ class Params:
                 nearest name, or what to give to `calibrated`.
         """
         struct: Any = self._as_struct()
-        check(LIBRARY.asperity_params_set_interface(ctypes.byref(struct), checks.instance("name", name, str).encode()))
+        _set_line(struct, f"interface = {json.dumps(checks.instance('name', name, str))}")
         return self._of_struct(struct, self.in_si)
 
     def __repr__(self) -> str:
@@ -829,7 +825,7 @@ def _options(given: Any) -> dict[str, Any]:
         if excluded:
             raise Error(f"skew chooses the height distribution: do not give {' or '.join(sorted(excluded))} too")
         struct = _initialised()
-        check(LIBRARY.asperity_params_set_skew(ctypes.byref(struct), checks.real("skew", changes.pop("skew"))))
+        check(_set_value(struct, "skew", checks.real("skew", changes.pop("skew"))))
         return changes | {"height_distribution": "weibull", "weibull_shape": getattr(struct, "weibull_shape")}
     for distribution in meant:
         changes.setdefault("height_distribution", distribution)
@@ -868,13 +864,26 @@ def _refuse_unknown(given: Iterable[str], also: Iterable[str] = ()) -> None:
             continue
         if call := next((call for call, names in _ARGUMENTS.items() if name in names), None):
             raise TypeError(f"{name}: is an argument of {call}")
-        LIBRARY.asperity_params_set_value(ctypes.byref(_initialised()), name.encode(errors="replace"), 1.0)
+        _set_value(_initialised(), name, 1.0)
         raise TypeError(last_error())
+
+
+def _set_value(struct: _header.asperity_params, name: str, value: float) -> int:
+    names, values = (ctypes.c_char_p * 1)(name.encode(errors="replace")), (ctypes.c_double * 1)(value)
+    return int(LIBRARY.asperity_params_set_values(ctypes.byref(struct), 1, names, values))
 
 
 def _set_text(struct: _header.asperity_params, text: str) -> None:
     written = text.encode()
     check(LIBRARY.asperity_params_set_text(ctypes.byref(struct), written, len(written)))
+
+
+def _set_line(struct: _header.asperity_params, text: str) -> None:
+    """Of a text that the caller did not write: messages without line and section."""
+    try:
+        _set_text(struct, text)
+    except Error as error:
+        raise Error(re.sub(r"^line \d+: (\[roughness\] )?", "", str(error)), error.status) from None
 
 
 def _lines(given: dict[str, Any]) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _header, units
-from ._library import LIBRARY
+from ._library import LIBRARY, text_of
 from .tools.labelled import frame, like
 
 
@@ -65,8 +65,7 @@ class Warnings(IntFlag):
     @property
     def description(self) -> str:
         """What a single warning says, in the library's words: what fails and what to do about it."""
-        text: bytes = LIBRARY.asperity_warning_string(self)
-        return text.decode()
+        return text_of(LIBRARY.asperity_warnings_text, self)
 
     def __str__(self) -> str:
         return "\n".join(f"{_name(kind)}: {kind.description}" for kind in self.kinds) or "none"

@@ -95,10 +95,10 @@ _SCALARS = (
 )  # fmt: skip
 
 
-def of_doubles(handle: Handle, call: Any = None) -> Table:
-    """A view of the library's table of friction, or what another call gives; it keeps the model alive."""
+def of_doubles(handle: Handle, kind: int = _header.ASPERITY_TABLE_FRICTION) -> Table:
+    """A view of one of the library's tables; it keeps the model alive."""
     struct = _header.asperity_table(struct_size=ctypes.sizeof(_header.asperity_table))
-    check((call or LIBRARY.asperity_table_of)(handle.pointer, ctypes.byref(struct)))
+    check(LIBRARY.asperity_table_of(handle.pointer, kind, ctypes.byref(struct)))
     found: Any = struct
     memory = (ctypes.c_double * (8 * found.total_count)).from_address(ctypes.addressof(found.rows.contents))
     setattr(memory, "model", handle)  # every view of the memory holds it

@@ -19,9 +19,10 @@ from ..errors import Error
 from ..params import Params
 from ..tools import checks
 from . import robust
+from .differences import STEP
 from .names import PRESSURE, free_names
 from .result import End, Estimate, Fit
-from .search import STEP, Data, Search
+from .search import Data, Search
 from .trend import trends
 
 Array = npt.NDArray[np.float64]

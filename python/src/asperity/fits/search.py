@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numbers
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from typing import Any, Callable, Mapping
+from functools import lru_cache, partial
+from typing import Mapping
 
 import numpy as np
 import numpy.typing as npt
@@ -13,19 +13,13 @@ import numpy.typing as npt
 from .._friction_law import FrictionLaw
 from ..errors import Error, Status
 from ..params import Params
-from ..sensitivity import LINEAR, NAMES
 from ..tools import checks
+from .differences import log_slopes, slopes
 from .names import PRESSURE, FreeName, put_all
 
 Array = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
-# Of central differences: the compiled law is smooth to 1e-10, so that (1e-10)^(1/3) about balances its error against
-# that of the difference; the derivative is then right to some 1e-7 of the friction.
-STEP = 1e-3
-# Of the differences of the parameters along a coordinate. All but the shape of Weibull heights of a skew, which is smooth,
-# are powers or the coordinate itself, so that any step serves.
-_SHORT = 1e-4
 # Further starts of a search lie within this factor of the first.
 _SPREAD = 10.0
 # What friction is linear in: the strength of the interface, and what pressure adds.
@@ -164,41 +158,30 @@ class Search:
     def jacobian(self, x: Array) -> Array:
         if self._linear(x) is not None:
             return self.exact_jacobian(x)
-        return np.stack([self._derivative(x, i) for i in range(x.size)], axis=1)
+
+        def answer(at: Array) -> Array | None:
+            residuals = self.residuals(at)
+            return residuals if np.isfinite(residuals).all() else None
+
+        return slopes(answer, x, self.low, self.high, partial(self._named, x))
 
     def exact_jacobian(self, x: Array) -> Array:
-        """The same by the library's sensitivities. Up to the pull-off load, where they are infinite, data do not count."""
+        """The same of exact states. Up to the pull-off load, where slopes are infinite, data do not count."""
         load = self.data.load
-        slopes = np.zeros((load.size, x.size))
+        found = np.zeros((load.size, x.size))
         if (parts := self._linear(x)) is not None:
             unit = self.data.weight / (load if self.data.quantity == "mu" else 1.0)
             for i, name in enumerate(self.names):
-                slopes[:, i] = unit * (self._with_pressure(1.0) - self._with_pressure(0.0) if name.field == PRESSURE else parts[0])
-            return slopes
+                found[:, i] = unit * (self._with_pressure(1.0) - self._with_pressure(0.0) if name.field == PRESSURE else parts[0])
+            return found
         with FrictionLaw(self.surfaces(x)) as law:
             counts = load > law.summary().pull_off_load
-            slopes[counts] = log_slopes(self.surfaces, x, self.low, self.high, law, load[counts])
-        return slopes * (self.friction(x) * self.data.weight)[:, None]
+        if counts.any():
+            found[counts] = log_slopes(self.surfaces, x, self.low, self.high, partial(self._named, x), load[counts])
+        return found * (self.friction(x) * self.data.weight)[:, None]
 
-    def _derivative(self, x: Array, i: int) -> Array:
-        """By central differences; beside a bound or surfaces that are refused, of the same order to one side."""
-        below, above = self._beside(x, i, -1), self._beside(x, i, 1)
-        if below is not None and above is not None:
-            return (above - below) / (2 * STEP)
-        side, near = (1, above) if above is not None else (-1, below)
-        far = self._beside(x, i, 2 * side)
-        if near is None or far is None:
-            name, value = self.names[i].given, self.values(x)[i]
-            raise Error(f"{name} = {value:g}: the library refuses surfaces on both sides of it", Status.OUT_OF_RANGE)
-        return side * (4 * near - 3 * self.residuals(x) - far) / (2 * STEP)
-
-    def _beside(self, x: Array, i: int, steps: int) -> Array | None:
-        at = x.copy()
-        at[i] += steps * STEP
-        if not self.low[i] <= at[i] <= self.high[i]:
-            return None
-        residuals = self.residuals(at)
-        return residuals if np.isfinite(residuals).all() else None
+    def _named(self, x: Array, i: int) -> str:
+        return f"{self.names[i].given} = {self.values(x)[i]:g}"
 
 
 @lru_cache(maxsize=8)
@@ -206,33 +189,3 @@ def _forces(params: Params, loads: tuple[float, ...]) -> Array:
     """Friction forces, kept for the next step, and for the next fit to the same loads, as those of a bootstrap."""
     with FrictionLaw(params) as law:
         return law.friction_force_at_load(np.array(loads))
-
-
-def log_slopes(
-    surfaces: Callable[[Array], Params], x: Array, low: Array, high: Array, law: FrictionLaw, loads: Array
-) -> Array:
-    """d(ln F)/dx, (loads, coordinates), of `law`, which is that of `surfaces(x)`; `low` and `high` are its bounds."""
-    changes = np.stack([_changes(surfaces, x, i, low, high) for i in range(x.size)], axis=1)
-    found = [law.sensitivities(load) for load in loads.tolist()]
-    by_parameters = np.array([[getattr(one, name) for name in NAMES] for one in found]).reshape(-1, len(NAMES))
-    slopes: Array = by_parameters @ changes
-    return slopes
-
-
-def _changes(surfaces: Callable[[Array], Params], x: Array, i: int, low: Array, high: Array) -> Array:
-    """How fast the parameters, those of `LINEAR` apart in their logarithms, change along a coordinate."""
-    ends = []
-    for end in (max(x[i] - _SHORT, low[i]), min(x[i] + _SHORT, high[i])):
-        at = x.copy()
-        at[i] = end
-        ends.append((end, surfaces(at)))
-    (start, below), (stop, above) = ends
-    changes: Array = np.array([_change(name, below, above) for name in NAMES]) / (stop - start)
-    return changes
-
-
-def _change(name: str, below: Params, above: Params) -> float:
-    before, after = getattr(below, name), getattr(above, name)
-    if before is None or before == after:
-        return 0.0
-    return float(after - before if name in LINEAR else np.log(after / before))

@@ -1,6 +1,6 @@
 """How well friction is known where the parameters are known with an error: a curve with a band.
 
-Linear from the sensitivities, or by as many models as are asked for with parameters drawn at random. The strength of the
+Linear from differences of models, or by as many models as are asked for with parameters drawn at random. The strength of the
 interface is such a parameter, also if `spread` does not name it: by default, or by the error of the measurement that the
 parameters were calibrated with.
 """
@@ -13,7 +13,6 @@ import os
 from collections.abc import Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from statistics import NormalDist
 from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 
 import numpy as np
@@ -27,10 +26,10 @@ from ..tools import blocks as _blocks, checks
 from ..tools.progress import Progress, teller
 from ..tools.sparkline import is_wide
 from ..tools.style import BLACK, saved, style
+from .differences import log_slopes
 from .many_surfaces import Block, Drawn, forces
 from .names import STRENGTHS, FreeName, free_names, put_all
 from .result import Fit
-from .search import log_slopes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -51,7 +50,7 @@ _MANY = 1000
 # Surfaces that are drawn together, between two tellings of progress, and those of them that a worker is given at a time.
 _TOGETHER, _BLOCK = 512, 16
 # Of the logarithm of a default strength, of which 95 % lie within the library's factor.
-STRENGTH_DEVIATION = math.log(_header.ASPERITY_STRENGTH_FACTOR) / NormalDist().inv_cdf(0.975)
+STRENGTH_DEVIATION = math.log(_header.ASPERITY_STRENGTH_FACTOR) / 1.959963984540054
 # What bands say that they rest on.
 NOT_MEASURED = f"strength of the interface: not measured, a factor {_header.ASPERITY_STRENGTH_FACTOR} either way"
 AS_GIVEN = "strength of the interface: as given"
@@ -72,7 +71,7 @@ class Uncertainty:
         low: lower end of the band.
         high: upper end of the band.
         deviation: standard deviation, relative to `value`.
-        parts: name to the relative standard deviation that it causes alone, by the sensitivities.
+        parts: name to the relative standard deviation that it causes alone, by the slopes of ln F.
         coverage: the probability that friction lies between `low` and `high`.
         quantity: "mu" or "force".
         samples: friction of the surfaces drawn, (surfaces, loads); None for the linear band.
@@ -150,7 +149,7 @@ def uncertainty(
     specimen it is: the band of `asperity.friction` has the first, and what it prints the others.
 
     Positive parameters are distributed log-normally, the others normally, each by itself. The linear band
-    follows from the sensitivities of ln F, and holds where the spread is small. For a wide spread set `samples`: 200 take
+    follows from the slopes of ln F, and holds where the spread is small. For a wide spread set `samples`: 200 take
     about a second.
 
     A default strength of the interface (`Model.uncalibrated`) is taken as known to a factor of 10 either way, with a
@@ -205,11 +204,12 @@ def uncertainty(
 
     with FrictionLaw(surfaces(x)) as law:
         force = law.friction_force_at_load(load)
-        slopes = log_slopes(surfaces, x, low, high, law, load)
-        before = covariance
-        if measured:
-            at_measured = log_slopes(surfaces, x, low, high, law, np.array([params.calibration_load]))[0]
-            covariance = _narrowed(covariance, at_measured, params.calibration_error)
+    with_measured = np.append(load, params.calibration_load) if measured else load
+    slopes = log_slopes(surfaces, x, low, high, lambda i: f"{names[i].given} = {values[i]:g}", with_measured)
+    before = covariance
+    if measured:
+        slopes, at_measured = slopes[:-1], slopes[-1]
+        covariance = _narrowed(covariance, at_measured, params.calibration_error)
     unit = load if quantity == "mu" else np.ones(load.shape)
     parts = {name.given: np.abs(slopes[:, i]) * math.sqrt(covariance[i, i]) for i, name in enumerate(names)}
     drawn, refused = None, 0
@@ -218,7 +218,6 @@ def uncertainty(
         varied = tuple(name.given for name in names)
         strengths = (i for i, name in enumerate(names) if measured and name.field == _STRENGTH and before[i, i] > 0)
         strength = next(strengths, None)
-        with_measured = np.append(load, params.calibration_load) if measured else load
 
         def draw() -> Array | None:
             at = random.multivariate_normal(x, before)
@@ -262,6 +261,8 @@ def uncertainty(
         deviation = np.std(drawn, axis=0) / np.where(force > 0, force / unit, 1)
     else:
         deviation = np.sqrt(np.einsum("li,ij,lj->l", slopes, covariance, slopes))
+        from statistics import NormalDist
+
         reach = (NormalDist().inv_cdf(0.5 + 0.5 * coverage) if fit is None else fit.reach(coverage)) * deviation
         band = force / unit * np.exp([-reach, reach])
     return Uncertainty(load, force / unit, band[0], band[1], deviation, parts, coverage, quantity, drawn, refused, rests_on)

@@ -6,11 +6,11 @@
     F(asperity_params_init)                                                                                            \
     F(asperity_params_set_text)                                                                                        \
     F(asperity_params_get_value)                                                                                       \
-    F(asperity_params_set_value)                                                                                       \
+    F(asperity_params_set_values)                                                                                      \
     F(asperity_create)                                                                                                 \
     F(asperity_set_params)                                                                                             \
     F(asperity_state_at_load)                                                                                          \
-    F(asperity_warning_string)                                                                                         \
+    F(asperity_warnings_text)                                                                                          \
     F(asperity_friction_at_loads)                                                                                      \
     F(asperity_friction_force_at_loads)                                                                                \
     F(asperity_microslip_length)                                                                                       \
@@ -56,11 +56,11 @@ static int load_asperity(void)
 #define asperity_params_init dll_asperity_params_init
 #define asperity_params_set_text dll_asperity_params_set_text
 #define asperity_params_get_value dll_asperity_params_get_value
-#define asperity_params_set_value dll_asperity_params_set_value
+#define asperity_params_set_values dll_asperity_params_set_values
 #define asperity_create dll_asperity_create
 #define asperity_set_params dll_asperity_set_params
 #define asperity_state_at_load dll_asperity_state_at_load
-#define asperity_warning_string dll_asperity_warning_string
+#define asperity_warnings_text dll_asperity_warnings_text
 #define asperity_friction_at_loads dll_asperity_friction_at_loads
 #define asperity_friction_force_at_loads dll_asperity_friction_force_at_loads
 #define asperity_microslip_length dll_asperity_microslip_length

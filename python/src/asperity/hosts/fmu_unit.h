@@ -157,14 +157,15 @@ static fmiStatus make_model(unit *u)
 /* Logs each warning of the model once, at the first load at which it is seen. */
 static void tell_warnings(unit *u, double load)
 {
-    char message[768];
+    char text[640], message[768];
     uint64_t warnings, bit;
     if (u->log == NULL)
         return;
     warnings = asperity_told_anew(&u->told, u->model, load);
     for (bit = 1; bit <= warnings; bit *= 2)
         if (warnings & bit) {
-            snprintf(message, sizeof message, "at a load of %g: %s", load, asperity_warning_string(bit));
+            asperity_warnings_text(bit, text, sizeof text);
+            snprintf(message, sizeof message, "at a load of %g: %s", load, text);
             u->log(u->environment, fmiWarning, "logStatusWarning", message);
         }
 }
@@ -249,7 +250,7 @@ static fmiStatus set_one(unit *u, unsigned reference, double value)
 #endif
     if (reference < PARAMETERS || reference - PARAMETERS >= PARAMETER_COUNT)
         return failed(u, fmiError, "a value reference of no input and no parameter is set");
-    if (asperity_params_set_value(&u->state.params, PARAMETER_NAMES[reference - PARAMETERS], value) != ASPERITY_OK)
+    if (asperity_params_set_values(&u->state.params, 1, &PARAMETER_NAMES[reference - PARAMETERS], &value) != ASPERITY_OK)
         return refused(u, fmiError);
     u->stale = 1;
     return fmiOK;

@@ -103,7 +103,7 @@ class FrictionProcess(KratosMultiphysics.Process):  # type: ignore[misc]
             return 0.0
         pressures = np.array([self._pressure(node) for node in nodes])
         try:
-            friction = self.law.friction_at_pressure(pressures)
+            friction = self.law.friction_at_load(pressures * self.law.params.nominal_area)
         except Error as error:
             raise self._error(f"at pressures up to {pressures.max():.3g} Pa: {error}") from None
         before = np.array([node.GetValue(FRICTION_COEFFICIENT) for node in nodes])

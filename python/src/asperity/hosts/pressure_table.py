@@ -65,7 +65,8 @@ def friction_at_pressure(model: Model) -> Law:
 def conductance_at_pressure(model: Model, conductivity: float) -> Law:
     """Conductance of the interface by area, between bodies of this conductivity, the harmonic mean of both."""
     area = _area(model)
-    return lambda pressure: 2 * conductivity / area * model.contact_radius_sum_at_load(pressure * area)
+    by_stiffness = 2 * conductivity / area / model.summary().stiffness_per_radius
+    return lambda pressure: by_stiffness * model.tangential_stiffness_at_load(pressure * area)
 
 
 def stiffness_at_pressure(model: Model, pressure: float) -> Stiffness:

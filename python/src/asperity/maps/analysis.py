@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass, field
-from statistics import NormalDist
 from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import numpy as np
@@ -288,6 +287,8 @@ class _Case:
 
     def answered(self, number: Estimate, spread: dict[str, float], **known: Any) -> Analysis:
         """The answer, whose band has the spread of the map beside that of the strength."""
+        from statistics import NormalDist
+
         reach = NormalDist().inv_cdf((1 + self.coverage) / 2)
         strength = 0.0 if number.low is None else math.log(number.high / number.low) / 2
         value, factor = float(number), math.exp(math.hypot(strength, reach * math.hypot(*spread.values())))

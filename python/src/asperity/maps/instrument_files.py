@@ -5,7 +5,6 @@ from __future__ import annotations
 import gzip
 import os
 import re
-import tempfile
 import warnings
 from dataclasses import dataclass, field
 from typing import Any, Iterator
@@ -84,6 +83,8 @@ def read(
     given = channel, unit, physical_sizes
     if first != b"\x1f\x8b":
         return _read(library, name, name, *given)
+    import tempfile
+
     with tempfile.TemporaryDirectory() as folder:
         inside = os.path.join(folder, os.path.basename(name).removesuffix(".gz"))
         try:
@@ -100,6 +101,8 @@ def read(
 def _read(library: Any, name: str, file: str, channel: Any, unit: str | None, sizes: Any) -> HeightMap:
     """Of a file that is called `name`."""
     table = text_maps.table(file)
+    import tempfile
+
     with tempfile.TemporaryDirectory() as folder:
         files = [file]
         if table is not None:  # what the library reads wrongly, or cannot read

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import socket
 import sys
 from pathlib import Path
 from typing import Iterator
@@ -75,6 +74,8 @@ def _opened(file: Path, what: str) -> int:
             with contextlib.suppress(FileNotFoundError):
                 if os.path.samestat(os.fstat(descriptor), os.stat(file)):
                     os.ftruncate(descriptor, 0)
+                    import socket
+
                     os.write(descriptor, f"process {os.getpid()} of {socket.gethostname()}".encode())
                     return descriptor
         except BaseException:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 Array = npt.NDArray[np.float64]
-Vary = Union[Mapping[str, Any], Callable[[np.random.Generator, int], Mapping[str, npt.ArrayLike]]]
+Vary = Union[Mapping[str, Any], Callable[["np.random.Generator", int], Mapping[str, npt.ArrayLike]]]
 
 # A block of this many surfaces takes some tenths of a second; fewer where a study is small, for all workers to have some, or
 # where it has many loads, for the memory of its answers.

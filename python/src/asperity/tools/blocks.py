@@ -6,11 +6,10 @@ answers depends on nothing but its task, so that neither the engine nor the numb
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import threading
 from collections import deque
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from typing import Any, Callable, Iterable, Iterator
 
 from .._library import version
@@ -63,6 +62,10 @@ def _answer(work: Work, task: Any) -> tuple[str, Any]:
 
 
 def _pool(workers: int) -> Executor:
+    # Imported here: importing the package is to take no longer than it must.
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
     # Not by fork: a process with threads, as of JAX or BLAS, must not be copied.
     method = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
     return ProcessPoolExecutor(workers, multiprocessing.get_context(method), initializer=_end_with_parent)
@@ -70,7 +73,9 @@ def _pool(workers: int) -> Executor:
 
 def _end_with_parent() -> None:
     """In a worker of a pool made here: ends it when its parent is gone, which the pool itself would not notice."""
-    parent = multiprocessing.parent_process()
+    from multiprocessing import parent_process
+
+    parent = parent_process()
 
     def watch() -> None:
         if parent is not None:

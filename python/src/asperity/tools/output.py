@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import stat
 from pathlib import Path
 from typing import Iterator
@@ -38,7 +37,7 @@ def replacing(file: str | os.PathLike[str]) -> Iterator[Path]:
         old = target.stat() if target.exists() else None
         if old is not None and not os.access(target, os.W_OK):
             target.open("rb+").close()  # raises what says why
-        part = target.with_name(f"{target.name[:60]}.{secrets.token_hex(4)}.part")  # within the 255 bytes of a name
+        part = target.with_name(f"{target.name[:60]}.{os.urandom(4).hex()}.part")  # within the 255 bytes of a name
         try:
             yield part
             with part.open("rb+") as written:
