@@ -67,39 +67,6 @@ def test_a_surface_file_stands_for_the_options(tmp_path: Path) -> None:
         assert load == 1.0 and mu == pytest.approx(model.friction_at_load(1.0), rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    "arguments, changes",
-    [
-        ("--skew -0.5", {"skew": -0.5}),
-        ("--weibull-shape 2", {"weibull_shape": 2}),
-        ("--attraction false", {"attraction": False}),
-        ("--radius-amplitude -0.5 --radius-rate 1.5", {"radius_amplitude": -0.5, "radius_rate": 1.5}),
-        ("--slip-radius-1 20 --slip-stress-1 0.02", {"slip_radius_1": 20, "slip_stress_1": 0.02}),
-        ("--slip-radius-2 9e4 --slip-stress-2 9e-4", {"slip_radius_2": 9e4, "slip_stress_2": 9e-4}),
-        ("--max-friction-coefficient 0.5", {"max_friction_coefficient": 0.5}),
-    ],
-)
-def test_options_are_parameters(params: Params, arguments: str, changes: dict[str, Any]) -> None:
-    done = asperity(f"curve --figure - --lowest 1 --highest 10 --count 2 {arguments}")
-    with Model(params.replace(**changes)) as model, Model(params) as plain:
-        expected = model.friction_at_load(1.0)
-        assert expected != pytest.approx(plain.friction_at_load(1.0), rel=1e-6)
-    assert table(done.stdout)[0][1] == pytest.approx(expected, rel=1e-9)
-
-
-def test_physical_parameters() -> None:
-    rows = table(asperity(f"curve --figure - {POLYSILICON}").stdout)
-    params = Params.si(
-        E1=160e9, nu1=0.22, E2=160e9, nu2=0.22, work_of_adhesion=0.063, adhesion_range=0.384e-9, height_std=5e-9,
-        burgers_vector=0.384e-9, summit_radius=1e-6, summit_density=1e13, nominal_area=1e-8,
-    )  # fmt: skip
-    unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
-    assert len(rows) == 33
-    assert (rows[0][0], rows[-1][0]) == pytest.approx((1e-4 * unit, 1e2 * unit), rel=1e-8)
-    with Model(params) as model:
-        assert rows[16][1] == pytest.approx(model.friction_at_load(rows[16][0]), rel=1e-8)
-
-
 @pytest.mark.parametrize("ending, start", [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
 def test_the_figure_is_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, start: bytes) -> None:
     monkeypatch.chdir(tmp_path)
@@ -113,11 +80,6 @@ def test_loads_at_which_the_model_does_not_hold_are_warned_of() -> None:
     done = asperity("curve --figure - --highest 1e9 --count 3")
     assert done.returncode == 0 and len(table(done.stdout)) == 3
     assert done.stderr.startswith("asperity: warning: between the loads 0.000285714 and 1e+09: STEEP: the surface is too steep")
-
-
-def test_the_figure_has_a_name_unless_one_is_given(tmp_path: Path) -> None:
-    started("curve --count 2", cwd=tmp_path)
-    assert [file.name for file in tmp_path.iterdir()] == ["friction_curve.svg"]
 
 
 def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> None:
@@ -138,22 +100,16 @@ def test_without_matplotlib_it_says_so_and_prints_nothing(tmp_path: Path) -> Non
         ("curve --alpha 1 --E1 3", 2, "--alpha is dimensionless, --E1 physical: choose one"),
         ("curve --E1 3", 1, "asperity: [materials] gives no name as first, so nu1 must be set there"),
         (f"curve {POLYSILICON} --asperity-count 3", 1, "asperity: summit_density: must not be given together with asperity_count"),
-        ("curve --skew 1 --weibull-shape 2", 1, "do not give weibull_shape too"),
         ("curve --surface x.toml --skew 1", 2, "--surface is the whole surface: leave out --skew, and change the file"),
         ("curve --surface x.toml --attraction false", 2, "leave out --attraction, and change the file"),
         ("curve steel/steel", 1, "asperity: height_std: must be set"),
-        ("curve --hardness hard", 1, 'asperity: hardness = "hard": must be a number'),
         ("curve --surface nowhere.toml", 1, "nowhere.toml"),
         ("curve nowhere.toml", 1, "asperity: nowhere.toml: No such file"),
         ("curve a.toml --surface b.toml", 2, "b.toml: the surface is already a.toml"),
-        ("curve --surface b.toml a.toml", 2, "a.toml: the surface is already b.toml"),
         ("curve a.toml --skew 1", 2, "--surface is the whole surface: leave out --skew"),
         ("curve --count 1", 2, "--count 1: must be 2 or more"),
         ("curve --lowest 0", 2, "--lowest 0: must be finite and > 0"),
-        ("curve --lowest nan", 2, "--lowest nan: must be finite and > 0"),
         ("curve --lowest 3 --highest 2", 2, "--highest 2: must be finite and above the lowest load, 3"),
-        ("curve --alpha -1", 1, "asperity: alpha = -1: must be finite and > 0"),
-        ("curve --skew -2", 1, "asperity: skew = -2: must be finite and > -1.13955"),
         ("curve --figure no/such/directory/curve.svg", 1, "No such file or directory"),
         ("curve --figure curve.xyz", 1, "'xyz' is not supported"),
     ],
@@ -187,18 +143,6 @@ def test_a_measured_point_is_met() -> None:
     assert unknown.returncode == 1 and "Al2O3: no interface has this name; the nearest is " in unknown.stderr
     alone = asperity(f"{curve} --calibration-load 1e-3")
     assert alone.returncode == 1 and "calibration_load: must be given together with" in alone.stderr
-
-
-def test_a_pair_and_the_roughness_of_both_surfaces_are_options() -> None:
-    both = "--Ra 0.8e-6 0.4e-6 --RSm 80e-6 60e-6 --nominal-area 1e-4"
-    done = asperity(f"curve steel/steel --figure - --lowest 1 --highest 10 --count 2 {both} --calibration-load 1 --calibration-friction-coefficient 0.2")
-    assert table(done.stdout)[0][1] == pytest.approx(0.2, rel=1e-9)
-
-
-def test_a_bandwidth_is_judged() -> None:
-    curve = f"curve --figure - --lowest 1e-3 --highest 1e-2 --count 2 {POLYSILICON}"
-    assert "BROAD" in asperity(f"{curve} --bandwidth 30").stderr
-    assert "BROAD" not in asperity(f"{curve} --bandwidth 3").stderr
 
 
 def test_friction_is_told_with_its_band(tmp_path: Path, root: Path) -> None:

@@ -1,8 +1,7 @@
-"""Curves, arrays of states, pressures and slip, labels in and out, progress, and how things show themselves."""
+"""Curves, arrays of states, labels in and out, progress, and how things show themselves."""
 
 from __future__ import annotations
 
-import ctypes
 import math
 import sys
 from pathlib import Path
@@ -15,7 +14,6 @@ import pytest
 import xarray
 
 from asperity import Error, Model, Params, ValidityWarning, Warnings, materials, pads, uncertainty
-from asperity._library import LIBRARY
 from asperity.estimate import estimate
 from asperity.fits.uncertainty import ALL_ELSE
 
@@ -124,7 +122,7 @@ def test_figures_have_one_style_whatever_the_caller_set(model: Model) -> None:
 
 def test_without_matplotlib_every_figure_says_so(model: Model, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for draw in (model.curve(LOADS).plot, model.sensitivities(1.0).plot, uncertainty(model.params, {"w": 0.1}, LOADS).plot):
+    for draw in (model.curve(LOADS).plot, uncertainty(model.params, {"w": 0.1}, LOADS).plot):
         with pytest.raises(ImportError, match="drawing needs matplotlib .*: pip install matplotlib"):
             draw()
 
@@ -188,49 +186,6 @@ def test_states_are_refused_with_their_index(model: Model) -> None:
     assert len(model.state_at_load([])) == 0
 
 
-# ---- Pressures and slip, as in C ----
-
-
-def test_pressures_have_the_bits_of_the_c_functions(model: Model) -> None:
-    handle, slope = model._open().pointer, ctypes.c_double()
-    for pressure, area in ((2.0, 3.0), (1e-3, 7.0), (-1e-6, 2.0), (0.0, 1.0)):
-        mu = LIBRARY.asperity_friction_at_pressure(handle, pressure, area, ctypes.byref(slope))
-        assert model.friction_at_pressure(pressure, area, slope=True) == (mu, slope.value)
-        stress = LIBRARY.asperity_shear_stress_at_pressure(handle, pressure, area, ctypes.byref(slope))
-        assert model.shear_stress_at_pressure(pressure, area, slope=True) == (stress, slope.value)
-    many = model.shear_stress_at_pressure([1.0, 2.0], 3.0)
-    assert many.tolist() == [model.shear_stress_at_pressure(one, 3.0) for one in (1.0, 2.0)]
-
-
-def test_the_area_is_that_of_the_parameters_or_asked_for(params: Params, model: Model) -> None:
-    with Model(params.replace(nominal_area=3.0)) as known:
-        assert known.friction_at_pressure(2.0) == model.friction_at_load(6.0)
-    with pytest.raises(Error, match="nominal_area = 0: must be given, here or in the parameters"):
-        model.friction_at_pressure(2.0)
-    for area in (0.0, -1.0, math.nan, math.inf, 1e61):
-        with pytest.raises(Error, match="nominal_area = .*: must be from 1e-60 to 1e60"):
-            model.friction_at_pressure(2.0, area)
-    with pytest.raises(Error, match="element 1: pressure = NaN"):
-        model.friction_at_pressure([1.0, math.nan], 1.0)
-
-
-def test_slip_forces_have_the_bits_of_the_c_function(model: Model) -> None:
-    handle = model._open().pointer
-    by_load, by_rate = ctypes.c_double(), ctypes.c_double()
-    for load, rate in ((10.0, 0.3), (5.0, -2.0), (0.0, 1.0)):
-        force = LIBRARY.asperity_slip_force(handle, load, rate, 0.5, ctypes.byref(by_load), ctypes.byref(by_rate))
-        assert model.slip_force(load, rate, 0.5, slope=True) == (force, by_load.value, by_rate.value)
-        assert force == pytest.approx(model.friction_force_at_load(load) * math.tanh(rate / 0.5), rel=1e-14)
-    assert model.slip_force([1.0, 2.0], [[0.1], [0.2]], 0.5).shape == (2, 2)
-    for arguments, message in (
-        ((1.0, 1.0, 0.0), "transition_rate = 0: must be from 1e-60 to 1e60"),
-        ((1.0, math.inf, 1.0), "slip_rate = inf: must be finite"),
-        (([1.0, math.nan], 1.0, 1.0), "element 1: load = NaN"),
-    ):
-        with pytest.raises(Error, match=message):
-            model.slip_force(*arguments)
-
-
 # ---- Labels ----
 
 
@@ -240,14 +195,12 @@ def test_a_series_comes_back_as_a_series(model: Model) -> None:
         (model.friction_at_load(loads), "friction_coefficient"),
         (model.friction_force_at_load(loads), "friction_force"),
         (model.tangential_stiffness_at_load(loads), "tangential_stiffness"),
-        (model.slip_force(loads, 1.0, 1.0), "slip_force"),
         (model.state_at_load(loads).real_area, "real_area"),
         (model.tangential(loads, 1.0)[0], "tangential_force"),
     ):
         assert isinstance(found, pandas.Series) and found.index.tolist() == ["a", "b", "c"] and found.name == name
     mu, slope = model.friction_at_load(loads, slope=True)
     assert mu["b"] == model.friction_at_load(10.0) and slope["b"] == model.friction_at_load(10.0, slope=True)[1]
-    assert isinstance(model.friction_at_pressure(loads, 2.0), pandas.Series)
     frame = model.friction_at_load(pandas.DataFrame({"x": [1.0, 2.0], "y": [3.0, 4.0]}))
     assert frame["y"][1] == model.friction_at_load(4.0)
     with pytest.raises(Error, match="element 1: load = inf"):

@@ -66,7 +66,7 @@ def test_the_wheel_contains_the_package_and_one_library(root: Path, wheel: Path)
     source = root / "python" / "src"
     modules = {file.relative_to(source).as_posix() for file in (source / "asperity").rglob("*.py")}
     units = ("fmu2.c", "fmu3.c", "fmu_unit.h", "fmu_microslip.h", "fmu_saved.h", "fmu_dll.h")
-    c_files = (*units, "asperity.h", "asperity_loads.h", "plugin.c", "microslip.h", "asperity_mujoco.h")
+    c_files = (*(f"hosts/{unit}" for unit in units), "asperity.h", "asperity_loads.h", "plugin.c", "microslip.h", "asperity_mujoco.h")
     assert inside == modules | {f"asperity/{name}" for name in ("py.typed", *c_files, Path(_library.PATH).name)}
     assert library[:4] == b"\x7fELF" or sys.platform != "linux"
 

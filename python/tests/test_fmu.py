@@ -19,7 +19,6 @@ from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.logging import addLoggerProxy
-from fmpy.model_description import read_build_description
 from fmpy.validation import validate_fmu
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimManipulator import CosimManipulator
@@ -524,27 +523,6 @@ def test_a_simulation_follows_the_law(unit: Path, kind: str) -> None:
     assert found["load"][1:] == pytest.approx(1 + 20 * (found["time"][1:] - lag), rel=1e-9)
 
 
-def test_newtons_method_closes_the_loop_of_a_leading_shoe(instance: Any) -> None:
-    """N l = M + F(N) H, not far from jamming, from the load that holds without friction."""
-    instance.enterInitializationMode()
-    arm, moment = 1.0, 1.0
-    height = 0.7 * arm / law(10.0)[1]
-    load, iterations = moment / arm, 0
-    while True:
-        instance.setReal([LOAD], [load])
-        residual = load * arm - moment - instance.getReal([FORCE])[0] * height
-        if abs(residual) < 1e-12 * load * arm:
-            break
-        slope = instance.getDirectionalDerivative([FORCE], [LOAD], [1.0])[0]
-        load -= residual / (arm - slope * height)
-        iterations += 1
-        assert iterations < 20
-    assert 3 <= iterations <= 5
-    with Model(PARAMS) as model:
-        exact = model.state_at_load(load)
-    assert load * arm == pytest.approx(moment + exact.friction_force * height, rel=1e-7)
-
-
 def test_libcosim_runs_the_unit(units: dict[str, Path]) -> None:
     execution = CosimExecution.from_step_size(int(1e8))
     slave = execution.add_local_slave(CosimLocalSlave(fmu_path=str(units["2.0"]), instance_name="pad"))
@@ -574,13 +552,6 @@ def test_the_sources_inside_are_those_of_the_binary(request: pytest.FixtureReque
     declared = rf"FMI{fmi[0]}_Export\s+fmi{fmi[0]}\w+TYPE\s+(fmi{fmi[0]}\w+);"
     standard = set(re.findall(declared, header.read_text(encoding="utf-8")))
     assert {name.removeprefix("pad_") for name in names} == standard and len(standard) > 40
-
-
-def test_the_build_description_names_the_sources(units: dict[str, Path]) -> None:
-    """FMPy reads it by the schema of FMI 3.0."""
-    (built,) = read_build_description(str(units["3.0"]))
-    assert built.modelIdentifier == "hard_carbon"
-    assert [file for files in built.sourceFileSets for file in files.sourceFiles] == ["asperity_fmu.c"]
 
 
 def test_a_library_with_a_soname_lies_under_it(tmp_path: Path) -> None:
@@ -649,12 +620,3 @@ def test_wrong_platforms_are_refused(capsys: pytest.CaptureFixture[str], options
     with pytest.raises(SystemExit):
         main(["fmu", "surface.toml", "-o", "pad.fmu", *options])
     assert message in capsys.readouterr().err
-
-
-def test_a_missing_compiler_is_named(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    PARAMS.to_toml(tmp_path / "surface.toml")
-    monkeypatch.setenv("CC", "no-such-compiler")
-    assert main(["fmu", str(tmp_path / "surface.toml"), "-o", str(tmp_path / "pad.fmu")]) == 1
-    assert "there is no no-such-compiler" in capsys.readouterr().err

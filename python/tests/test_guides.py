@@ -51,12 +51,6 @@ def test_a_surface_file_gives_the_number_below_it(root: Path, tmp_path: Path, gu
     assert surfaces == 0
 
 
-def test_front_pages_lead_to_the_starting_points(root: Path) -> None:
-    for page, folder in (("README.md", "docs/"), ("docs/site/index.md", "guide/docs/")):
-        text = (root / page).read_text(encoding="utf-8")
-        assert all(f"({folder}{guide}.md" in text for guide in ("start", "height-maps")), page
-
-
 def test_the_table_of_the_page_is_what_maps_give(root: Path) -> None:
     """Four of the 24 surfaces that the page's row is the mean of: within four standard errors of a mean of four."""
     from sampling_bias import QUANTITIES, compare
@@ -69,16 +63,3 @@ def test_the_table_of_the_page_is_what_maps_give(root: Path) -> None:
     assert len(told) == len(means)
     for mean, (expected, error) in zip(means, told):
         assert abs(mean - expected) < 4 * max(error, 0.0005) * (24 / 4) ** 0.5
-
-
-def test_the_script_draws_its_figure_and_refuses_what_it_cannot_do(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    import numpy as np
-    from sampling_bias import POINTS_PER_WAVE, draw, main
-
-    one = [(np.ones(4), np.full(4, 0.1)) for _ in POINTS_PER_WAVE]
-    draw(str(tmp_path / "bias.svg"), {"narrow": one, "broad": one})
-    assert "<svg" in (tmp_path / "bias.svg").read_text("utf-8")
-    for arguments in (["-", "1"], ["-", "x"], ["-", "2", "3"]):
-        assert main(arguments) == 2 and "usage:" in capsys.readouterr().err

@@ -74,12 +74,6 @@ def test_a_ramp_is_met() -> None:
     assert loads.expected(1, 2, 5.0) == pytest.approx(15.0)
 
 
-@pytest.mark.parametrize("load", [-1.0, float("nan"), float("inf")])
-def test_a_load_that_is_none_is_refused(load: float) -> None:
-    with pytest.raises(ValueError, match="load = "):
-        PairLoads().add(1, 2, load)
-
-
 @pytest.mark.parametrize("time_constant", [-1.0, float("nan"), float("inf")])
 def test_a_time_constant_that_is_none_is_refused(time_constant: float) -> None:
     with pytest.raises(ValueError, match="time_constant = "):

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
-from asperity import Error, Model, Params, Status, Warnings, _header, _library
+from asperity import Error, Model, Params, Warnings
 from asperity.materials import INTERFACES, MATERIALS, PAIRS, Interface, Material, Pair, Range, contact
 
 
@@ -79,17 +75,6 @@ def test_what_needs_a_number_without_a_source_says_so() -> None:
     assert "hardness" not in contact("WC", "steel", work_of_adhesion=0.05)
 
 
-def test_the_range_of_maugis_has_the_work_and_the_largest_stress_of_lennard_jones_forces(root: Path) -> None:
-    """In units of w and of the distance D at rest; the integral by the trapezoidal rule in ln z."""
-    z = np.exp(np.linspace(0, 12, 200_001))
-    stress = 8 / 3 * (z**-3 - z**-9)
-    products = stress * z
-    work = float(((products[1:] + products[:-1]) / 2).sum() * 12 / 200_000)
-    assert work == pytest.approx(1, rel=1e-8)
-    assert 1 / stress.max() == pytest.approx(9 * math.sqrt(3) / 16, rel=1e-8) == pytest.approx(0.974, abs=1e-3)
-    assert "9√3/16 · D = 0.97 D" in (root / "docs" / "materials.md").read_text(encoding="utf-8")
-
-
 def test_a_name_that_is_not_there_is_answered_with_the_nearest() -> None:
     with pytest.raises(KeyError, match="work_of_adhesion: none is known for steel/Si: give .*; all: .*SiO2"):
         PAIRS["steel/Si"]
@@ -100,12 +85,6 @@ def test_a_name_that_is_not_there_is_answered_with_the_nearest() -> None:
     assert MATERIALS["Gold"] is MATERIALS["Au"] and PAIRS["mica/gold"] is PAIRS["Au/mica"]
     assert contact("silica", "polysilicon", work_of_adhesion=0.1) == contact("SiO2", "Si", work_of_adhesion=0.1)
     assert PAIRS.get("steel/Si") is None and "steel/Si" not in PAIRS
-
-
-def test_materials_are_an_attribute_of_the_package() -> None:
-    program = "import asperity; print(asperity.materials.PAIRS['Si/Si'].name)"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert done.stdout == "Si/Si\n"
 
 
 def test_crystals_have_the_burgers_vectors_of_their_lattices() -> None:
@@ -127,16 +106,6 @@ def test_mica_follows_from_its_stiffnesses() -> None:
 
 
 WITH_CONTACT = [pair for pair in PAIRS.values() if pair.name != "PDMS/PDMS"]
-
-
-@pytest.mark.parametrize("pair", WITH_CONTACT, ids=lambda pair: pair.name)
-def test_a_pair_and_a_roughness_make_a_model(pair: Pair) -> None:
-    params = Params.si(**pair.contact, height_std=2e-9, summit_radius=2e-6, asperity_count=1e5)
-    assert params.hardness == min(pair.first.hardness or 0.0, pair.second.hardness or 0.0)
-    with Model(params) as model:
-        assert model.friction_at_load(1e-4) > 0
-    moments = Params.from_spectral_moments(**pair.contact, m0=4e-18, m2=0.002, m4=8e12, nominal_area=1e-10)
-    assert moments.composite_modulus == params.composite_modulus
 
 
 def test_a_pair_of_ones_own_keeps_its_numbers_but_not_other_bodies() -> None:
@@ -267,13 +236,3 @@ def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:
     found = [row for row in rows if not row.startswith(("| Material ", "| Pair ", "| Interface "))]
     expected = [*map(material_row, MATERIALS.values()), *map(pair_row, PAIRS.values()), *map(interface_row, INTERFACES.values())]
     assert found == expected
-
-
-@pytest.mark.parametrize("name, unknown", [("steel/wood", ["wood"]), ("wood/steel", ["wood"]), ("wood/chalk", ["wood", "chalk"])])
-def test_a_body_that_is_not_known_is_named(name: str, unknown: list[str]) -> None:
-    struct = Params.dimensionless(alpha=0.01, beta=1000, gamma=0)._as_struct()
-    status = _library.LIBRARY.asperity_params_set_pair(ctypes.byref(struct), name.encode())
-    message = _library.last_error()
-    assert status == Status.INVALID_PARAMETER
-    said = [f"; {body}: no material has this name; docs/materials.md lists them" for body in unknown]
-    assert message == f"{name}: no pair has this name{''.join(said)}"

@@ -17,7 +17,6 @@ import pytest
 
 from asperity import Error, Model, Params, State, Status, Summary, ValidityWarning, Warnings
 from asperity._library import LIBRARY
-from asperity.materials import PAIRS
 
 METHODS = ["friction_at_load", "friction_force_at_load"]
 
@@ -119,28 +118,7 @@ def test_memory_is_that_of_the_answer(model: Model) -> None:
 # ---- Slopes ----
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("load", [1e-2, 1.0, 30.0, 5e3])
-def test_slopes_are_those_of_finite_differences(model: Model, method: str, load: float) -> None:
-    step = 1e-4 * load
-    around = call(model, method)(load + step * np.array([-2.0, -1.0, 1.0, 2.0]))
-    difference = float(np.dot(around, [1.0, -8.0, 8.0, -1.0]) / (12 * step))
-    assert call(model, method)(load, slope=True)[1] == pytest.approx(difference, rel=1e-7)
-
-
 # ---- Loads at the edge of contact ----
-
-
-def test_between_pull_off_and_zero_the_force_is_finite_and_the_coefficient_capped(sticky: Params) -> None:
-    with Model(sticky) as model:
-        pull_off = model.summary().pull_off_load
-        assert pull_off < -1e-3
-        loads = np.linspace(pull_off, 0, 5)
-        assert (model.friction_at_load(loads) == sticky.max_friction_coefficient).all()
-        forces, slopes = model.friction_force_at_load(loads, slope=True)
-        assert (np.diff(forces) > 0).all() and forces[0] > 0
-        assert slopes[0] == math.inf and np.isfinite(slopes[1:]).all()
-        assert (model.friction_at_load(loads, slope=True)[1] == 0).all()
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -200,20 +178,6 @@ def test_warnings_say_what_fails_and_what_to_do(params: Params) -> None:
     assert all(re.search("; (use|measure|filter|calibrate|give) ", kind.description) for kind in Warnings)
 
 
-def test_loads_that_adhesion_exceeds_are_warned_of() -> None:
-    smooth = Params.si(
-        **PAIRS["SiO2/SiO2"].contact, height_std=1e-9, summit_radius=5e-6, summit_density=1e13, nominal_area=1e-8
-    )
-    with Model(smooth) as model:
-        pull_off = -model.summary().pull_off_load
-        assert 1e5 < pull_off / smooth.nominal_area < 1e7  # as much as a solver may press with
-        for part in (-0.9, 0.99, 1.5, 5.0, 50.0):
-            state = model.state_at_load(part * pull_off)
-            assert bool(state.warnings & Warnings.ADHESIVE) == (state.hertz_load > 2 * state.load)
-        assert "ADHESIVE: adhesion presses the surfaces together with" in str(model.check(0.5 * pull_off, pull_off))
-        assert not model.check(1e3 * pull_off, 2e3 * pull_off) & Warnings.ADHESIVE
-
-
 def test_a_strength_that_nobody_measured_is_warned_of(params: Params) -> None:
     rough = params.replace(asperity_count=1e5, work_of_adhesion=0.0)
     with Model(rough) as default, Model(rough.calibrated(1e6, 0.3)) as measured:
@@ -250,14 +214,6 @@ def test_each_kind_of_warning_is_issued_once_per_model(params: Params) -> None:
             assert len(issued) == len(more) == 1
 
 
-def test_the_cap_is_a_parameter(params: Params) -> None:
-    with Model(params.replace(max_friction_coefficient=1.5)) as capped, Model(params) as model:
-        loads = np.geomspace(1e-3, 1e4, 50)
-        expected = np.minimum(model.friction_at_load(loads), 1.5)
-        assert (expected == 1.5).any() and (expected < 1.5).any()
-        assert capped.friction_at_load(loads) == pytest.approx(expected, rel=1e-12)
-
-
 # ---- Results ----
 
 
@@ -271,54 +227,6 @@ def test_results_are_frozen_dataclasses(model: Model) -> None:
             result.load = 1.0  # type: ignore[union-attr, misc]
         assert all(type(value) is (Warnings if name == "warnings" else float) for name, value in vars(result).items())
         assert pickle.loads(pickle.dumps(result)) == result
-
-
-def test_a_state_tells_of_its_contacts(params: Params) -> None:
-    with Model(params.replace(asperity_count=1e4, hardness=0.05)) as model:
-        state = model.state_at_load(1e5)
-    regimes = (
-        state.fraction_below_slip_radius_1,
-        state.fraction_between_slip_radii,
-        state.fraction_above_slip_radius_2,
-    )
-    assert math.fsum(regimes) == pytest.approx(1, rel=1e-12)
-    assert state.fraction_in_contact == pytest.approx(state.contacting / 1e4, rel=1e-14)
-    assert state.mean_asperity_pressure == pytest.approx((1e5 - state.attraction_load) / state.real_area, rel=1e-12)
-    # a <= (mean of a^2)^(1/2)
-    assert 0 < state.mean_contact_radius < math.sqrt(state.real_area / state.contacting / math.pi)
-    assert state.max_contact_radius > state.mean_contact_radius
-    assert state.plasticity_index == pytest.approx(params.composite_modulus / 0.05 * 0.01, rel=1e-12)
-    assert state.warnings & Warnings.PLASTIC == 0
-
-
-def test_warnings_need_a_hardness(params: Params) -> None:
-    for hardness, index, warnings in ((0.0, 0.0, 0), (0.001, 28.57, Warnings.PLASTIC)):
-        with Model(params.replace(hardness=hardness)) as model:
-            state = model.state_at_load(10.0)
-        assert state.plasticity_index == pytest.approx(index, rel=1e-3) and state.warnings & Warnings.PLASTIC == warnings
-
-
-def test_load_and_gap_lead_to_the_same_state(model: Model) -> None:
-    at_load = model.state_at_load(10.0)
-    at_gap = model.state_at_gap(at_load.gap)
-    for name, value in vars(at_load).items():
-        assert getattr(at_gap, name) == pytest.approx(float(value), rel=1e-8), name
-
-
-def test_the_compiled_law_is_as_good_as_the_summary_says(model: Model) -> None:
-    error = model.summary().table_error
-    assert 0 < error < 1e-8
-    for load in np.geomspace(1e-3, 1e5, 40):
-        exact = model.state_at_load(load)
-        assert model.friction_force_at_load(load) == pytest.approx(exact.friction_force, rel=error + 1e-11)
-        assert model.friction_at_load(load) == pytest.approx(exact.friction_coefficient, rel=error + 1e-11)
-
-
-@pytest.mark.parametrize("gap", [math.nan, math.inf])
-def test_gaps_must_be_finite(model: Model, gap: float) -> None:
-    with pytest.raises(Error, match="^gap = ") as caught:
-        model.state_at_gap(gap)
-    assert caught.value.status is Status.INVALID_PARAMETER
 
 
 # ---- Parameters ----
@@ -354,11 +262,6 @@ def test_other_parameters_are_another_law(params: Params, model: Model) -> None:
     model.set_params(other)
     assert model.params == other
     assert model.friction_at_load(10.0) == pytest.approx(half, rel=1e-10)  # twice the summits carry twice the load
-
-
-def test_params_must_be_params(model: Model) -> None:
-    with pytest.raises(TypeError, match="must be a Params"):
-        Model({"alpha": 1})  # type: ignore[arg-type]
 
 
 # ---- Lifetime ----
@@ -435,11 +338,3 @@ def as_array(model: Model, loads: npt.NDArray[np.float64]) -> npt.NDArray[np.flo
     pair: tuple[float, float] = model.friction_force_at_load(1.0, slope=True)
     values, slopes = model.friction_at_load(loads, slope=True)
     return values * number + slopes * pair[1]
-
-
-def test_zero_load_without_a_state_says_whether_the_surfaces_adhere(params: Params) -> None:
-    for changes, reason in (({"work_of_adhesion": 0.0}, "without adhesion"), ({"height_std": 400.0}, "the surfaces adhere")):
-        with Model(params.replace(**changes)) as model:
-            assert model.summary().pull_off_load == 0
-            with pytest.raises(Error, match=f"load = 0: {reason}"):
-                model.state_at_load(0.0)

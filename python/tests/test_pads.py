@@ -136,13 +136,6 @@ def test_the_tallest_heights_are_those_of_whole_pads(silicon: Params, heights: d
     assert np.mean([sample.size for sample in samples]) > 5
 
 
-def test_a_whole_pad_is_drawn_where_all_of_it_counts(silicon: Params) -> None:
-    tail = TailHeights(silicon.replace(asperity_count=40.0))
-    samples = np.array([tail.sample(np.random.default_rng(seed), -1.0) for seed in range(500)]) / 5e-9
-    assert samples.shape == (500, 40)
-    assert samples.mean() == pytest.approx(0, abs=0.03) and samples.std() == pytest.approx(1, abs=0.03)
-
-
 # ---- Few contacts ----
 
 
@@ -224,31 +217,6 @@ def test_the_figure_has_mean_scatter_and_model(silicon: Params, tmp_path: Path) 
     assert legend is not None and len(legend.get_texts()) == 3
     (pulled,) = pads(silicon, [0.0, 1e-6], 2).plot().axes
     assert pulled.get_ylabel().startswith("friction force")
-
-
-def test_one_load_is_an_array_of_one(silicon: Params) -> None:
-    found = pads(silicon, 1e-5, 3)
-    assert found.friction_force.tolist() == pads(silicon, [1e-5], 3).friction_force.tolist()
-    assert found.mean_force.shape == (1,)
-
-
-@pytest.mark.parametrize(
-    "changes, error, message",
-    [
-        ({"loads": []}, ValueError, "loads: must be a real number or a one-dimensional array of one or more"),
-        ({"loads": [[1.0]]}, ValueError, "loads: must be a real number or a one-dimensional array"),
-        ({"loads": [1e-6, math.nan]}, ValueError, r"loads\[1\] = nan: must be finite"),
-        ({"loads": [1e300]}, Error, "load = 1e300"),
-        ({"count": 1}, ValueError, "count = 1: must be 2 or more"),
-        ({"count": 2.0}, TypeError, "count = 2.0: must be a whole number"),
-        ({"seed": -1}, ValueError, "seed = -1: must be 0 or more"),
-        ({"params": None}, TypeError, "params = None: must be a Params"),
-    ],
-)
-def test_bad_input_is_refused(silicon: Params, changes: dict[str, Any], error: type[Exception], message: str) -> None:
-    arguments: dict[str, Any] = {"params": silicon, "loads": [1e-6], "count": 2} | changes
-    with pytest.raises(error, match=message):
-        pads(**arguments)
 
 
 def test_the_papers_units_have_no_number_of_summits(params: Params) -> None:

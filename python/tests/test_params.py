@@ -203,7 +203,7 @@ def test_parameters_remember_that_they_are_in_si_units(params: Params, tmp_path:
 def test_summits_that_yield_have_a_hardness_and_no_adhesion(params: Params) -> None:
     yielding = params.elastic_plastic(0.01)
     assert yielding == params.replace(contact_law="elastic-plastic", hardness=0.01, work_of_adhesion=0.0)
-    with pytest.raises(Error, match="^hardness = 0: must be finite and > 0"):
+    with pytest.raises(Error, match="^hardness = 0.0: must be finite and > 0"):
         params.elastic_plastic(0.0)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from random_surfaces import GaussianSurface
 
-from asperity import Error, Model, Params, Status, ValidityWarning, Warnings, friction, surface, uncertainty
+from asperity import Error, Model, Params, ValidityWarning, Warnings, friction, surface, uncertainty
 from asperity.materials import PAIRS
 
 CONTACT: dict[str, Any] = dict(
@@ -90,19 +90,6 @@ def test_a_bandwidth_hardly_matters_and_may_be_given_in_three_ways() -> None:
         Params.from_spectral_moments(m0=M0, m2=M2, m4=M4, bandwidth=5.0, **rest)
 
 
-def test_the_other_names_of_a_profile_are_refused_together_or_alone() -> None:
-    rest: dict[str, Any] = dict(nominal_area=AREA, **CONTACT)
-    cases: tuple[tuple[dict[str, Any], str], ...] = (
-        ({"Rq": 5e-9}, "RSm: must be set, or Rdq"),
-        ({"Rq": 5e-9, "RSm": 1e-6, "Rdq": 0.1}, "Rdq: must not be given together with RSm"),
-        ({"Rq": 5e-9, "RSm": 0}, "RSm = 0: must be finite and > 0"),
-        ({"Rq": 5e-9, "Rdq": 4.0}, "Rdq: makes a slope of 4 along a profile, .* is it in degrees or per cent"),
-    )
-    for given, message in cases:
-        with pytest.raises(Error, match=message):
-            Params.from_profile(**given, **rest)
-
-
 def test_a_process_stands_for_the_slope_of_a_profile() -> None:
     rest: dict[str, Any] = dict(nominal_area=1e-4, **PAIRS["steel/steel"].contact)
     given = Params.from_profile(Ra=0.8e-6, process="ground", **rest)
@@ -129,60 +116,6 @@ def test_mccools_summits_are_those_of_the_literature() -> None:
     assert Params.from_spectral_moments(**{**given, "m4": None}, bandwidth=5.0).bandwidth == pytest.approx(5, rel=1e-14)
 
 
-def test_moments_that_no_surface_has_are_refused() -> None:
-    with pytest.raises(Error, match=r"bandwidth m0 m4/m2\^2 = 1.25: must be at least 1.5") as caught:
-        Params.from_spectral_moments(m0=1, m2=1, m4=1.25, nominal_area=1, **CONTACT)
-    assert caught.value.status is Status.INVALID_PARAMETER
-    with pytest.raises(Error, match="m4 = NaN: must be finite and > 0"):
-        Params.from_spectral_moments(m0=1, m2=1, m4=math.nan, nominal_area=1, **CONTACT)
-    twice: dict[str, Any] = {"height_std": 1}
-    with pytest.raises(TypeError, match="height_std"):
-        Params.from_spectral_moments(m0=1, m2=1, m4=2, nominal_area=1, **CONTACT, **twice)
-
-
-def test_profile_parameters_give_the_moments_that_the_page_says() -> None:
-    """A long Gaussian profile with the autocorrelation function exp(-x^2): what an instrument counts on it."""
-    count, dx = 2**20, 0.05
-    q = 2 * np.pi * np.fft.rfftfreq(count, dx)
-    random = np.random.default_rng(4)
-    waves = np.exp(-(q**2) / 8) * (random.standard_normal(q.size) + 1j * random.standard_normal(q.size))
-    profile = np.fft.irfft(waves, count)
-    profile /= profile.std()
-    slope, length = np.diff(profile), count * dx
-    RSm = length / np.count_nonzero((profile[:-1] < 0) & (profile[1:] >= 0))
-    D = np.count_nonzero((slope[:-1] > 0) & (slope[1:] <= 0)) / length
-    m2, m4 = (slope**2).mean() / dx**2, (np.diff(slope) ** 2).mean() / dx**4
-    assert m2 == pytest.approx(2, rel=0.02) and m4 == pytest.approx(12, rel=0.02)
-    assert (2 * np.pi / RSm) ** 2 == pytest.approx(m2, rel=0.03)
-    assert (2 * np.pi * D) ** 2 * m2 == pytest.approx(m4, rel=0.03)
-    correlation = [1.0, *(float(np.mean(profile[k:] * profile[:-k])) for k in (4, 8))]
-    spacing = 4 * dx
-    over_spacing = profile[::4]
-    assert 2 * (1 - correlation[1]) / spacing**2 == pytest.approx((np.diff(over_spacing) ** 2).mean() / spacing**2, rel=0.01)
-    curvature = (np.diff(over_spacing, 2) ** 2).mean() / spacing**4
-    assert (6 - 8 * correlation[1] + 2 * correlation[2]) / spacing**4 == pytest.approx(curvature, rel=0.02)
-
-
-def test_areal_parameters_of_a_gaussian_surface_agree_with_its_moments() -> None:
-    mccool: dict[str, Any] = dict(nominal_area=AREA, summits="mccool", **CONTACT)
-    expected = Params.from_spectral_moments(m0=M0, m2=M2, m4=M4, **mccool)
-    areal: dict[str, Any] = dict(Sq=math.sqrt(M0), Sdq=math.sqrt(2 * M2), **mccool)
-    curvature, density = 1 / expected.summit_radius, expected.asperity_count / AREA
-    by_curvature = Params.from_iso25178(Ssc=curvature, **areal)
-    by_density = Params.from_iso25178(Sds=density, **areal)
-    for params in (by_curvature, by_density):
-        for name in ("height_std", "summit_radius", "asperity_count"):
-            assert getattr(params, name) == pytest.approx(getattr(expected, name), rel=1e-13)
-        assert params.height_distribution == "gaussian"
-    # Fewer summits than a Gaussian surface has: counted, with the radius that was measured.
-    both = Params.from_iso25178(Ssc=curvature, Sds=density / 2, **areal)
-    assert both.asperity_count == pytest.approx(expected.asperity_count / 2, rel=1e-13)
-    assert both.summit_radius == by_curvature.summit_radius
-
-    skewed = Params.from_iso25178(Ssc=curvature, Ssk=-0.4, Sku=3.5, **areal)
-    assert (skewed.height_distribution, skewed.skew, skewed.kurtosis) == ("johnson", -0.4, 3.5)
-
-
 @pytest.mark.parametrize(
     "given, message",
     [
@@ -196,14 +129,6 @@ def test_areal_parameters_that_do_not_fit_together_are_refused(given: dict[str, 
         Params.from_iso25178(Sq=5e-9, Sdq=0.1, nominal_area=AREA, **CONTACT, **given)
 
 
-@pytest.mark.parametrize("name", ["Sq", "Sdq", "Ssc", "Sds"])
-@pytest.mark.parametrize("value", [0.0, -1.0, math.nan])
-def test_areal_parameters_must_be_positive(name: str, value: float) -> None:
-    areal: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.1, "Ssc": 5e6, "Sds": 1e13, name: value}
-    with pytest.raises(Error, match=f"{name} = "):
-        Params.from_iso25178(nominal_area=AREA, **CONTACT, **areal)
-
-
 def test_warnings_name_the_line_that_called_the_package_however_deep() -> None:
     rough: dict[str, Any] = dict(Sq=5e-9, Sdq=0.5)
     with warnings.catch_warnings(record=True) as caught:
@@ -212,13 +137,6 @@ def test_warnings_name_the_line_that_called_the_package_however_deep() -> None:
         Model(Params.from_iso25178(**rough, nominal_area=AREA, **CONTACT)).curve([1e-9, 1e-7]).plot()
     assert {one.category for one in caught} == {ValidityWarning}
     assert {one.filename for one in caught} == {__file__} and len(caught) >= 2
-
-
-def test_slips_of_units_are_told() -> None:
-    with pytest.raises(Error, match=r"Sq = 5: must be in m, and at most 1e-3; is it in um or nm\?"):
-        friction("Si/Si", Sq=5, Sdq=0.05, load=1e5)
-    with pytest.raises(Error, match="bandwidth .* must be at most 1e6: .* are all lengths in one unit?"):
-        friction("Si/Si", Sq=5e-6, Sdq=0.05, Sds=1e19, load=1e5)
 
 
 def test_asperities_of_a_map_follow_from_its_moments_and_summits_are_counted_where_asked() -> None:

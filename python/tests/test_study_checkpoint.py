@@ -41,7 +41,7 @@ def stop_after(blocks: int, file: Path, **changes: Any) -> None:
         if part * BLOCKS >= blocks:
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt), mock.patch("asperity.study._OFTEN", 0.0):
+    with pytest.raises(KeyboardInterrupt), mock.patch("asperity.studies.study._OFTEN", 0.0):
         study(PARAMS, **{**SMALL, **changes, "progress": tell}, checkpoint=file)
 
 
@@ -117,47 +117,10 @@ def test_a_second_process_is_told_of_the_first(small: xarray.Dataset, tmp_path: 
     assert list(tmp_path.iterdir()) == [file]
 
 
-def test_processes_that_begin_together_leave_one_whole_study(small: xarray.Dataset, tmp_path: Path) -> None:
-    file = tmp_path / "found.nc"
-    running = [subprocess.Popen(worker(file, 1000), stderr=subprocess.PIPE, text=True) for _ in range(3)]
-    said = [process.communicate()[1] for process in running]
-    assert 0 in [process.returncode for process in running]
-    assert all("is at work on it" in text for process, text in zip(running, said) if process.returncode)
-    with study(PARAMS, **SMALL, checkpoint=file) as found:
-        assert bits(found) == bits(small)
-    assert list(tmp_path.iterdir()) == [file]
-
-
 def test_a_disk_without_locks_is_told_of(tmp_path: Path) -> None:
     with mock.patch.object(lock, "_take", side_effect=OSError(errno.ENOLCK, "No locks available")):
         with pytest.warns(RuntimeWarning, match="found.nc': cannot be locked here .*: let no other process work on it"):
             study(PARAMS, **SMALL, checkpoint=tmp_path / "found.nc").close()
-
-
-def to_be_computed(file: Path) -> list[int]:
-    """The first surfaces of the blocks that a study would compute."""
-    found: list[int] = []
-
-    def none(work: Any, tasks: Any, *_: Any) -> Any:
-        found.extend(first for first, _ in tasks)
-        raise KeyboardInterrupt
-
-    with mock.patch.object(_blocks, "completed", none), pytest.raises(KeyboardInterrupt):
-        study(PARAMS, **SMALL, checkpoint=file)
-    return found
-
-
-def test_any_bit_of_a_block_that_flips_is_noticed(tmp_path: Path) -> None:
-    stop_after(2, tmp_path / "found.nc")
-    block = tmp_path / "found.nc.blocks" / "block-0000001.nc"
-    whole, rest = block.read_bytes(), list(range(8, 32, 4))
-    assert to_be_computed(tmp_path / "found.nc") == rest
-    for bit in np.linspace(0, 8 * len(whole) - 1, 401).astype(int).tolist():
-        damaged = bytearray(whole)
-        damaged[bit // 8] ^= 1 << bit % 8
-        block.write_bytes(damaged)
-        with pytest.warns(RuntimeWarning, match=r"block-0000001.nc: damaged, this block is computed anew$"):
-            assert to_be_computed(tmp_path / "found.nc") == [4, *rest], f"bit {bit}"
 
 
 @pytest.mark.parametrize("damage", ["empty", "shorter", "longer", "zeros", "another block", "flipped"])
@@ -292,7 +255,7 @@ def test_another_study_is_refused(begun: Path, changes: dict[str, Any], message:
 
 
 def test_another_version_is_refused(begun: Path) -> None:
-    with mock.patch("asperity.study.version", lambda: "9.9.9"):
+    with mock.patch("asperity.studies.study.version", lambda: "9.9.9"):
         with pytest.raises(ValueError, match="with asperity_version = '.*' where this one has '9.9.9'"):
             study(PARAMS, **SMALL, checkpoint=begun)
 

@@ -12,7 +12,6 @@ import pytest
 from test_docs import blocks, shows
 
 from asperity import Error, Model, Params, Warnings, _library
-from asperity.materials import MATERIALS, PAIRS
 
 SurfaceFile = Callable[[str], Path]
 
@@ -53,36 +52,6 @@ def test_materials_and_moments_are_those_of_the_setters(surface_file: SurfaceFil
     assert Params.from_toml(path) == Params.from_toml(str(path)) == FIELDS
 
 
-def test_iso_values_are_those_of_from_iso25178(surface_file: SurfaceFile) -> None:
-    iso: dict[str, Any] = {"Sq": 9.8e-9, "Sdq": 0.06, "Sds": 6e12, "Ssk": 0.1, "Sku": 3.2}
-    text = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\n{toml(iso)}"
-    expected = Params.from_iso25178(**iso, **BODIES, **CONTACT, nominal_area=1e-6)
-    assert Params.from_toml(surface_file(text)) == expected
-    assert expected.height_distribution == "johnson"
-
-
-def test_named_materials_bring_what_is_known_of_the_pair(surface_file: SurfaceFile) -> None:
-    rough = f"[roughness]\n{toml(MOMENTS)}"
-    found = Params.from_toml(surface_file(f'nominal_area = 1e-6\n[materials]\nfirst = "Si"\nsecond = "Si"\n{rough}'))
-    assert found == Params.from_spectral_moments(**MOMENTS, **PAIRS["Si/Si"].contact, nominal_area=1e-6)
-    text = f'nominal_area = 1e-6\nwork_of_adhesion = 0.1\n[materials]\nfirst = "Si3N4"\nsecond = "mica"\n{rough}'
-    found = Params.from_toml(surface_file(text))  # either order; the file has the last word
-    assert (found.work_of_adhesion, found.burgers_vector) == (0.1, MATERIALS["mica"].burgers_vector)
-    # No such pair is in the table: the bodies are known, their adhesion is not.
-    text = f'nominal_area = 1e-6\nwork_of_adhesion = 0\n[materials]\nfirst = "Si"\nsecond = "Au"\n{rough}'
-    found = Params.from_toml(surface_file(text))
-    assert found.hardness == min(MATERIALS[name].hardness or 0 for name in ("Si", "Au"))
-    assert found.burgers_vector == max(MATERIALS[name].need("burgers_vector") for name in ("Si", "Au"))
-    with pytest.raises(Error, match="work_of_adhesion: none is known for Si/Au: give that of your surfaces, 0 for none"):
-        Params.from_toml(surface_file(text.replace("work_of_adhesion = 0\n", "")))
-    # A name for one body, numbers for the other, which is rigid.
-    text = f'nominal_area = 1e-6\n{toml(CONTACT)}[materials]\nfirst = "Si"\nE2 = inf\nnu2 = 0.3\n{rough}'
-    silicon = MATERIALS["Si"]
-    assert Params.from_toml(surface_file(text)) == Params.from_spectral_moments(
-        **MOMENTS, **CONTACT, E1=silicon.young, nu1=silicon.poisson, E2=math.inf, nu2=0.3, nominal_area=1e-6
-    )
-
-
 @pytest.mark.parametrize(
     "params",
     [
@@ -102,35 +71,10 @@ def test_a_file_that_was_written_reads_as_equal_parameters(params: Params, tmp_p
     assert Params.from_toml(path) == params
 
 
-def test_heights_are_chosen_as_in_si(surface_file: SurfaceFile) -> None:
-    assert Params.from_toml(surface_file("skew = -0.5\n" + WHOLE)) == FIELDS.replace(skew=-0.5)
-    both = "skew = -0.5\nkurtosis = 4\n"
-    assert Params.from_toml(surface_file(both + WHOLE)) == FIELDS.replace(skew=-0.5, kurtosis=4.0)
-    with pytest.raises(Error, match="line 2: skew = -0.5: must be 0 unless heights are Johnson's"):
-        Params.from_toml(surface_file('height_distribution = "gaussian"\n' + both + WHOLE))
-
-
 @pytest.mark.parametrize(
     "text, message",
     [
         (WHOLE.replace("hardness", "hardnes"), "hardnes: no such key; the nearest is hardness"),
-        (WHOLE.replace("E2", "e2"), r"\[materials\] e2: no such key; the nearest is E2"),
-        (WHOLE.replace("m4", "M_4"), r"\[roughness\] M_4: no such key; the nearest is m4"),
-        (WHOLE.replace("[roughness]", "[roughnes]"), r"line 11: \[roughnes\]: no such table; there are \[materials\] and \[roughness\]"),
-        (WHOLE.replace("nominal_area = 1e-6\n", ""), "nominal_area: must be set"),
-        (WHOLE.replace("m4", "Sq"), r"\[roughness\] Sq: is not for spectral moments, as m0 is"),
-        (WHOLE.replace("m2 = ", "# "), r"\[roughness\] m2: must be set"),
-        (WHOLE.replace("nu2 = 0.25\n", ""), "so nu2 must be set there"),
-        (WHOLE.replace("nu2 = 0.25", "nu2 = 0.6"), "nu2 = 0.6: must be > -1 and <= 0.5"),
-        (WHOLE.replace("51000000000.0", "true"), "hardness = true: must be a number"),
-        (WHOLE.replace("51000000000.0", '"hard"'), 'hardness = "hard": must be a number'),
-        ("height_std = 1e-9\n" + WHOLE, r"height_std: \[roughness\] sets it already"),
-        ("composite_modulus = 1e11\n" + WHOLE, r"composite_modulus: \[materials\] sets it already"),
-        ("contact_law = \"plastic\"\n" + WHOLE, 'contact_law = "plastic": must be "maugis" or "elastic-plastic"'),
-        (WHOLE.replace("E1 = 493000000000.0\n", 'first = "Stahl"\n').replace("nu1", "# "), "Stahl: no material has this name; the nearest is steel"),
-        (WHOLE.replace("E1 =", 'first = "Si"\nE1 ='), "E1: first sets it already"),
-        ("materials = 3\n", r"materials = 3: must be a table, \[materials\]"),
-        ("height_std = 1e-9\n", "composite_modulus: must be set"),
         ("height_std = \n", "line 1: height_std: has no value"),
     ],
 )
@@ -139,13 +83,6 @@ def test_what_is_wrong_is_named_with_the_file(surface_file: SurfaceFile, text: s
     with pytest.raises(Error, match=message) as caught:
         Params.from_toml(path)
     assert str(caught.value).startswith(f"{path}: ")
-
-
-def test_a_file_in_another_encoding_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "surface.toml"
-    path.write_bytes(b'height_distribution = "gau\xdfian"\n')
-    with pytest.raises(Error, match="UTF-8"):
-        Params.from_toml(path)
 
 
 def test_the_page_has_this_surface(surface_file: SurfaceFile, root: Path) -> None:
@@ -198,47 +135,6 @@ def test_a_text_changes_what_it_gives(surface_file: SurfaceFile) -> None:
         Params.from_text("height_std = 2e-9\n")
     with pytest.raises(Error, match=r"surface.toml: composite_modulus: must be set; two materials set it"):
         Params.from_toml(surface_file("height_std = 2e-9\n"))
-
-
-def test_a_measurement_on_another_surface_is_a_comment(tmp_path: Path) -> None:
-    changed = FIELDS.calibrated(1e-3, 0.4).replace(height_std=2 * FIELDS.height_std)
-    assert "# The strength was calibrated on other surfaces" in changed.to_text()
-    changed.to_toml(tmp_path / "surface.toml")
-    assert Params.from_toml(tmp_path / "surface.toml") == changed.replace(slip_stress_1=changed.slip_stress_1)
-
-
-def test_one_measured_point_sets_the_strength(surface_file: SurfaceFile) -> None:
-    head, tables = WHOLE.split("[", 1)
-    for measured in ("calibration_friction_coefficient = 0.4", "calibration_friction_force = 4e-4"):
-        params = Params.from_toml(surface_file(f"{head}calibration_load = 1e-3\n{measured}\n[{tables}"))
-        with Model(params) as model:
-            assert model.state_at_load(1e-3).friction_force == pytest.approx(4e-4, rel=1e-12)
-            assert not model.state_at_load(1e-3).warnings & Warnings.UNCALIBRATED
-    for alone in ("calibration_load = 1.0", "calibration_friction_force = 1.0"):
-        with pytest.raises(Error, match="calibration_load: must be given together with calibration_friction_coefficient or"):
-            Params.from_toml(surface_file(f"{head}{alone}\n[{tables}"))
-    weak = "pressure_coefficient = 0.5\ncalibration_load = 1e-3\ncalibration_friction_coefficient = 0.4"
-    with pytest.raises(Error, match="must be above 0.0005.*, which pressure_coefficient alone gives"):
-        Params.from_toml(surface_file(f"{head}{weak}\n[{tables}"))
-
-
-def test_the_mean_deviation_stands_for_the_standard_one(surface_file: SurfaceFile) -> None:
-    ra = 0.8e-9
-    m0 = math.pi / 2 * ra**2
-    head = f"nominal_area = 1e-6\n{toml(CONTACT)}[materials]\n{toml(BODIES)}[roughness]\nRa = {ra}\n"
-    rest: dict[str, Any] = {"m2": 1e-4, "m4": 5e10}
-    expected = Params.from_spectral_moments(m0=m0, **rest, **BODIES, **CONTACT, nominal_area=1e-6)
-    found = Params.from_toml(surface_file(head + toml(rest)))
-    assert found.height_std == pytest.approx(expected.height_std, rel=1e-14)
-    assert found.summit_radius == pytest.approx(expected.summit_radius, rel=1e-14)
-    iso: dict[str, Any] = {"Sdq": 0.01, "Sds": 5e12}
-    expected = Params.from_iso25178(Sq=math.sqrt(m0), **iso, **BODIES, **CONTACT, nominal_area=1e-6)
-    assert Params.from_toml(surface_file(head + toml(iso))).height_std == pytest.approx(expected.height_std, rel=1e-14)
-    for name, value in {"Sq": 1e-9, "Ssk": 0.1}.items():
-        with pytest.raises(Error, match=f"Ra: must not be given together with {name}, "):
-            Params.from_toml(surface_file(head + toml(iso | {name: value})))
-    with pytest.raises(Error, match="Ra = -1: must be finite and > 0"):
-        Params.from_toml(surface_file(head.replace(f"Ra = {ra}", "Ra = -1") + toml(iso)))
 
 
 def test_a_file_without_end_is_refused(surface_file: SurfaceFile) -> None:
