@@ -262,43 +262,6 @@ mod tests {
         [1e-4, 0.02].map(|gamma| Maugis::new(&elastic([0.01, 1e3, gamma, 0.7])))
     }
 
-    const FACTORS: [f64; 3] = [0.3, 1.0, 1.8];
-
-    #[test]
-    fn a_contact_moved_a_little_is_the_one_there_to_first_order() {
-        let numbers = |contact: Contact| [contact.overlap, contact.radius, contact.load, contact.hertz_load];
-        for law in laws() {
-            for (s, g) in [0.1, 1.0, 10.0].into_iter().flat_map(|s| FACTORS.map(|g| (s, g))) {
-                let here = law.at(s, g);
-                for (ds, dg) in [(1e-5 * s, 0.0), (0.0, 1e-5)] {
-                    let (moved, there) = (here.moved(ds, dg), law.at(s + ds, g + dg));
-                    for ((moved, there), here) in numbers(moved).into_iter().zip(numbers(there)).zip(numbers(here)) {
-                        let known = 1e-3 * (there - here).abs() + 1e-14 * here.abs();
-                        assert!((moved - there).abs() <= known, "{s}, {g}: {moved:e}, not {there:e}");
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn rates_go_on_from_one_contact_to_another() {
-        let numbers = |rates: Rates| [rates.overlap, rates.radius, rates.load, rates.hertz_load];
-        for law in laws() {
-            for (s, g) in [0.1, 1.0, 10.0].into_iter().flat_map(|s| FACTORS.map(|g| (s, g))) {
-                let [before, here, exact] = [1.0, 1.001, 1.002].map(|part| law.at(part * s, g));
-                let bare = Contact { by_s: Rates::default(), by_g: Rates::default(), ..exact };
-                let found = bare.with_rates_beyond(&here, &before);
-                for (found, exact) in [(found.by_s, exact.by_s), (found.by_g, exact.by_g)] {
-                    for (found, exact) in numbers(found).into_iter().zip(numbers(exact)) {
-                        assert!((found - exact).abs() <= 1e-4 * exact.abs(), "{s}, {g}: {found:e}, not {exact:e}");
-                    }
-                }
-                assert_eq!(bare.with_rates_beyond(&here, &here).by_s.overlap, 0.0);
-            }
-        }
-    }
-
     #[test]
     fn brackets_are_one_function_by_series_and_in_closed_form() {
         let closed = |theta: f64| {
@@ -322,60 +285,6 @@ mod tests {
     fn rates_are_slopes_of_secants() {
         for law in laws() {
             assert_rates_are_secants(&law, &[0.0, 0.03, 0.4, 2.0, 50.0, 1e4]);
-        }
-    }
-
-    #[test]
-    fn contact_breaks_where_the_overlap_is_least() {
-        for law in laws() {
-            for g in FACTORS {
-                let edge = law.break_away(g);
-                assert_eq!(edge.parameter == 0.0, !law.has_fold(g), "{g}");
-                let scale = law.at(edge.parameter + 1.0, g).by_s.overlap;
-                assert!(edge.by_s.overlap.abs() < 1e-10 * scale, "{}", edge.by_s.overlap);
-                for step in 1..100 {
-                    let s = 0.05 * f64::from(step);
-                    let contact = law.at(s, g);
-                    assert!(contact.overlap >= edge.overlap, "{s} before {}", edge.parameter);
-                    assert!(s <= edge.parameter || contact.by_s.overlap > 0.0, "{s} before {}", edge.parameter);
-                }
-            }
-        }
-        // The fold sets in at s = 0.
-        let law = &laws()[1];
-        let g = FOLD_LAMBDA_CUBED / law.lambda_cubed;
-        assert_eq!(law.break_away(g * (1.0 - 1e-12)).parameter, 0.0);
-        let fold = law.break_away(g * (1.0 + 1e-6)).parameter;
-        assert!(fold > 0.0 && fold < 0.01, "{fold}");
-    }
-
-    /// From guesses near and far, and from what is no guess.
-    #[test]
-    fn a_contact_is_found_by_its_overlap() {
-        for law in laws() {
-            for g in FACTORS {
-                let edge = law.break_away(g);
-                for off in [1e-3, 0.1, 1.0, 10.0, 1e3, 1e6] {
-                    let expected = law.at(edge.parameter + off, g);
-                    let s = expected.parameter;
-                    // Next to break-away the overlap hardly depends on s.
-                    let known = 1e-11 * (1.0 + 1.0 / off) + 1e-15 * edge.overlap.abs() / (expected.by_s.overlap * off);
-                    for guess in [law.guess(expected.overlap, g), 0.0, 0.3 * s, s, 1.0001 * s, 40.0 * s, f64::NAN] {
-                        let found = law.at_overlap(expected.overlap, g, guess);
-                        for (name, a, b) in [
-                            ("s", found.parameter, s),
-                            ("a", found.radius, expected.radius),
-                            ("du/ds", found.by_s.overlap, expected.by_s.overlap),
-                            ("dP/ds", found.by_s.load, expected.by_s.load),
-                        ] {
-                            assert!(
-                                near(a, b, 20.0 * known),
-                                "{name} {a:e}, not {b:e}, {off} from break-away, guess {guess}"
-                            );
-                        }
-                    }
-                }
-            }
         }
     }
 }

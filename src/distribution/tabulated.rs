@@ -270,9 +270,6 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::Value;
-    use crate::numerics::near;
-    use crate::numerics::neighbours::Neighbours;
 
     /// Uneven heights with uneven densities, zero in the middle and at one end.
     fn uneven(count: usize) -> (Vec<f64>, Vec<f64>) {
@@ -313,86 +310,6 @@ mod tests {
                 assert!(found > low - 1e-13 && found < high + 1e-13, "{found} between {low} and {high}");
             }
         }
-    }
-
-    /// A straight line has the mass of its trapezium, a parabola through three points nearly that of Simpson's rule.
-    #[test]
-    fn masses_of_pieces_are_those_of_the_monotone_cubic() {
-        let line = Tabulated::new(&[0.0, 1.0, 2.0, 4.0], &[0.0, 1.0, 2.0, 4.0]).expect("a table");
-        assert!(near(line.skew(), -0.4 * 2.0_f64.sqrt(), 1e-13), "{}", line.skew());
-        assert!(near(line.kurtosis(), 2.4, 1e-13), "{}", line.kurtosis());
-        // Slopes of Fritsch and Butland: secants at the ends; of 2 and 1.5 over lengths 2 and 1, (4 + 5)/(4/2 + 5/1.5).
-        let bent = pieces(&[1.0, 3.0, 4.0], &[0.5, 4.5, 6.0]);
-        let middle = 9.0 / (4.0 / 2.0 + 5.0 / 1.5);
-        let expected = [-0.5 * 2.0 * (middle - 2.0), -0.5 * (1.5 - middle)];
-        assert!(near(bent[0].bulge, expected[0], 1e-14) && near(bent[1].bulge, expected[1], 1e-14), "{bent:?}");
-        // A maximum is flat, and the bulge no more than the rise.
-        let peak = pieces(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0]);
-        assert_eq!([peak[0].bulge, peak[1].bulge], [0.5, 0.5]);
-        // So is where it begins to be constant.
-        for density in [[0.0, 1.0, 1.0], [1.0, 1.0, 2.0], [2.0, 1.0, 1.0], [1.0, 1.0, 0.0]] {
-            let level = pieces(&[0.0, 1.0, 2.0], &density);
-            let bulges = [0.5 * (density[1] - density[0]), -0.5 * (density[2] - density[1])];
-            assert_eq!([level[0].bulge, level[1].bulge], bulges, "{density:?}");
-        }
-        let steep = pieces(&[0.0, 1.0, 11.0, 11.1], &[1.0, 0.5, 1.5, 100.0]);
-        assert_eq!(steep[1].bulge, -1.0);
-        // A parabola through three points.
-        assert_eq!(Piece { lower: 1.0, upper: 3.0, bulge: 2.0 }.at(1.0, 3.0), 2.875);
-    }
-
-    #[test]
-    fn zeros_at_the_ends_are_left_out_up_to_the_last() {
-        let height = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
-        let support = |density: &[f64; 7]| {
-            let (height, of_support) = checked(&height, density).expect("a table");
-            assert_eq!(height.len(), of_support.len());
-            (height[0], height[height.len() - 1])
-        };
-        assert_eq!(support(&[0.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0]), (1.0, 4.0));
-        assert_eq!(support(&[0.0, 1.0, 1.0, 2.0, 0.0, 1.0, 0.0]), (0.0, 6.0));
-        assert_eq!(support(&[1.0; 7]), (0.0, 6.0));
-        assert_eq!(support(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), (5.0, 6.0));
-        assert_eq!(support(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]), (0.0, 1.0));
-        // They must be in order all the same.
-        let refused = checked(&[0.0, 2.0, 1.0, 3.0, 4.0, 5.0], &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
-        assert!(matches!(refused, Err(Error::InvalidEntry { index: 2, .. })), "{refused:?}");
-        for unit in [1e-9, 1e9] {
-            let at = |x: f64| unit * (7.0 + x);
-            let near = |apart: f64| checked(&[at(0.0), at(1.0), at(1.0 + apart), at(2.0)], &[1.0; 4]).is_ok();
-            assert_eq!([near(0.9 * 2.0 * NEAREST), near(1.1 * 2.0 * NEAREST)], [false, true], "{unit:e}");
-        }
-        assert!(checked(&[0.0, NEAREST, 1.0], &[1.0; 3]).is_ok());
-    }
-
-    #[test]
-    fn tables_are_taken_up_to_the_limits_and_no_further() {
-        for (count, taken) in [(2, false), (3, true), (256, true), (257, false)] {
-            let height: Vec<f64> = (0..count).map(f64::from).collect();
-            assert_eq!(Tabulated::new(&height, &vec![1.0; count as usize]).is_ok(), taken, "{count}");
-        }
-        let most = LARGEST_HEIGHT;
-        for (lowest, highest, refused) in [
-            (-most, most, None),
-            (-most, most.above(), Some(most.above())),
-            ((-most).below(), most, Some((-most).below())),
-        ] {
-            let found = Tabulated::new(&[lowest, 0.0, highest], &[1.0; 3]).err().map(|error| match error {
-                Error::OutOfRange { value: Value::Real(value), .. } => value,
-                other => panic!("{other:?}"),
-            });
-            assert_eq!(found, refused);
-        }
-        // All but all of the summits within a small part of the range.
-        let narrow = |far: f64| Tabulated::new(&[0.0, 1.0, 2.0, far], &[1.0, 1.0, 0.0, 1e-300]);
-        let deviation = 1.0 / narrow(100.0).map(|table| table.knots[1] - table.knots[0]).expect("a table");
-        assert!(narrow(0.999 * FARTHEST * deviation).is_ok());
-        let refused = narrow(2.0 * FARTHEST * deviation);
-        let Err(Error::OutOfRange { value: Value::Real(range), .. }) = refused else { panic!("{refused:?}") };
-        assert!(near(range, 2.0 * FARTHEST, 1e-9), "{range}");
-        // The highest height is the origin where it is near.
-        let origin = |far: f64| narrow(far).expect("a table").origin();
-        assert!(origin(15.0 * deviation) > 10.0 && origin(18.0 * deviation) == 0.0);
     }
 
     #[test]

@@ -17,20 +17,6 @@ fn surfaces() -> Vec<Params> {
 }
 
 #[test]
-fn the_branch_ends_at_the_first_minimum_of_the_load() {
-    for params in surfaces() {
-        let branch = Branch::new(of(&params)).expect("a branch");
-        let end = branch.farthest();
-        let load = |separation: f64| branch.population().at_separation(separation).load();
-        let point = branch.pull_off().expect("a pull-off point");
-        assert_eq!((point.separation, point.load), (end, load(end)), "{params:?}");
-        assert!(load(end - 1e-3) > point.load && load(end + 1e-3) > point.load, "{params:?}: {point:?}");
-        let before: Vec<f64> = (0..800).map(|i| load(end - 0.01 * f64::from(i))).collect();
-        assert!(before.windows(2).all(|pair| pair[1] > pair[0]), "{params:?}: the load has a minimum before {end}");
-    }
-}
-
-#[test]
 fn a_load_has_its_separation_from_any_guess_and_from_none() {
     for params in surfaces() {
         let branch = Branch::new(of(&params)).expect("a branch");
@@ -98,94 +84,5 @@ fn without_adhesion_the_lightest_contacts_are_alike() {
         (sums.radius_slope, lightest.radius_slope),
     ] {
         assert!((of / (factor * of_lightest) - 1.0).abs() < 1e-12, "{of:e} and {of_lightest:e}");
-    }
-}
-
-#[test]
-fn a_branch_that_is_told_where_the_load_rises_ends_at_the_minimum_before() {
-    for params in surfaces() {
-        let branch = Branch::new(of(&params)).expect("a branch");
-        let (end, point) = (branch.farthest(), branch.pull_off().expect("a pull-off point"));
-        for past in [1e-7, 1e-3, 0.02] {
-            let told = branch.clone().ending_near(end + past).expect("a branch");
-            let off = (told.farthest() - end).abs();
-            let found = told.pull_off().expect("a pull-off point");
-            assert!(off < 1e-7 && found.load <= point.load * (1.0 - 1e-12), "{params:?}, {past}: {off:e}");
-            // Also one that was thought to end elsewhere.
-            let elsewhere = End { farthest: end + 1.0, pull_off: None };
-            let mended = Branch { end: elsewhere, ..branch.clone() }.ending_near(end + past).expect("a branch");
-            assert_eq!(mended.farthest(), told.farthest());
-        }
-    }
-}
-
-/// A place at which the load falls still, or falls again, says that the minimum is near and not on which side.
-#[test]
-fn a_branch_that_is_told_of_a_place_just_before_the_minimum_ends_there_too() {
-    let branch = Branch::new(of(&surface(WEAK, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");
-    let told = branch.clone().ending_near(branch.farthest() - 1e-4).expect("a branch");
-    assert!((told.farthest() - branch.farthest()).abs() < 1e-7);
-    // Without adhesion there is none.
-    let hertz = Branch::new(of(&surface(HERTZ, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");
-    assert!(matches!(hertz.ending_near(0.0), Err(Error::NotConverged { .. })));
-}
-
-/// Where heights end the load may fall up to the last contact, and there is no pull-off without adhesion; where summits adhere
-/// so strongly that all of them part at once, it is next to where the highest does.
-#[test]
-fn the_branch_of_heights_that_end_ends_with_the_last_contact_or_before() {
-    let triangle = HeightFamily::Tabulated { height: [-1.0, 0.0, 1.0].into(), density: [0.0, 1.0, 0.0].into() };
-    let uniform = HeightFamily::Tabulated { height: [-1.0, 0.0, 1.0].into(), density: [1.0, 1.0, 1.0].into() };
-    for heights in [triangle, uniform, HeightFamily::Weibull { shape: 20.0 }] {
-        for (groups, adheres) in [(HERTZ, false), (WEAK, true), (FOLD, true)] {
-            let branch = Branch::new(of(&surface(groups, heights.clone(), [0.0, 1.0]))).expect("a branch");
-            assert_eq!(branch.pull_off().is_some(), adheres, "{heights:?}");
-            let (end, last) = (branch.farthest(), branch.population().farthest());
-            assert!(end <= last && (adheres || end == last), "{heights:?}: {end}, {last}");
-            if adheres {
-                let load = |separation: f64| branch.population().at_separation(separation).load();
-                let least = (0..2000).map(|i| load(last - 2e-3 * f64::from(i))).fold(f64::MAX, f64::min);
-                let pull_off = branch.pull_off_load();
-                assert!(pull_off <= least * (1.0 - 1e-12), "{heights:?}: {pull_off:e}, {least:e}");
-            }
-        }
-    }
-}
-
-/// Down to an adhesion of which the pull-off load is no number.
-#[test]
-fn pull_off_is_found_however_weakly_surfaces_adhere() {
-    for heights in [HeightFamily::Gaussian, HeightFamily::Weibull { shape: 3.6 }, HeightFamily::Weibull { shape: 1.0 }]
-    {
-        let (mut found, mut none) = (0, 0);
-        for half_decade in 0..17 {
-            // Ever rougher too.
-            let gamma = 0.1 * 10_f64.powf(-0.5 * f64::from(half_decade));
-            let alpha = 0.01 * 10_f64.powf(0.1 * f64::from(half_decade));
-            let branch = Branch::new(of(&surface([alpha, 1000.0, gamma, 1.0], heights.clone(), [0.0, 1.0])));
-            let branch = branch.expect("a branch");
-            let load = |separation: f64| branch.population().at_separation(separation).load();
-            match branch.pull_off() {
-                Some(point) => {
-                    found += 1;
-                    let (end, least) = (point.separation, point.load);
-                    assert!(least < 0.0 && log(-least) > -641.0, "{heights:?}, {gamma:e}: {least:e}");
-                    // The load falls up to there, and rises beyond.
-                    let before: Vec<f64> = (1..60).map(|i| load(end - 0.4 * f64::from(i))).collect();
-                    assert!(
-                        before[0] > least && before.windows(2).all(|pair| pair[1] > pair[0]),
-                        "{heights:?}, {gamma:e}"
-                    );
-                    assert!(load(end - 1e-3) > least && load(end + 1e-3) > least, "{heights:?}, {gamma:e}");
-                }
-                None => {
-                    none += 1;
-                    // Nowhere does it pull by what is a number.
-                    let pulls = (0..200).map(|i| load(0.2 * f64::from(i))).any(|load| load < -1e-277);
-                    assert!(!pulls, "{heights:?}, {gamma:e}");
-                }
-            }
-        }
-        assert!(found > 0 && none > 0 && found + none == 17, "{heights:?}: {found} of 17");
     }
 }

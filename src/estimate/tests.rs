@@ -2,7 +2,7 @@
 
 use super::known::{deviation, DEFAULT_FACTOR, PROCESSES, SLOPE_FACTOR};
 use super::{write, Answer, Estimate};
-use crate::by_name::{describe, read, Case, Draft};
+use crate::by_name::{describe, Case};
 use crate::materials::PAIRS;
 use crate::model::Model;
 use crate::params::{ContactLawKind, Params};
@@ -84,29 +84,6 @@ fn bands_have_the_coverage_that_they_say() {
     println!("covered: {without} and {with} of {REPEATS}");
     assert!((930..=970).contains(&without), "{without}");
     assert!((930..=970).contains(&with), "{with}");
-}
-
-/// The parameters that a text makes have the friction of its estimate, with one point or several.
-#[test]
-fn an_estimate_is_the_friction_of_the_parameters() {
-    for points in ["[1000, 0.16]", "[[1000, 0.16]]", "[[1000, 0.16], [10, 0.18, 0.02]]", "[[1000, 0.16], [1000, 0.18]]"]
-    {
-        let text = format!("{STEEL}measured = {points}\n{ROUGH}");
-        let params = Params::from_toml(&text).expect("a surface");
-        let (estimate, answers) = estimate(&text, &[1.0, 10.0, 1e4]);
-        assert_near(params.slip.stress_1, estimate.params().slip.stress_1, 1e-7);
-        assert_eq!(params.contact_law, ContactLawKind::ElasticPlastic);
-        let model = Model::new(&params).expect("a model");
-        for found in answers {
-            assert_near(found.friction_coefficient, model.friction_at_load(found.load), 1e-7);
-        }
-    }
-    // One point is that of a calibration, met exactly.
-    let point = format!("{SILICON}measured = [1e-3, 0.4, 0.05]\n{SMOOTH}");
-    let calibration = format!("{SILICON}calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\n{SMOOTH}");
-    assert_eq!(answer(&point, 1e-2), answer(&calibration, 1e-2));
-    assert_near(answer(&point, 1e-3).friction_coefficient, 0.4, 1e-8);
-    assert_eq!(Params::from_toml(&point).expect("a surface"), Params::from_toml(&calibration).expect("a surface"));
 }
 
 /// A default strength is a factor of 10 either way, whatever else; a strength that is given is known.
@@ -270,17 +247,6 @@ fn at_no_load_the_limit_is_said_and_no_cap() {
     assert!(light.friction_coefficient > 0.4, "capped: {light:?}");
 }
 
-/// Surfaces that stick part long before their summits do not touch.
-#[test]
-fn surfaces_that_adhere_strongly_are_estimated() {
-    let text =
-        "pair = \"PDMS/PDMS\"\nburgers_vector = 50e-9\nnominal_area = 1e-4\n[roughness]\nSq = 5e-7\nSdq = 0.08\n";
-    let model = Model::new(&Params::from_toml(text).expect("a surface")).expect("a model");
-    for found in estimate(text, &[1e-3, 1e-2, 10.0]).1 {
-        assert_near(found.friction_coefficient, model.friction_force_at_load(found.load) / found.load, 1e-7);
-    }
-}
-
 #[test]
 fn metal_that_yields_takes_the_law_that_knows_it() {
     let yields = "asperities yield, plasticity index";
@@ -289,51 +255,6 @@ fn metal_that_yields_takes_the_law_that_knows_it() {
         assert!(!written(&format!("{own}{STEEL}{ROUGH}"), &[10.0]).contains(yields), "{own}");
     }
     assert!(!written(&format!("{SILICON}{SMOOTH}"), &[1e-3]).contains(yields));
-}
-
-/// One text has one law, whoever reads it; of a part of a text the law stays what it was.
-#[test]
-fn parameters_of_a_text_have_the_law_of_its_estimate() {
-    let mut laws = [0, 0];
-    for pair in PAIRS.iter().map(|pair| pair.name.to_str().expect("UTF-8")).filter(|pair| !pair.contains("PDMS")) {
-        for own in
-            ["", "contact_law = \"maugis\"\n", "work_of_adhesion = 0.1\n", "work_of_adhesion = 0\n", "hardness = 0\n"]
-        {
-            for rough in [ROUGH, SMOOTH, "[roughness]\nRa = 2e-6\nRSm = 50e-6\n"] {
-                let text = format!("pair = \"{pair}\"\nnominal_area = 1e-6\n{own}{rough}");
-                let read = Params::from_toml(&text).expect("a surface");
-                let estimate = Estimate::new(text.as_bytes(), &[1.0]).unwrap_or_else(|error| panic!("{error}\n{text}"));
-                // The strength of a row of the table is no measurement of these surfaces.
-                let other = Params {
-                    slip: read.slip,
-                    pressure_coefficient: read.pressure_coefficient,
-                    ..estimate.params().clone()
-                };
-                assert_eq!(read, other, "{text}");
-                assert_eq!(Params::from_toml(&read.to_toml()).expect("a surface"), read, "{text}");
-                laws[usize::from(read.contact_law == ContactLawKind::ElasticPlastic)] += 1;
-            }
-        }
-    }
-    assert!(laws[0] > 50 && laws[1] > 50, "{laws:?}");
-    let bodies =
-        "composite_modulus = 1.1e11\neffective_shear_modulus = 8e10\nwork_of_adhesion = 0\nadhesion_range = 0.25e-9\n\
-                  burgers_vector = 0.25e-9\nhardness = 2e9\nasperity_count = 1e5\n";
-    let law = |text: &str| {
-        let mut draft = Draft::default();
-        draft.set_skew(0.0).expect("heights");
-        for part in text.split("then\n") {
-            read(part.as_bytes(), &mut draft).expect("a surface");
-        }
-        draft.params.contact_law
-    };
-    let steep = "height_std = 1e-6\nsummit_radius = 1e-5\n";
-    assert_eq!(law(&format!("{bodies}{steep}")), ContactLawKind::ElasticPlastic);
-    assert_eq!(law(&format!("{bodies}height_std = 1e-9\nsummit_radius = 1e-5\nthen\n{steep}")), ContactLawKind::Maugis);
-    assert_eq!(
-        law(&format!("{bodies}{steep}contact_law = \"maugis\"\nthen\nhardness = 1e9\n")),
-        ContactLawKind::Maugis
-    );
 }
 
 #[test]

@@ -320,40 +320,6 @@ mod tests {
         assert!(table.at_load(8.0).is_none() && table.at_load(0.99).is_none());
     }
 
-    /// Each row begins with the value and the slope with which the one before ends, also where rows become twice as long.
-    #[test]
-    fn a_smooth_law_is_asked_once_for_each_row() {
-        let asked = std::cell::Cell::new(0);
-        let law = |log_excess: f64| {
-            asked.set(asked.get() + 1);
-            (exp(2.0 / 3.0 * log_excess), 2.0 / 3.0)
-        };
-        let (table, _) = filled(law, None, Scale { load: 3.0, value: 0.5 }, 12, 100);
-        assert_eq!(asked.get(), PARTS.len() * 13);
-        assert_eq!(table.rows.len(), 12);
-    }
-
-    /// As many wiggles in a row as one level of links cannot hold, and as many as two cannot.
-    #[test]
-    fn the_widest_pieces_of_a_row_take_one_link_and_all_have_their_place() {
-        for count in 2..=MOST_PIECES {
-            let mut begins = vec![0.0];
-            for piece in 0..count {
-                let is_wide = [0, 15, count - 1].contains(&piece);
-                begins.push(begins[piece] + if is_wide { 100.0 } else { 1.0 });
-            }
-            let end = begins.pop().expect("the end");
-            let groups = groups(&begins, end);
-            let largest = if count <= LINKED * LINKED { LINKED } else { LINKED * LINKED };
-            assert!(groups.len() <= LINKED && groups.iter().all(|group| group.len() <= largest), "{groups:?}");
-            assert!(groups.iter().cloned().flatten().eq(0..count), "{groups:?}");
-            // As long as there is room.
-            for wide in [0, 15, count - 1].into_iter().filter(|&wide| wide < count && count <= 31) {
-                assert!(groups.contains(&(wide..wide + 1)), "{wide} of {count}: {groups:?}");
-            }
-        }
-    }
-
     #[test]
     fn links_lead_over_links_to_as_many_parts_as_there_is_room_for() {
         let scale = Scale { load: 1.0, value: 1.0 };

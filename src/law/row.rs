@@ -187,7 +187,6 @@ impl PieceBasis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::neighbours::Neighbours;
 
     const C: [f64; COEFFICIENTS] = [3.0, -2.0, 0.5, 1.25, -0.75, 2.5, -1.5, 0.375];
 
@@ -208,24 +207,6 @@ mod tests {
     }
 
     #[test]
-    fn errors_are_those_of_the_value_and_of_its_slope() {
-        let with = |error: f64, slope_error: f64| {
-            compared((2.0 * (1.0 + error), -3.0 * (1.0 + slope_error)), (2.0, -3.0), (0.0, 0.0))
-        };
-        for sign in [1.0, -1.0] {
-            let (error, miss) = with(0.8 * sign * tolerance::VALUE, 0.9 * sign * tolerance::SLOPE);
-            assert!(near(miss, 0.9, 1e-4) && near(error, 0.8 * tolerance::VALUE, 1e-4), "{error:e}, {miss}");
-            assert!(near(with(1.1 * sign * tolerance::VALUE, 0.0).1, 1.1, 1e-4));
-        }
-        assert!(with(f64::NAN, 0.0).1 == f64::INFINITY && with(0.0, f64::NAN).1 == f64::INFINITY);
-        // Next to 0, relative to the least.
-        let next_to_zero = |value: f64, rate: f64| compared((value, rate), (0.0, 0.0), (2.0, 3.0));
-        let (error, miss) = next_to_zero(1.8 * tolerance::VALUE, 0.0);
-        assert!(near(miss, 0.9, 1e-14) && near(error, 0.9 * tolerance::VALUE, 1e-14));
-        assert!(near(next_to_zero(0.0, -3.3 * tolerance::SLOPE).1, 1.1, 1e-14));
-    }
-
-    #[test]
     fn a_row_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
         let found = RowBasis::new().coefficients(horner(0.0), horner(1.0), INTERIOR.map(|u| horner(u).0));
         for (found, expected) in found.into_iter().zip(C) {
@@ -239,23 +220,5 @@ mod tests {
         for (found, expected) in found.into_iter().zip(C) {
             assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
         }
-    }
-
-    #[test]
-    fn a_link_leads_to_the_part_in_which_a_place_lies() {
-        let link = Row::link(300, &[0.1, 0.125, 0.2]);
-        assert!(link.is_link() && !Row(C).is_link());
-        for (t, part) in [
-            (0.0, (300, None)),
-            (0.1_f64.below(), (300, None)),
-            (0.1, (301, Some(0.1))),
-            (0.13, (302, Some(0.125))),
-            (0.249, (303, Some(0.2))),
-        ] {
-            assert_eq!(link.part(t), part, "{t}");
-        }
-        // Evaluated as if it were a polynomial, it says so and raises no flag: no number of it is infinite.
-        let (value, slope) = polynomial(&link.0, 0.2);
-        assert!(value.is_nan() && slope.is_nan() && link.0[2..].iter().all(|division| division.is_finite()));
     }
 }

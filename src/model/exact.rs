@@ -422,7 +422,7 @@ mod tests {
     use super::*;
     use crate::model::HEAVIEST_LOAD;
     use crate::numerics::neighbours::Neighbours;
-    use crate::params::{HeightFamily, Params};
+    use crate::params::Params;
 
     fn default_case() -> Model {
         Model::new(&Params::paper()).expect("a model")
@@ -448,58 +448,6 @@ mod tests {
         assert!(model.load_at_gap(-separation).is_finite() && model.load_at_gap((-separation).below()).is_nan());
     }
 
-    /// All radii are equal, so that the height does not matter.
-    #[test]
-    fn one_summit_that_bears_a_load_has_the_friction_of_its_overlap() {
-        let params = Params { asperity_count: 11.0, work_of_adhesion: 0.0, ..Params::paper() }.in_units(5.0, 0.3);
-        for adhesion in [0.0, 1e-3 * params.composite_modulus] {
-            let model = Model::new(&Params { work_of_adhesion: adhesion, ..params.clone() }).expect("a model");
-            for overlap in [1e-6, 0.3, 4.0, 1e3] {
-                let summit = model.summit_at_overlap(overlap * model.units.length, 0.0).expect("a summit");
-                let friction = model.one_summit_at_load(summit.load.max(0.0));
-                assert!(
-                    (friction / summit.friction_force - 1.0).abs() < 1e-9 || summit.load < 0.0,
-                    "{overlap}: {friction}"
-                );
-            }
-        }
-    }
-
-    /// The state is one of a heavier load, scaled down.
-    #[test]
-    fn the_lightest_contacts_resist_a_displacement_as_light_ones_do() {
-        let model = Model::new(&Params { work_of_adhesion: 0.0, ..Params::paper() }).expect("a model");
-        for part in [0.0, 1e-9, 0.1, 0.5, 0.9] {
-            let [of_light, of_lightest] = [1e-100, 1e-303].map(|load| {
-                let state = model.state_at_load(load).expect("a state");
-                let slip = part * state.friction_force / state.tangential_stiffness;
-                let (force, stiffness) = model.tangential_at_load(load, slip).expect("a force");
-                [force / state.friction_force, stiffness / state.tangential_stiffness]
-            });
-            for (light, lightest) in of_light.into_iter().zip(of_lightest) {
-                assert!((light - lightest).abs() < 0.05 && lightest <= 1.0, "{part}: {of_light:?}, {of_lightest:?}");
-            }
-        }
-    }
-
-    /// A pulling load has the capped coefficient on the branch, and none beyond it, where nothing holds the surfaces.
-    #[test]
-    fn coefficients_end_with_the_branch() {
-        let model = default_case();
-        let pull_off = model.branch.farthest() * model.units.length;
-        let cap = model.params.max_friction_coefficient;
-        for (off, coefficient) in [(-1e-6, cap), (0.0, cap), (1e-6, 0.0), (0.5, 0.0)] {
-            let state = model.state_at_gap(pull_off + off * model.units.length).expect("a state");
-            assert!(state.load < 0.0 && state.friction_coefficient == coefficient, "{off}: {state:?}");
-            assert_eq!(state.dmu_dload, 0.0, "{off}");
-        }
-        let heavy = model.state_at_gap(0.0).expect("a state");
-        let coefficient = heavy.friction_force / heavy.load;
-        assert_eq!(heavy.friction_coefficient, coefficient);
-        let slope = (heavy.dforce_dload - coefficient) / heavy.load;
-        assert!((heavy.dmu_dload / slope - 1.0).abs() < 1e-14);
-    }
-
     /// There the slope of the load is rounding, of either sign.
     #[test]
     fn force_rises_without_limit_towards_pull_off_and_never_falls() {
@@ -510,28 +458,6 @@ mod tests {
             let state = model.state_at_gap(separation * model.units.length).expect("a state");
             assert!(state.dforce_dload > 1e5 && state.dload_dgap <= 0.0, "{step}: {}", state.dforce_dload);
         }
-    }
-
-    /// Many low summits, whose adhesion sets the pull-off load, and a few tall ones that stay compressed when they
-    /// part.
-    #[test]
-    fn beyond_pull_off_a_load_that_presses_has_a_coefficient() {
-        let params = Params {
-            heights: HeightFamily::Tabulated {
-                height: [0.0, 0.1, 0.2, 0.7, 0.8, 0.9].into(),
-                density: [0.0, 4000.0, 0.0, 0.0, 1.0, 0.0].into(),
-            },
-            work_of_adhesion: 0.01 * Params::paper().composite_modulus,
-            ..Params::paper()
-        };
-        let model = Model::new(&params).expect("a model");
-        let summary = model.summary();
-        let pull_off = model.state_at_load(summary.pull_off_load).expect("a state").gap;
-        let pulled = model.state_at_gap(pull_off + 0.5 * model.units.length).expect("a state");
-        assert!(pulled.load < 0.0 && pulled.friction_force > 0.0 && pulled.friction_coefficient == 0.0, "{pulled:?}");
-        let pressed = model.state_at_gap(pull_off + model.units.length).expect("a state");
-        assert!(pressed.load > 300.0 && summary.pull_off_load < 0.0, "{pressed:?}");
-        assert_eq!(pressed.friction_coefficient, pressed.friction_force / pressed.load);
     }
 
     #[test]
@@ -545,65 +471,5 @@ mod tests {
             let error = model.state_at_load(0.0).expect_err("no state").to_string();
             assert!(error.starts_with(&format!("load = 0: {reason}")), "{error}");
         }
-    }
-
-    /// In units of which none is 1, with heights that are not measured from their mean.
-    #[test]
-    fn states_are_in_the_callers_units_and_their_slopes_those_of_secants() {
-        let heights =
-            HeightFamily::Tabulated { height: [0.0, 1.0, 2.0, 4.0].into(), density: [0.0, 2.0, 3.0, 0.0].into() };
-        let paper = Params { heights, asperity_count: 11.0, ..Params::paper() };
-        let mut params = paper.in_units(5.0, 0.3);
-        params.effective_shear_modulus *= 1.4;
-        let model = Model::new(&params).expect("a model");
-        let one = Model::new(&Params { asperity_count: 1.0, ..params.clone() }).expect("a model");
-        let near = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
-        for separation in [-0.5, 0.3, 1.1] {
-            let at = |separation: f64| model.state_at_gap(separation).expect("a state");
-            let (state, before, after) = (at(separation), at(separation - 1e-5), at(separation + 1e-5));
-            assert!(near(state.gap, separation, 1e-14), "{}", state.gap);
-            let of_one = one.state_at_gap(separation).expect("a state");
-            let [all, one] =
-                [state, of_one].map(|s| [s.load, s.contacting, s.attracted, s.attraction_load, s.real_area]);
-            assert!(
-                all.iter().zip(one).all(|(all, one)| one != 0.0 && near(*all, 11.0 * one, 1e-14)),
-                "{all:?}, {one:?}"
-            );
-            let step = after.gap - before.gap;
-            assert!(near(state.dload_dgap, (after.load - before.load) / step, 1e-7), "{state:?}");
-            let slope = (after.friction_force - before.friction_force) / (after.load - before.load);
-            assert!(near(state.dforce_dload, slope, 1e-7), "{}, not {slope}", state.dforce_dload);
-            let again = model.state_at_load(state.load).expect("a state");
-            assert!(near(again.gap, separation, 1e-10), "{}", again.gap);
-            assert!(near(again.tangential_stiffness, model.tangential_stiffness_at_load(state.load), 1e-9));
-            let radii = again.tangential_stiffness / model.summary().stiffness_per_radius;
-            assert!(near(again.contact_radius_sum, radii, 1e-14));
-            let (force, slope) = model.friction_force_and_slope(state.load);
-            assert!(near(force, state.friction_force, 1e-9) && near(slope, state.dforce_dload, 1e-7), "{force}");
-        }
-        let (summary, point) = (model.summary(), model.branch.pull_off().expect("a pull-off point"));
-        let pull_off = model.state_at_load(summary.pull_off_load).expect("a state");
-        let [load, force] = [params.composite_modulus, params.effective_shear_modulus].map(|unit| unit * 0.09 * 11.0);
-        assert!(near(summary.pull_off_load, point.load * load, 1e-14));
-        assert!(near(summary.pull_off_friction_force, point.sums.friction * force, 1e-14));
-        assert!(near(pull_off.friction_force, summary.pull_off_friction_force, 1e-14));
-        assert_eq!((pull_off.dforce_dload, pull_off.dload_dgap), (f64::INFINITY, 0.0));
-        assert_eq!(model.friction_force_and_slope(summary.pull_off_load), (pull_off.friction_force, f64::INFINITY));
-        for (load, is_finite) in [(0.9 * summary.pull_off_load, true), (0.0, true), (1.0, true)] {
-            assert_eq!(model.friction_force_and_slope(load).1.is_finite(), is_finite, "{load}");
-            assert_eq!(model.state_at_load(load).expect("a state").dforce_dload.is_finite(), is_finite, "{load}");
-        }
-        assert_eq!(model.friction_force_and_slope(1.1 * summary.pull_off_load), (0.0, 0.0));
-        assert!(model.friction_force_at_load(1.1 * HEAVIEST_LOAD * model.units.load).is_nan());
-        let none = Model::new(&Params { work_of_adhesion: 0.0, ..params }).expect("a model");
-        let lightest = none.friction_force_and_slope(none.summary().min_table_load).1;
-        assert!(lightest > 0.0 && lightest.is_finite());
-        for load in [0.0, -0.0, -1e-300, -5.0] {
-            assert_eq!(none.friction_force_and_slope(load), (0.0, lightest), "{load}");
-        }
-        // Nothing is left, and nothing is divided by it.
-        let apart = none.state_at_gap(27.0).expect("a state");
-        assert_eq!((apart.load, apart.friction_force, apart.dforce_dload), (0.0, 0.0, 0.0));
-        assert_eq!((apart.mean_contact_radius, apart.mean_asperity_pressure), (0.0, 0.0));
     }
 }

@@ -223,7 +223,6 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
 mod tests {
     use super::*;
     use crate::numerics::neighbours::Neighbours;
-    use crate::params::numbers::LARGEST;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the name in the message.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {
@@ -239,54 +238,6 @@ mod tests {
             Error::Unset { name } => (false, name),
             other => panic!("{other:?}"),
         }
-    }
-
-    /// Refused next to an interval and taken at its ends, by a change of the default case.
-    fn assert_interval(name: &'static str, has_meaning: bool, [from, to]: [f64; 2], change: impl Fn(&mut Params, f64)) {
-        for (value, next) in [(from, from.below()), (to, to.above())] {
-            assert_eq!(refused(|params| change(params, value)), None, "{name} = {value:e}");
-            assert_eq!(refused(|params| change(params, next)), Some((has_meaning, name)), "{name} = {next:e}");
-        }
-    }
-
-    #[test]
-    fn quantities_are_taken_up_to_the_limits_and_no_further() {
-        let magnitudes = [1.0 / LARGEST, LARGEST];
-        let shares = [1.0 / LARGEST, 1.0];
-        assert_interval("max_friction_coefficient", true, magnitudes, |params, x| params.max_friction_coefficient = x);
-        assert_interval("asperity_count", true, magnitudes, |params, x| params.asperity_count = x);
-        assert_interval("effective_shear_modulus", true, magnitudes, |params, x| params.effective_shear_modulus = x);
-        assert_interval("slip_stress_1", true, shares, |params, x| {
-            params.slip = SlipConstants { stress_1: x, stress_2: x.clamp(shares[0], shares[1]), ..params.slip }
-        });
-        assert_eq!(refused(|params| params.slip.stress_2 = 1.0), None);
-        assert_eq!(refused(|params| params.slip.stress_2 = 1.0_f64.above()), Some((true, "slip_stress_2")));
-        assert_interval("pressure_coefficient", true, [1.0 / LARGEST, 1e3], |params, x| {
-            params.pressure_coefficient = x
-        });
-        assert_eq!(refused(|params| params.bandwidth = 1.5), None);
-        assert_eq!(refused(|params| params.bandwidth = 1.5_f64.below()), Some((false, "bandwidth")));
-        assert_eq!(refused(|params| params.rms_slope = STEEPEST), None);
-        assert_eq!(refused(|params| params.rms_slope = STEEPEST.above()), Some((true, "rms_slope")));
-        assert_eq!(refused(|params| params.summit_mean_height = -1.0), Some((false, "summit_mean_height")));
-        assert_eq!(refused(|params| params.hardness = 0.0), None);
-        assert_eq!(refused(|params| params.hardness = -0.0), None);
-        assert_eq!(refused(|params| params.max_friction_coefficient = f64::INFINITY), None);
-        assert_eq!(refused(|params| params.work_of_adhesion = 0.0), None);
-        for (stress, length) in [(1e30, 1e-30), (1e-30, 1e30)] {
-            assert_eq!(refused(|params| *params = params.in_units(stress, length)), None);
-        }
-        let interval = [-1.0, 1.0];
-        assert_interval("radius_amplitude", false, interval, |params, x| params.radius_amplitude = x);
-        let interval = [1e-6, 1e3];
-        assert_interval("radius_rate", true, interval, |params, x| {
-            (params.radius_amplitude, params.radius_rate) = (0.5, x);
-        });
-        // It is not read for equal radii.
-        for rate in interval.map(|rate| 10.0 * rate * rate) {
-            assert_eq!(refused(|params| params.radius_rate = rate), None, "{rate}");
-        }
-        assert_eq!(refused(|params| params.radius_rate = 0.0), Some((false, "radius_rate")));
     }
 
     #[test]

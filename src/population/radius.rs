@@ -76,7 +76,6 @@ impl RadiusProfile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::quadrature::nodes;
 
     #[test]
     fn the_factor_is_eq_3_and_its_slope_that_of_a_secant() {
@@ -98,24 +97,5 @@ mod tests {
             assert!((g / (2.0 * f64::exp(z)) - 1.0).abs() < 1e-12 && (slope / g - 1.0).abs() < 1e-12, "{g:e} at {z}");
         }
         assert_eq!(vanishing.at(-140.0), (SMALLEST_FACTOR, 0.0));
-    }
-
-    /// Of 16 points, on the integral of g, z + epsilon ln(cosh(rho z))/rho; nor is a panel shorter than it need be.
-    #[test]
-    fn a_panel_gives_the_integral_to_rounding() {
-        for (rate, origin) in [(0.5, 0.0), (3.0, 0.0), (0.5, 2.0)] {
-            let radius = RadiusProfile { amplitude: 0.8, rate, origin };
-            let integral = |z: f64| z + 0.8 * (rate * (z + origin)).cosh().ln() / rate;
-            for z in [-20.0, -3.0, -1.0, 0.0, 0.5, 2.0] {
-                let length = radius.smooth_length(z);
-                let sum: f64 = nodes(z, z + length).map(|(x, weight)| weight * radius.factor(x)).sum();
-                let error = sum / (integral(z + length) - integral(z)) - 1.0;
-                assert!(error.abs() < 1e-13, "{radius:?} at {z}: {error:e}");
-                let distance = (z + origin).hypot(std::f64::consts::FRAC_PI_2 / rate);
-                let part = length / distance;
-                assert!(part > 0.55 && part < 1.2, "{radius:?} at {z}: {part}");
-            }
-        }
-        assert_eq!(RadiusProfile { amplitude: 0.0, rate: 1.0, origin: 0.0 }.smooth_length(0.0), f64::MAX);
     }
 }

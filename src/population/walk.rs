@@ -77,12 +77,6 @@ impl Progress {
     }
 }
 
-#[cfg(test)]
-thread_local! {
-    /// Panels laid on this thread, for tests of how much work a model takes.
-    pub static LAID: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
-}
-
 /// What a summit counts beside others.
 #[inline]
 fn importance(overlap: f64) -> f64 {
@@ -119,8 +113,6 @@ impl Population {
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
             let mut reach = reach.min(self.radius.smooth_length(here.z));
             let lay = |reach: f64| {
-                #[cfg(test)]
-                LAID.set(LAID.get() + 1);
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
                 (panel, self.nodes(separation, &panel))
             };
