@@ -8,7 +8,7 @@ use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
 use crate::estimate::known::{machined_slope, Process, PROCESSES};
 use crate::params::spectrum::SpectralMoments;
-use crate::params::{positive, STEEPEST};
+use crate::params::{positive, STEEPEST_SURFACE};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::fmt::Arguments;
 use std::ops::RangeInclusive;
@@ -105,7 +105,7 @@ const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
 impl Roughness {
     /// What [roughness] gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.
     pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>, case: Case) -> Outcome<Self> {
-        let mut given = Given { entries, begin, case, process: None };
+        let mut given = GivenRoughness { entries, begin, case, process: None };
         given.process = given.process()?;
         let is_of = |kind: &&Kind| kind.names.iter().any(|name| given.at(name).is_some());
         let Some(kind) = KINDS.into_iter().find(is_of) else {
@@ -152,14 +152,14 @@ impl Roughness {
 }
 
 /// The numbers of [roughness].
-struct Given<'a> {
+struct GivenRoughness<'a> {
     entries: &'a Entries<'a>,
     begin: usize,
     case: Case,
     process: Option<&'static Process>,
 }
 
-impl Given<'_> {
+impl GivenRoughness<'_> {
     #[inline(never)]
     fn at(&self, name: &str) -> Option<usize> {
         self.entries.find(Table::Roughness, name).map(|entry| entry.at)
@@ -260,7 +260,7 @@ impl Given<'_> {
     fn check_slope(&self, kind: &Kind, m2: f64) -> Outcome<()> {
         let given = kind.slopes.iter().find(|name| self.at(name).is_some());
         let slope = m2.sqrt();
-        if slope <= given.map_or(STEEPEST * FRAC_1_SQRT_2, |_| STEEPEST_GIVEN) {
+        if slope <= given.map_or(STEEPEST_SURFACE * FRAC_1_SQRT_2, |_| STEEPEST_GIVEN) {
             return Ok(());
         }
         let (name, says) = match given {

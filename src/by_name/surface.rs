@@ -10,7 +10,7 @@ use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::estimate::known::SUMMIT_PRODUCT;
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
-use crate::model::points::Point;
+use crate::model::points::MeasuredPoint;
 use crate::params::{HeightFamily, Params};
 use std::fmt::{Arguments, Display, Formatter};
 use std::sync::Arc;
@@ -70,7 +70,7 @@ fn set(text: &str, draft: &mut Draft) -> Outcome<()> {
 pub struct Described {
     /// With the strength as it is before the points.
     pub params: Params,
-    pub points: Vec<Point>,
+    pub points: Vec<MeasuredPoint>,
     /// Whether the points may set the pressure coefficient, since nothing else does.
     pub pressure_is_free: bool,
     /// Probability of a band.
@@ -147,13 +147,13 @@ pub fn of_points(bytes: &[u8], error: Error) -> Error {
 impl Entries<'_> {
     /// Sets all but the strength from points.
     fn describe(&self, draft: &mut Draft, case: Case) -> Outcome<Described> {
-        let mut given = Given { entries: self, numbers: Numbers::default(), interface: None, machined: None };
+        let mut given = GivenSurface { entries: self, numbers: Numbers::default(), interface: None, machined: None };
         given.numbers()?;
         given.bodies()?;
         given.heights(draft)?;
         given.roughness(draft, case)?;
         given.interface()?;
-        let Given { mut numbers, interface, machined, .. } = given;
+        let GivenSurface { mut numbers, interface, machined, .. } = given;
         let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| self.begin(table));
         if let Some(hardness) = case.hardness {
             numbers.give_named("hardness", hardness);
@@ -201,10 +201,10 @@ impl Entries<'_> {
     }
 
     /// The measured points: those of `measured`, or that of the calibration.
-    fn points(&self, numbers: &Numbers, error: f64) -> Outcome<Vec<Point>> {
+    fn points(&self, numbers: &Numbers, error: f64) -> Outcome<Vec<MeasuredPoint>> {
         let one = numbers.measured().map_err(|error| self.problem(error, self.measured()))?;
         let Some(entry) = self.find(Table::Top, "measured") else {
-            return Ok(one.map(|(load, force)| Point { load, force, error }).into_iter().collect());
+            return Ok(one.map(|(load, force)| MeasuredPoint { load, force, error }).into_iter().collect());
         };
         if one.is_some() {
             return Err(entry.refused(format_args!("calibration_load gives a measured point already, leave one out")));
@@ -233,7 +233,7 @@ impl Entries<'_> {
                 ));
             }
             match Params::measured_force(load, coefficient) {
-                Ok(force) => Ok(Point { load, force, error }),
+                Ok(force) => Ok(MeasuredPoint { load, force, error }),
                 Err(error) => {
                     let says = error.to_string().replace("calibration_friction_", "").replacen("calibration_", "", 1);
                     refused(format_args!("{says}"))
@@ -342,14 +342,14 @@ impl Display for Words<'_> {
 }
 
 /// A text on its way to numbers.
-struct Given<'t> {
+struct GivenSurface<'t> {
     entries: &'t Entries<'t>,
     numbers: Numbers,
     interface: Option<&'static Interface>,
     machined: Option<Machined>,
 }
 
-impl Given<'_> {
+impl GivenSurface<'_> {
     /// Numbers and choices at the top.
     fn numbers(&mut self) -> Outcome<()> {
         for entry in self.entries.of(Table::Top) {

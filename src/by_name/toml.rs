@@ -3,7 +3,7 @@
 //! The lexer and the parser are those of the crate `toml_parser`. Whatever the text, the work is in proportion to its length, and
 //! memory is bounded: arrays more than two deep and keys with dots are refused where they begin.
 
-use crate::distribution::tabulated::LENGTHS;
+use crate::distribution::tabulated::TABLE_LENGTHS;
 use crate::error::Error;
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -370,8 +370,8 @@ impl<'t> EventReceiver for Reader<'t, '_> {
         }
         let Some(numbers) = &mut self.array else { return self.set(value) };
         match value {
-            Value::Number(number) if numbers.len() < LENGTHS.1 => numbers.push(number),
-            Value::Number(_) => self.refuse(span, format_args!("more than {} numbers", LENGTHS.1)),
+            Value::Number(number) if numbers.len() < TABLE_LENGTHS.1 => numbers.push(number),
+            Value::Number(_) => self.refuse(span, format_args!("more than {} numbers", TABLE_LENGTHS.1)),
             _ => self.refuse(span, format_args!("must be an array of numbers alone")),
         }
     }

@@ -1,6 +1,6 @@
 //! The calls of a solver's inner loop.
 
-use super::batch::{self, Arrays, Quantity};
+use super::batch::{self, Arrays, Asked};
 use super::boundary::{self, not_null, write};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
@@ -13,7 +13,7 @@ use super::status::asperity_status;
 ///         apart; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model, load: f64) -> f64 {
-    model::value_at(model, Quantity::Coefficient, load)
+    model::value_at(model, Asked::Coefficient, load)
 }
 
 /// Returns the friction force F at a normal load.
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn asperity_friction_at_load(model: *const asperity_model,
 ///         cannot be evaluated (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_model, load: f64) -> f64 {
-    model::value_at(model, Quantity::Force, load)
+    model::value_at(model, Asked::Force, load)
 }
 
 /// Computes the friction coefficients at many loads, and their slopes. An open contact is often no error of your solver: check
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
     mu: *mut f64,
     dmu_dload: *mut f64,
 ) -> asperity_status {
-    evaluate(model, Quantity::Coefficient, n, load, mu, dmu_dload)
+    evaluate(model, Asked::Coefficient, n, load, mu, dmu_dload)
 }
 
 /// Computes the friction forces at many loads, and their slopes.
@@ -73,7 +73,7 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads(
     force: *mut f64,
     dforce_dload: *mut f64,
 ) -> asperity_status {
-    evaluate(model, Quantity::Force, n, load, force, dforce_dload)
+    evaluate(model, Asked::Force, n, load, force, dforce_dload)
 }
 
 /// Returns the friction coefficient at a load, and writes its slope.
@@ -88,7 +88,7 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     dmu_dload: *mut f64,
 ) -> f64 {
     boundary::contained_value(|| {
-        let (mu, slope) = at(model, Quantity::Coefficient, load);
+        let (mu, slope) = at(model, Asked::Coefficient, load);
         write(dmu_dload, 0, slope);
         mu
     })
@@ -109,20 +109,20 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     dforce_dload: *mut f64,
 ) -> f64 {
     boundary::contained_value(|| {
-        let (force, slope) = at(model, Quantity::Force, load);
+        let (force, slope) = at(model, Asked::Force, load);
         write(dforce_dload, 0, slope);
         force
     })
 }
 
 /// A quantity at its argument and its slope by that, of a model of a caller; NaN without one.
-pub(super) unsafe fn at(model: *const asperity_model, quantity: Quantity, load: f64) -> (f64, f64) {
+pub(super) unsafe fn at(model: *const asperity_model, quantity: Asked, load: f64) -> (f64, f64) {
     model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, load))
 }
 
 pub(super) unsafe fn evaluate(
     model: *const asperity_model,
-    quantity: Quantity,
+    quantity: Asked,
     n: usize,
     load: *const f64,
     value: *mut f64,

@@ -1,6 +1,6 @@
 //! Load against the gap between mean planes: the compiled law of a host that knows the gap of a contact.
 
-use super::batch::{self, Arrays, FirstInvalid, Quantity};
+use super::batch::{self, Arrays, Asked, FirstInvalid};
 use super::boundary::{self, not_null, write};
 use super::evaluate::at;
 use super::model::{self, asperity_model};
@@ -32,10 +32,10 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
     dload_dgap: *mut f64,
 ) -> f64 {
     if dload_dgap.is_null() {
-        return model::value_at(model, Quantity::Load, -gap);
+        return model::value_at(model, Asked::Load, -gap);
     }
     boundary::contained_value(|| {
-        let (load, slope) = at(model, Quantity::Load, -gap);
+        let (load, slope) = at(model, Asked::Load, -gap);
         write(dload_dgap, 0, by_gap(slope));
         load
     })
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn asperity_loads_at_gaps(
             let found = block(model, gap, load, dload_dgap, begin, count);
             first_invalid = first_invalid.or(found.map(|(index, argument)| (begin + index, argument)));
         }
-        first_invalid.map_or(Ok(()), |(index, argument)| Err(Quantity::Load.failure(model, index, argument)))
+        first_invalid.map_or(Ok(()), |(index, argument)| Err(Asked::Load.failure(model, index, argument)))
     })
 }
 
@@ -93,7 +93,7 @@ unsafe fn block(
         value: if load.is_null() { load } else { load.add(begin) },
         slope: if slope.is_null() { slope } else { slopes.as_mut_ptr() },
     };
-    let first_invalid = batch::fill(model, Quantity::Load, arrays);
+    let first_invalid = batch::fill(model, Asked::Load, arrays);
     for (i, slope_by_argument) in slopes[..count].iter().enumerate() {
         write(slope, begin + i, by_gap(*slope_by_argument));
     }

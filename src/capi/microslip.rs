@@ -124,7 +124,7 @@ pub unsafe extern "C" fn asperity_microslip_steps(
             not_null(increment, "increment")?;
             not_null(before, "before")?;
         }
-        let first_invalid = many(model, Arrays { n, load, increment, before, after, force, stiffness });
+        let first_invalid = many(model, StepArrays { n, load, increment, before, after, force, stiffness });
         first_invalid.map_or(Ok(()), |(index, error)| Err(Failure::of_element(index, &error)))
     })
 }
@@ -158,7 +158,7 @@ fn one(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) 
 
 /// The caller's arrays of many contacts.
 #[derive(Clone, Copy)]
-struct Arrays {
+struct StepArrays {
     n: usize,
     load: *const f64,
     increment: *const f64,
@@ -173,7 +173,7 @@ struct Arrays {
 ///
 /// # Safety
 /// The arrays have the elements that the entry point asks for.
-unsafe fn many(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+unsafe fn many(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
     #[cfg(target_arch = "x86_64")]
     if is_x86_feature_detected!("avx2") {
         return many_avx2(model, arrays);
@@ -182,7 +182,7 @@ unsafe fn many(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
 }
 
 #[inline(always)]
-unsafe fn steps<V: Four>(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+unsafe fn steps<V: Four>(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
     let mut first_invalid = None;
     let (mut levels, mut state) = (Levels::default(), [0.0; STATE]);
     for i in 0..arrays.n {
@@ -227,7 +227,7 @@ unsafe fn one_avx2(
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-unsafe fn many_avx2(model: &Model, arrays: Arrays) -> Option<(usize, Error)> {
+unsafe fn many_avx2(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
     steps::<Avx2>(model, arrays)
 }
 
@@ -276,7 +276,7 @@ mod tests {
             let expected = model.microslip_step(load, increment, &mut portable);
             assert_eq!((Ok(found), state), (expected, portable), "{i}");
             let (mut after, mut force, mut stiffness) = ([0.0; STATE], [0.0; 2], [0.0; 4]);
-            let arrays = Arrays {
+            let arrays = StepArrays {
                 n: 1,
                 load: &load,
                 increment: increment.as_ptr(),

@@ -1,6 +1,6 @@
 //! Making, changing and freeing models.
 
-use super::batch::Quantity;
+use super::batch::Asked;
 use super::boundary::{self, reference, reference_mut, Failure};
 use super::params::{asperity_params, check_size};
 use super::scalar::{self, ScalarCall};
@@ -26,7 +26,7 @@ pub(super) unsafe fn of<'a>(model: *const asperity_model) -> Result<&'a Model, F
 /// # Safety
 /// As [`of`].
 #[inline(always)]
-pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Quantity, at: f64) -> f64 {
+pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Asked, at: f64) -> f64 {
     model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, at))
 }
 

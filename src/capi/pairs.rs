@@ -1,7 +1,7 @@
 //! Contacts of several pairs of surfaces in one call. With slopes they are sorted by model, a block at a time, so that each model
 //! answers its own as a batch; forces alone cost less than sorting.
 
-use super::batch::{self, Arrays, Quantity};
+use super::batch::{self, Arrays, Asked};
 use super::boundary::{self, not_null, write, Failure};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
@@ -114,7 +114,7 @@ struct Invalid {
 impl Invalid {
     unsafe fn failure(&self, models: &Models) -> Failure {
         match self.which < models.count {
-            true => Quantity::Force.failure(models.get(self.which), self.index, self.load),
+            true => Asked::Force.failure(models.get(self.which), self.index, self.load),
             false => Failure::invalid(format_args!(
                 "element {}: which = {}: must be below models_length = {}",
                 self.index, self.which, models.count
@@ -158,7 +158,7 @@ unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
             value: force[begin..end].as_mut_ptr(),
             slope: slope[begin..end].as_mut_ptr(),
         };
-        if let Some((at, load)) = batch::fill(models.get(which), Quantity::Force, arrays) {
+        if let Some((at, load)) = batch::fill(models.get(which), Asked::Force, arrays) {
             let index = contacts.begin + usize::from(order[begin + at]);
             invalid = first(invalid, Invalid { index, which, load });
         }
@@ -190,9 +190,9 @@ unsafe fn one_by_one(models: &Models, contacts: &Contacts) -> Option<Invalid> {
         if which < models.count {
             let handle = models.first.add(which).read_unaligned();
             force = match contacts.slope.is_null() {
-                true => model::value_at(handle, Quantity::Force, load),
+                true => model::value_at(handle, Asked::Force, load),
                 false => {
-                    let (force, slope) = Quantity::Force.at(models.get(which), load);
+                    let (force, slope) = Asked::Force.at(models.get(which), load);
                     write(contacts.slope, contacts.begin + i, slope);
                     force
                 }
@@ -209,7 +209,7 @@ unsafe fn one_by_one(models: &Models, contacts: &Contacts) -> Option<Invalid> {
     }
     let is_invalid = |i: &usize| {
         let which = contacts.which(*i);
-        which >= models.count || Quantity::Force.is_invalid(models.get(which), loads[*i])
+        which >= models.count || Asked::Force.is_invalid(models.get(which), loads[*i])
     };
     let i = (0..contacts.count).find(is_invalid)?;
     Some(Invalid { index: contacts.begin + i, which: contacts.which(i), load: loads[i] })

@@ -4,7 +4,7 @@
 //! A table cannot panic and its answer needs no stack frame; what lies beside it is out of line, and guarded. A model keeps
 //! the addresses of the functions that suit the processor, so that a call does not look for them.
 
-use super::batch::Quantity;
+use super::batch::Asked;
 use super::boundary;
 use crate::law::{polynomial, Row};
 use crate::model::Model;
@@ -14,13 +14,13 @@ use crate::numerics::float_bits::finite;
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
 
 /// The quantities, as constants of functions.
-const COEFFICIENT: u8 = Quantity::Coefficient as u8;
-const FORCE: u8 = Quantity::Force as u8;
-const STIFFNESS: u8 = Quantity::Stiffness as u8;
-const LOAD: u8 = Quantity::Load as u8;
+const COEFFICIENT: u8 = Asked::Coefficient as u8;
+const FORCE: u8 = Asked::Force as u8;
+const STIFFNESS: u8 = Asked::Stiffness as u8;
+const LOAD: u8 = Asked::Load as u8;
 
-const fn quantity(of: u8) -> Quantity {
-    [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness, Quantity::Load][of as usize]
+const fn quantity(of: u8) -> Asked {
+    [Asked::Coefficient, Asked::Force, Asked::Stiffness, Asked::Load][of as usize]
 }
 
 /// The function of each quantity that suits this processor.

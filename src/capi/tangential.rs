@@ -1,6 +1,6 @@
 //! Contacts before they slip: tangential stiffness, and the exact force at constant load.
 
-use super::batch::Quantity;
+use super::batch::Asked;
 use super::boundary::{self, write};
 use super::evaluate::evaluate;
 use super::model::{self, asperity_model};
@@ -18,7 +18,7 @@ use super::status::asperity_status;
 ///         (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asperity_model, load: f64) -> f64 {
-    model::value_at(model, Quantity::Stiffness, load)
+    model::value_at(model, Asked::Stiffness, load)
 }
 
 /// Tangential stiffnesses at many loads.
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
     load: *const f64,
     stiffness: *mut f64,
 ) -> asperity_status {
-    evaluate(model, Quantity::Stiffness, n, load, stiffness, std::ptr::null_mut())
+    evaluate(model, Asked::Stiffness, n, load, stiffness, std::ptr::null_mut())
 }
 
 /// The tangential force T at a load and a displacement, by integration over the summits, without the table.

@@ -96,7 +96,7 @@ pub unsafe extern "C" fn asperity_check_loads(
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
     let known = WARNINGS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(.., says)| *says);
-    let rest = match warnings & !validity::ALL {
+    let rest = match warnings & !validity::EVERY_WARNING {
         0 if warnings != 0 => None,
         0 => Some(c"no warning"),
         _ => Some(c"unknown warning"),

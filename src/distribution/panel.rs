@@ -10,17 +10,17 @@ use crate::numerics::root;
 
 /// The largest length times the change of the slope of ln phi over either half, that of 3.5 sigma of a Gaussian density: over
 /// more, 16 points do not resolve its parabola.
-const MOST_BEND: f64 = 6.0;
+const MOST_DENSITY_BEND: f64 = 6.0;
 /// The largest length times the slope of ln phi at either end: over more, 16 points do not resolve an exponential function.
-const MOST_E_FOLDS: f64 = 14.0;
+const MOST_DENSITY_E_FOLDS: f64 = 14.0;
 /// The largest length over the distance to a singularity, for which the error of 16 points is about 1e-16.
 const OVER_DISTANCE: f64 = 1.2;
 /// No panel is shorter, in sigma: what lies within it of a singularity is negligible.
-pub const SHORTEST: f64 = 1e-8;
+pub const SHORTEST_PANEL: f64 = 1e-8;
 /// What is nearer to a breakpoint, or to where a stretch ends, than this, relative to 1 or to its height, counts as at it.
 const AT_BREAKPOINT: f64 = 4e-15;
-/// Densities below exp(-NEGLIGIBLE) of the largest are left out of sums.
-const NEGLIGIBLE: f64 = 41.0;
+/// Densities below exp(-MOST_LOG_FALL) of the largest are left out of sums.
+const MOST_LOG_FALL: f64 = 41.0;
 /// Densities below exp of this are no numbers.
 const SMALLEST_LOG_DENSITY: f64 = -700.0;
 /// The upper tail is summed by panels of one length as far as ln phi falls by this: the steeper rest is hardly ever summed.
@@ -31,7 +31,7 @@ const TAIL_BEGINS: f64 = 0.5;
 /// series in the height above the end over so small a part of the distribution.
 const LOWER_END: f64 = 0.1;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
-pub const MOST_PANELS: usize = 6000;
+pub const MOST_PANELS_OF_SUM: usize = 6000;
 
 /// How far above z one panel of 16 Gauss points may reach, never past the next breakpoint.
 pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
@@ -52,7 +52,7 @@ pub fn panels(heights: &dyn HeightDistribution, from: f64, to: f64) -> impl Iter
             (start, z)
         })
     };
-    std::iter::from_fn(next).take(MOST_PANELS)
+    std::iter::from_fn(next).take(MOST_PANELS_OF_SUM)
 }
 
 /// Whether one panel may reach from one height to another, if panels may be longer by a factor.
@@ -60,13 +60,13 @@ pub fn is_one_panel(heights: &dyn HeightDistribution, from: f64, to: f64, longer
     if to > next_breakpoint(heights, from) + slack(to) {
         return false;
     }
-    heights.is_piecewise_polynomial() || to - from <= SHORTEST || is_smooth(heights, from, to, longer)
+    heights.is_piecewise_polynomial() || to - from <= SHORTEST_PANEL || is_smooth(heights, from, to, longer)
 }
 
 /// Below this height, what is left of the density is less than exp(-41) of its largest value: sums begin there. It is the
 /// lower end of the support where the density is a power or a polynomial that begins there.
 pub fn lower_cut(heights: &dyn HeightDistribution) -> f64 {
-    lower_cut_at(heights, NEGLIGIBLE)
+    lower_cut_at(heights, MOST_LOG_FALL)
 }
 
 fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
@@ -174,9 +174,9 @@ fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
         .abs()
         .max(4.0)
         .min(OVER_DISTANCE * heights.distance_to_singularity(z))
-        .min(MOST_E_FOLDS / heights.log_density_slope(z).abs())
-        .max(SHORTEST);
-    while length > SHORTEST && !is_smooth(heights, z, z + length, 1.0) {
+        .min(MOST_DENSITY_E_FOLDS / heights.log_density_slope(z).abs())
+        .max(SHORTEST_PANEL);
+    while length > SHORTEST_PANEL && !is_smooth(heights, z, z + length, 1.0) {
         length *= 0.75;
     }
     length
@@ -189,8 +189,8 @@ fn is_smooth(heights: &dyn HeightDistribution, from: f64, to: f64, longer: f64) 
         return false;
     }
     let slope = |i: usize| heights.log_density_slope(places[i]);
-    let is_gentle = |slope: f64| length * slope.abs() <= MOST_E_FOLDS;
-    let is_straight = |from: f64, to: f64| length * (to - from).abs() <= MOST_BEND;
+    let is_gentle = |slope: f64| length * slope.abs() <= MOST_DENSITY_E_FOLDS;
+    let is_straight = |from: f64, to: f64| length * (to - from).abs() <= MOST_DENSITY_BEND;
     let (begin, end) = (slope(0), slope(2));
     if !(is_gentle(begin) && is_gentle(end)) {
         return false;
@@ -232,8 +232,8 @@ mod tests {
         };
         let (_, highest) = heights.support();
         // The fourth moment needs more of a heavy tail than other sums.
-        let is_left = log_density_above(heights, 3.0 * NEGLIGIBLE);
-        let mut z = lower_cut_at(heights, 3.0 * NEGLIGIBLE);
+        let is_left = log_density_above(heights, 3.0 * MOST_LOG_FALL);
+        let mut z = lower_cut_at(heights, 3.0 * MOST_LOG_FALL);
         if let Some(lower_end) = LowerEndPanel::new(heights, z, f64::MAX) {
             lower_end.nodes(heights).into_iter().for_each(|(rise, fraction)| add(z + rise, fraction));
             z += lower_end.length;

@@ -13,11 +13,11 @@ use crate::numerics::float_bits::finite;
 use crate::numerics::quadrature::{integrate_short, POINTS};
 
 /// How many heights a table may have: each is a kink of the friction law, and the table of the law resolves no more.
-pub const LENGTHS: (usize, usize) = (3, 256);
+pub const TABLE_LENGTHS: (usize, usize) = (3, 256);
 /// No height of the support is farther from the mean, in standard deviations.
-const FARTHEST: f64 = 1e4;
+const WIDEST_RANGE: f64 = 1e4;
 /// The highest height is made the origin unless it is farther from the mean than this, in standard deviations.
-const FARTHEST_ORIGIN: f64 = 16.0;
+const FARTHEST_HIGHEST: f64 = 16.0;
 /// Larger heights could overflow when combined.
 const LARGEST_HEIGHT: f64 = 1e300;
 /// Neighbouring heights are at least this part of the range of the support apart: a step may be that steep.
@@ -28,7 +28,7 @@ pub struct Tabulated {
     /// Heights of the support, from the origin.
     knots: Vec<f64>,
     /// The density between each and the next.
-    pieces: Vec<Piece>,
+    pieces: Vec<DensityPiece>,
     mode: f64,
     origin: f64,
     skew: f64,
@@ -37,13 +37,13 @@ pub struct Tabulated {
 
 /// The density on a piece of the support: (1 - t) lower + t upper + t (1 - t) bulge with t from 0 to 1.
 #[derive(Debug, Clone, Copy)]
-struct Piece {
+struct DensityPiece {
     lower: f64,
     upper: f64,
     bulge: f64,
 }
 
-impl Piece {
+impl DensityPiece {
     /// The density so far below the next height and so far above the last.
     fn at(&self, below: f64, above: f64) -> f64 {
         let t = above / (above + below);
@@ -85,18 +85,19 @@ impl Tabulated {
         let square = |x: f64| (x - mean) * (x - mean);
         let variance = moment(&square) / mass;
         let deviation = variance.sqrt();
-        if 1.0 > FARTHEST * deviation {
+        if 1.0 > WIDEST_RANGE * deviation {
             let allowed = "must be at most 1e4: leave heights out that nearly no summit has";
             return Err(Error::out_of_range("table_height range over standard deviation", 1.0 / deviation, allowed));
         }
         let highest = (1.0 - mean) / deviation;
-        let origin = if highest <= FARTHEST_ORIGIN { highest } else { 0.0 };
+        let origin = if highest <= FARTHEST_HIGHEST { highest } else { 0.0 };
         let zero = if origin == 0.0 { mean } else { 1.0 };
         let scale = deviation / mass;
-        let scaled = |p: &Piece| Piece { lower: p.lower * scale, upper: p.upper * scale, bulge: p.bulge * scale };
+        let scaled =
+            |p: &DensityPiece| DensityPiece { lower: p.lower * scale, upper: p.upper * scale, bulge: p.bulge * scale };
         let last_rise = relative.windows(2).rposition(|ends| ends[1] > ends[0]);
         let knots: Vec<f64> = part.iter().map(|x| (x - zero) / deviation).collect();
-        let pieces: Vec<Piece> = pieces.iter().map(scaled).collect();
+        let pieces: Vec<DensityPiece> = pieces.iter().map(scaled).collect();
         Ok(Self {
             mode: knots[last_rise.map_or(0, |i| i + 1)],
             knots,
@@ -185,7 +186,7 @@ impl HeightDistribution for Tabulated {
 /// # Errors
 /// [`Error::InvalidParameter`] for too few, [`Error::OutOfRange`] for too many.
 pub fn check_length(length: usize) -> Result<(), Error> {
-    let (name, value, (fewest, most)) = ("table_length", length as f64, LENGTHS);
+    let (name, value, (fewest, most)) = ("table_length", length as f64, TABLE_LENGTHS);
     if length < fewest {
         return Err(Error::invalid(name, value, "must be between 3 and 256"));
     }
@@ -241,7 +242,7 @@ fn checked<'a>(height: &'a [f64], density: &'a [f64]) -> Result<(&'a [f64], &'a 
 }
 
 /// The density between each height and the next.
-fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
+fn pieces(height: &[f64], density: &[f64]) -> Vec<DensityPiece> {
     let secants: Vec<f64> =
         height.windows(2).zip(density.windows(2)).map(|(h, d)| (d[1] - d[0]) / (h[1] - h[0])).collect();
     let slope = |i: usize| {
@@ -262,7 +263,7 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<Piece> {
             let rise = (density[i + 1] - density[i]).abs();
             // Six times what the mass over the length is above the mean of the two densities.
             let bulge = -0.5 * (height[i + 1] - height[i]) * (slope(i + 1) - slope(i));
-            Piece { lower: density[i], upper: density[i + 1], bulge: bulge.clamp(-rise, rise) }
+            DensityPiece { lower: density[i], upper: density[i + 1], bulge: bulge.clamp(-rise, rise) }
         })
         .collect()
 }

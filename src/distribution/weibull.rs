@@ -53,7 +53,7 @@ impl Weibull {
     }
 
     fn of_shape(shape: f64) -> Self {
-        let Moments { ln_b1, variance, skew, kurtosis } = Moments::of(shape);
+        let WeibullMoments { ln_b1, variance, skew, kurtosis } = WeibullMoments::of(shape);
         let mean = 1.0 / variance.sqrt();
         let mut heights =
             Self { shape, ln_b1, mean, ln_shape_over_mean: log(shape / mean), last_mode: 0.0, skew, kurtosis };
@@ -73,7 +73,7 @@ impl Weibull {
             return Err(Error::invalid("skew", skew, allowed));
         }
         let (smallest, largest) = SHAPE_RANGE;
-        let residual = |ln_shape: f64| Moments::of(exp(ln_shape)).skew - skew;
+        let residual = |ln_shape: f64| WeibullMoments::of(exp(ln_shape)).skew - skew;
         let (lower, upper) = (log(smallest), log(largest));
         if residual(lower) < -1e-12 || residual(upper) > 1e-12 {
             let allowed = "must be that of a Weibull shape between 1 and 200, -1.1100 to 2; Johnson heights have any \
@@ -165,15 +165,15 @@ impl HeightDistribution for Weibull {
 /// the trapezoidal rule in s = ln t. Its integrand exp(s - e^s) is analytic to a distance of pi/2, so that a step of 3/16
 /// leaves nothing.
 fn hazard_nodes(shape: f64) -> impl Iterator<Item = (f64, f64)> {
-    const STEP: f64 = 0.1875;
+    const LOG_STEP: f64 = 0.1875;
     (-230..=24).map(move |i| {
-        let s = STEP * f64::from(i);
-        (s / shape, STEP * exp(s - exp(s)))
+        let s = LOG_STEP * f64::from(i);
+        (s / shape, LOG_STEP * exp(s - exp(s)))
     })
 }
 
 /// Eq (21), and what standardises the distribution.
-struct Moments {
+struct WeibullMoments {
     ln_b1: f64,
     /// Of heights over their mean.
     variance: f64,
@@ -181,7 +181,7 @@ struct Moments {
     kurtosis: f64,
 }
 
-impl Moments {
+impl WeibullMoments {
     fn of(shape: f64) -> Self {
         let nodes = || hazard_nodes(shape);
         // As differences from 1 and from B_1: heights of large shapes are nearly equal.

@@ -6,17 +6,17 @@ use crate::numerics::quadrature::integrate_short;
 use crate::population::Population;
 
 /// Where the difference is this part of the pull-off load it is first compared with the integral,
-const NEAR: f64 = 1e-3;
+const FIRST_COMPARED: f64 = 1e-3;
 /// and at the latest, if the loads have so few digits that the two do not agree before, where it is this part.
-const FARTHEST: f64 = 1e-2;
+const LAST_COMPARED: f64 = 1e-2;
 /// So well they agree, rounding apart; and a piece with its halves, relative to the fall from where it begins.
 const AGREEMENT: f64 = 3e-8;
 /// How well a load is known, relative to what presses and what pulls: at best,
-const ROUNDING: f64 = 3e-14;
+const LOAD_ROUNDING: f64 = 3e-14;
 /// and at worst. A larger difference is a layer next to pull-off, so thin that all points of the pieces lie beyond it.
 const NOISE: f64 = 1e-10;
 /// A stretch that takes more pieces is not smooth: a shorter one is tried.
-const MOST_PIECES: usize = 40;
+const MOST_PIECES_OF_FALL: usize = 40;
 
 /// The fall of the load from separations near pull-off, in descending order, to pull-off.
 #[derive(Debug, Clone)]
@@ -35,7 +35,7 @@ impl Fall {
         loop {
             step *= 0.5;
             let mut excess = excess_at(step);
-            if excess > NEAR * -pull_off.load {
+            if excess > FIRST_COMPARED * -pull_off.load {
                 continue;
             }
             let mut fall = Self { known: vec![(pull_off.separation, 0.0)], resolution: f64::EPSILON * size };
@@ -46,9 +46,9 @@ impl Fall {
                 continue;
             }
             // From a layer outwards again: with twice the distance the fall is four times as large at most.
-            while 4.0 * excess < NEAR * -pull_off.load
-                || fall.distance_from(excess) > AGREEMENT * excess + ROUNDING * size
-                    && excess < FARTHEST * -pull_off.load
+            while 4.0 * excess < FIRST_COMPARED * -pull_off.load
+                || fall.distance_from(excess) > AGREEMENT * excess + LOAD_ROUNDING * size
+                    && excess < LAST_COMPARED * -pull_off.load
             {
                 step *= 2.0;
                 excess = excess_at(step);
@@ -92,7 +92,7 @@ impl Fall {
             let halves = near + of_load(population, end, middle);
             if (halves - whole).abs() <= AGREEMENT * (fall + halves).abs() + self.resolution {
                 self.known.extend([(middle, fall + near), (end, fall + halves)]);
-            } else if self.known.len() + ends.len() < count + MOST_PIECES {
+            } else if self.known.len() + ends.len() < count + MOST_PIECES_OF_FALL {
                 ends.extend([(end, Some(halves - near)), (middle, Some(near))]);
             } else {
                 self.known.truncate(count);

@@ -20,7 +20,7 @@ const CLOSEST: f64 = -1e90;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
 /// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
-const SMALLEST_LOG_LOAD: f64 = -690.0;
+const LOG_LIGHTEST_LOAD: f64 = -690.0;
 
 /// The equilibrium states of a surface pair under load control, from heavy load to pull-off.
 #[derive(Debug, Clone)]
@@ -109,10 +109,10 @@ impl Branch {
     /// Newton's method within a bracket.
     pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
-        if target < SMALLEST_LOG_LOAD && self.end.pull_off.is_none() {
+        if target < LOG_LIGHTEST_LOAD && self.end.pull_off.is_none() {
             // Sums that small have few digits: the straight line from the lightest load that has all.
-            let (separation, sums) = self.at_log_excess(SMALLEST_LOG_LOAD, guess)?;
-            return Ok((separation, sums.scaled(exp(target - SMALLEST_LOG_LOAD))));
+            let (separation, sums) = self.at_log_excess(LOG_LIGHTEST_LOAD, guess)?;
+            return Ok((separation, sums.scaled(exp(target - LOG_LIGHTEST_LOAD))));
         }
         let (mut separation, mut lower, mut upper) = match guess {
             Some(guess) => (guess.min(self.farthest()), CLOSEST, self.farthest()),

@@ -16,13 +16,13 @@ const NARROWEST_STEP: f64 = 0.02;
 /// From where the load rises, the branch is looked for in steps back of no more than this, relative to 1 or the separation.
 const FARTHEST_STEP: f64 = 100.0;
 /// A bracket is looked at in so many parts for an earlier and shallower minimum.
-const PARTS: u32 = 16;
+const BRACKET_PARTS: u32 = 16;
 /// Where heights end, the load is looked at up to this far from where nothing is left, relative to it.
 const NEAREST_TO_END: f64 = 1e-9;
 /// Farther out than this many ranges of adhesion separations no longer resolve what adhesion does.
 const FARTHEST_SCAN: f64 = 1e12;
 /// A pull-off load smaller than exp of this cannot be told from none.
-const SMALLEST_LOG_LOAD: f64 = -640.0;
+const LOG_LIGHTEST_PULL_OFF: f64 = -640.0;
 
 /// Where the surfaces part under load control.
 #[derive(Debug, Clone, Copy)]
@@ -95,7 +95,7 @@ impl End {
             sums = sums_at(population, separation)?;
             step *= 2.0;
         }
-        let is_number = sums.load() != 0.0 && log(sums.load().abs()) >= SMALLEST_LOG_LOAD;
+        let is_number = sums.load() != 0.0 && log(sums.load().abs()) >= LOG_LIGHTEST_PULL_OFF;
         if is_number && sums.load() > 0.0 {
             let allowed = "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
                           a few tall ones still carry the load, and the surfaces would part in steps; use heights without \
@@ -140,7 +140,7 @@ fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, 
             return past.map(first).transpose();
         }
         // What is positive and as small as that has no minimum that counts behind it.
-        if sums.load() > 0.0 && log(sums.load()) < SMALLEST_LOG_LOAD {
+        if sums.load() > 0.0 && log(sums.load()) < LOG_LIGHTEST_PULL_OFF {
             return Ok(None);
         }
         here = next;
@@ -180,14 +180,14 @@ fn before_nothing_is_left(population: &Population, here: &mut f64, nothing: f64)
 /// Whether a load that does not fall is past a minimum: it pulls, or it presses and rises.
 fn is_past_minimum(sums: &Sums) -> bool {
     let load = sums.load();
-    load < 0.0 || (load > 0.0 && sums.load_slope > 0.0 && log(load) >= SMALLEST_LOG_LOAD)
+    load < 0.0 || (load > 0.0 && sums.load_slope > 0.0 && log(load) >= LOG_LIGHTEST_PULL_OFF)
 }
 
 /// The first part of a bracket across which the slope changes sign.
 fn first_bracket(population: &Population, lower: f64, upper: f64) -> Result<(f64, f64), Error> {
-    let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(PARTS);
+    let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(BRACKET_PARTS);
     let mut first = 1;
-    while first < PARTS && falls(population, at(first))? {
+    while first < BRACKET_PARTS && falls(population, at(first))? {
         first += 1;
     }
     Ok((at(first - 1), at(first)))

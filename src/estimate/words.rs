@@ -4,7 +4,7 @@ use super::known::SLOPE_FACTOR;
 use super::{Answer, Estimate, Rests};
 use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
-use crate::model::points::Point;
+use crate::model::points::MeasuredPoint;
 use crate::model::validity::WARNINGS;
 use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
@@ -37,9 +37,9 @@ const TOLD: f64 = 0.01;
 const HARDER: [f64; 2] = [0.5, 2.0];
 /// Of less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
 /// (python/tests/test_pads.py).
-const FEWEST: f64 = 2.0;
+const MOST_OVER_ONE_SUMMIT: f64 = 2.0;
 /// More points are told by their number.
-const SHOWN: usize = 3;
+const MOST_POINTS_TOLD: usize = 3;
 /// In the order of their bits.
 const NAMES: [&str; WARNINGS] =
     ["PLASTIC", "CROWDED", "STEEP", "ATOMIC", "FEW", "ADHESIVE", "UNCALIBRATED", "BROAD", "STRONG", "FEW_WAVES"];
@@ -90,7 +90,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
                 writeln!(out, "adhesion gives a friction force of {} {unit}", Figures(force))
             }
             true => {
-                let [least, most] = [1.0, FEWEST].map(|times| Figures(times * answer.specimen_force));
+                let [least, most] = [1.0, MOST_OVER_ONE_SUMMIT].map(|times| Figures(times * answer.specimen_force));
                 writeln!(
                     out,
                     "a specimen adheres by its tallest summits, with a friction force of {least} to {most} {unit} for this strength"
@@ -121,7 +121,7 @@ fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) ->
     // A band has the strength, all else that is not known, and which specimen it is.
     let of_specimen = |end: f64| (log(end / friction_coefficient).powi(2) + (estimate.reach * scatter).powi(2)).sqrt();
     let [least, most] = match scatter.is_nan() {
-        true => [mean * low / friction_coefficient, FEWEST * mean * high / friction_coefficient],
+        true => [mean * low / friction_coefficient, MOST_OVER_ONE_SUMMIT * mean * high / friction_coefficient],
         false => [mean * exp(-of_specimen(low)), mean * exp(of_specimen(high))],
     };
     let [at, contacts, mean_shown, least, most] = [answer.load, answer.contacts, mean, least, most].map(Figures);
@@ -155,7 +155,7 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
     let points = &estimate.described.points;
     write!(out, "measured here, ")?;
     match &points[..] {
-        _ if points.len() > SHOWN => {
+        _ if points.len() > MOST_POINTS_TOLD => {
             let loads = || points.iter().map(|point| point.load);
             let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
             let [lightest, heaviest] = ends.map(Figures);
@@ -268,7 +268,7 @@ fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut
 /// Measured points that are hardly of dry friction.
 fn write_points(estimate: &Estimate, out: &mut dyn Write) -> Result {
     let unit = estimate.unit();
-    let ends = |of: fn(&Point) -> f64| {
+    let ends = |of: fn(&MeasuredPoint) -> f64| {
         let values = || estimate.described.points.iter().filter(|point| point.load > 0.0).map(of);
         [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
     };

@@ -4,9 +4,9 @@
 //! power is the same in every binade but for a factor, so rows for one binade and powers of that factor answer for all, without
 //! exp or log.
 
-use super::row::{polynomial, Row, RowBasis, INTERIOR};
+use super::row::{polynomial, Row, RowBasis, ROW_NODES};
 use super::table::Table;
-use super::FRACTION;
+use super::LOAD_FRACTION;
 use crate::numerics::elementary::{exp, log, log1p};
 use crate::numerics::float_bits::{moderate, MANTISSA_BITS, MODERATE};
 use crate::numerics::neighbours::Neighbours;
@@ -14,7 +14,7 @@ use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::RangeInclusive;
 
 /// Rows per binade.
-const ROWS: usize = 1 << FRACTION;
+const ROWS: usize = 1 << LOAD_FRACTION;
 /// The number of binades from a row's end to x has three digits of this base: 4096 binades are more than doubles have.
 pub const DIGIT_BITS: u32 = 4;
 pub const DIGIT: usize = 1 << DIGIT_BITS;
@@ -22,7 +22,7 @@ const DIGITS: usize = 3;
 /// Subnormal numbers are multiplied by 2 to this power.
 const SUBNORMAL: u64 = 54;
 /// No number has these exponent bits.
-const NONE: RangeInclusive<u64> = 1 << 12..=1 << 12;
+const NO_EXPONENT: RangeInclusive<u64> = 1 << 12..=1 << 12;
 
 /// A quantity beyond both ends of its table.
 #[derive(Debug, Clone)]
@@ -93,7 +93,7 @@ impl Continuation {
     /// How far bits of x are shifted for its rows, as in a table.
     #[inline]
     pub const fn shift() -> u32 {
-        Table::shift_of(FRACTION)
+        Table::shift_of(LOAD_FRACTION)
     }
 
     /// From the end of a table at `x` beyond an origin, where the quantity has this value and slope, to lighter or to heavier loads;
@@ -116,7 +116,7 @@ impl Continuation {
                 let (value, slope) = at(mantissa);
                 (value, slope * width)
             };
-            let interior = INTERIOR.map(|part| at(begin + part * width).0);
+            let interior = ROW_NODES.map(|part| at(begin + part * width).0);
             Row::of_length(basis.coefficients(end(begin), end(begin + width), interior), width)
         });
         let sign = if is_heavy { 1.0 } else { -1.0 };
@@ -182,5 +182,5 @@ fn moderate_binades(binade: u64, gain: f64, power: f64, is_heavy: bool) -> Range
     } else {
         (least..=binade.min(most)).rev().take_while(is_moderate).last()
     };
-    last.map_or(NONE, |last| binade.min(last)..=binade.max(last))
+    last.map_or(NO_EXPONENT, |last| binade.min(last)..=binade.max(last))
 }

@@ -6,7 +6,7 @@ use std::f64::consts::LN_2;
 
 /// Where ln(sinh s) is larger, so many terms of the series of ln((1 + (1 + y)^(1/2))/2) give it to rounding.
 const FAR: f64 = 3.0;
-const SERIES: [f64; 5] = [1.0 / 4.0, -3.0 / 32.0, 5.0 / 96.0, -35.0 / 1024.0, 63.0 / 2560.0];
+const LOG_SINH_SERIES: [f64; 5] = [1.0 / 4.0, -3.0 / 32.0, 5.0 / 96.0, -35.0 / 1024.0, 63.0 / 2560.0];
 /// The coordinate of a branch.
 #[derive(Debug, Clone, Copy)]
 pub struct Coordinate {
@@ -31,7 +31,10 @@ impl Coordinate {
             let y = exp_each(log_sinh.map(|log_sinh| -2.0 * log_sinh));
             return std::array::from_fn(|i| {
                 let y = y[i];
-                let rest = y * (SERIES[0] + y * (SERIES[1] + y * (SERIES[2] + y * (SERIES[3] + y * SERIES[4]))));
+                let rest = y
+                    * (LOG_SINH_SERIES[0]
+                        + y * (LOG_SINH_SERIES[1]
+                            + y * (LOG_SINH_SERIES[2] + y * (LOG_SINH_SERIES[3] + y * LOG_SINH_SERIES[4]))));
                 (LN_2 + log_sinh[i] + rest, 0.5 / (1.0 + y).sqrt())
             });
         }

@@ -5,7 +5,7 @@
 //! the exact states between its nodes is tried again shorter.
 
 use super::coordinate::Coordinate;
-use super::panel::{chebyshev, Panel, PerQuantity, Sample, BETWEEN, NODES};
+use super::panel::{chebyshev, CurvePanel, PerQuantity, Sample, PANEL_CHECKS, PANEL_NODES};
 use super::planes::{self, Planes};
 use super::position::Positions;
 use super::steps::{Steps, Stretch};
@@ -21,7 +21,7 @@ const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 /// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
-const ROUNDING: f64 = 1e-12;
+const NEXT_TO_END: f64 = 1e-12;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +31,8 @@ pub struct Unfollowed {
 
 /// A panel with its exact states.
 struct Attempt {
-    panel: Panel,
-    nodes: [Sample; NODES],
+    panel: CurvePanel,
+    nodes: [Sample; PANEL_NODES],
     end: Sample,
     /// Those that it was compared with between its nodes; `None` if it missed one at an end.
     between: Option<[Sample; 2]>,
@@ -47,7 +47,7 @@ pub struct Curve {
     positions: Positions,
     /// What logarithms are taken relative to: the quantities at pull-off, where small changes must be resolved.
     reference: PerQuantity,
-    panels: Vec<Panel>,
+    panels: Vec<CurvePanel>,
     /// Exact states spent.
     samples: usize,
     /// The gaps of separations, if neighbours make them other numbers.
@@ -84,7 +84,7 @@ impl Curve {
         }
         check.push(from);
         let lightest = if reach.has_pull_off { f64::NEG_INFINITY } else { reach.log_lightest };
-        let most_samples = MOST_SAMPLES + 10 * NODES * steps.kinks.len();
+        let most_samples = MOST_SAMPLES + 10 * PANEL_NODES * steps.kinks.len();
         while from.separation < steps.end && from.log_excess > lightest {
             let stretch = match from.log_excess > reach.log_lightest {
                 true => steps.next(from.separation, curve.samples > most_samples),
@@ -93,7 +93,9 @@ impl Curve {
             let attempt = match curve.attempt(branch, from, stretch, &mut ends) {
                 Ok(attempt) => attempt,
                 // So near to pull-off rounding tells whether the load falls.
-                Err(Unfollowed { separation }) if steps.end - separation < ROUNDING * (1.0 + separation.abs()) => break,
+                Err(Unfollowed { separation }) if steps.end - separation < NEXT_TO_END * (1.0 + separation.abs()) => {
+                    break
+                }
                 Err(unfollowed) => return Err(unfollowed),
             };
             let Attempt { panel, nodes, end, between, mut error } = attempt;
@@ -101,7 +103,7 @@ impl Curve {
                 steps.keeps(&stretch, error);
                 continue;
             };
-            let crowded = is_crowded.then(|| planes::Panel::between(&from, &end, &nodes, positions));
+            let crowded = is_crowded.then(|| planes::PlanesPanel::between(&from, &end, &nodes, positions));
             if let Some(panel) = &crowded {
                 error = larger(error, panel.error_at(&between) / (stretch.slope_slack * tolerance::SLOPE));
             }
@@ -125,8 +127,13 @@ impl Curve {
     }
 
     /// The exact states at the nodes of a panel, whose separations `at` gives from -1 to 1; `any` is a state.
-    fn nodes(&self, branch: &Branch, any: Sample, at: impl Fn(f64) -> f64) -> Result<[Sample; NODES], Unfollowed> {
-        let mut nodes = [any; NODES];
+    fn nodes(
+        &self,
+        branch: &Branch,
+        any: Sample,
+        at: impl Fn(f64) -> f64,
+    ) -> Result<[Sample; PANEL_NODES], Unfollowed> {
+        let mut nodes = [any; PANEL_NODES];
         for (j, node) in nodes.iter_mut().enumerate() {
             *node = self.sample(branch, at(chebyshev(j)))?;
         }
@@ -153,13 +160,13 @@ impl Curve {
                 ends[ends.len() - 1]
             }
         };
-        self.samples += NODES + 1;
-        let panel = Panel::new(&from, &end, positions, &nodes);
+        self.samples += PANEL_NODES + 1;
+        let panel = CurvePanel::new(&from, &end, positions, &nodes);
         let error = panel.error_over_tolerance(stretch.slope_slack, &[&from, &end]);
         if !stretch.allows(error) {
             return Ok(Attempt { panel, nodes, end, between: None, error });
         }
-        let between = [self.sample(branch, at(BETWEEN[0]))?, self.sample(branch, at(BETWEEN[1]))?];
+        let between = [self.sample(branch, at(PANEL_CHECKS[0]))?, self.sample(branch, at(PANEL_CHECKS[1]))?];
         self.samples += 2;
         let error = larger(error, panel.error_over_tolerance(stretch.slope_slack, &[&between[0], &between[1]]));
         Ok(Attempt { panel, nodes, end, between: Some(between), error })
@@ -302,7 +309,7 @@ impl Curve {
         self.separation(self.coordinate.log_pull_off?)
     }
 
-    fn panel(&self, s: f64) -> &Panel {
+    fn panel(&self, s: f64) -> &CurvePanel {
         let index = self.panels.partition_point(|panel| panel.lowest > s);
         &self.panels[index.min(self.panels.len() - 1)]
     }

@@ -1,7 +1,7 @@
 //! Rows filled from the law: whole, or in as many parts as it takes.
 
 use super::row::{
-    compared, polynomial, PieceBasis, Row, RowBasis, BETWEEN, BETWEEN_OF_PIECE, DIVISIONS, INTERIOR, OF_PIECE,
+    compared, polynomial, PieceBasis, Row, RowBasis, DIVISIONS, PIECE_CHECKS, PIECE_NODES, ROW_CHECKS, ROW_NODES,
 };
 use super::table::Table;
 use super::tolerance::{self, larger};
@@ -11,11 +11,12 @@ use std::f64::consts::LN_2;
 use std::ops::Range;
 
 /// Where the law is asked for a row: where it is determined, where it is compared, and at its end.
-const PARTS: [f64; 8] = [INTERIOR[0], INTERIOR[1], INTERIOR[2], INTERIOR[3], BETWEEN[0], BETWEEN[1], BETWEEN[2], 1.0];
+const ROW_PARTS: [f64; 8] =
+    [ROW_NODES[0], ROW_NODES[1], ROW_NODES[2], ROW_NODES[3], ROW_CHECKS[0], ROW_CHECKS[1], ROW_CHECKS[2], 1.0];
 /// To so many rows a link leads.
 const LINKED: usize = DIVISIONS + 1;
 /// The most pieces of a row: links of three levels.
-const MOST_PIECES: usize = LINKED * LINKED * LINKED;
+const MOST_PIECES_OF_ROW: usize = LINKED * LINKED * LINKED;
 /// Next to where the law is not smooth it may be a non-integer power of the distance, which takes shorter and shorter
 /// pieces: by this factor.
 const NEXT_TO_JOINT: f64 = 0.125;
@@ -56,13 +57,13 @@ impl<'a, S: Source> Filling<'a, S> {
     pub fn rows(&self, table: &mut Table, count: usize, most: usize) -> f64 {
         let basis = RowBasis::new();
         // ln(mantissa), the same in every binade.
-        let mantissas: Vec<[f64; PARTS.len()]> =
-            (0..self.per_binade).map(|row| PARTS.map(|part| log1p((row as f64 + part) * self.width))).collect();
+        let mantissas: Vec<[f64; ROW_PARTS.len()]> =
+            (0..self.per_binade).map(|row| ROW_PARTS.map(|part| log1p((row as f64 + part) * self.width))).collect();
         let points_of = |row: u64| {
             let within = row % self.per_binade;
             let log_binade = log_binade(row / self.per_binade) - self.log_unit;
             let mut points = self.source.at(mantissas[within as usize].map(|log| log + log_binade));
-            for (point, part) in points.iter_mut().zip(PARTS) {
+            for (point, part) in points.iter_mut().zip(ROW_PARTS) {
                 point.1 = point.1 * self.width / (1.0 + (within as f64 + part) * self.width);
             }
             points
@@ -79,7 +80,7 @@ impl<'a, S: Source> Filling<'a, S> {
             let points = points_of(row);
             let interior = [points[0].0, points[1].0, points[2].0, points[3].0];
             let coefficients = basis.coefficients(left, points[7], interior);
-            let (error, miss) = self.error_of(&coefficients, self.width, BETWEEN.into_iter().zip(&points[4..7]));
+            let (error, miss) = self.error_of(&coefficients, self.width, ROW_CHECKS.into_iter().zip(&points[4..7]));
             table.rows.push(Row::of_length(coefficients, self.width));
             if miss <= 1.0 {
                 worst = worst.max(error);
@@ -107,7 +108,7 @@ impl<'a, S: Source> Filling<'a, S> {
     /// Polynomials for the parts of a row, as few as are good or there is room for, and their largest error.
     fn pieces(&self, row: u64, room: usize) -> Option<(Vec<(f64, Row)>, f64)> {
         // Links take room too: one for each LINKED rows that they lead to.
-        let most = MOST_PIECES.min((room * DIVISIONS / LINKED).checked_sub(1).filter(|&most| most > 0)?);
+        let most = MOST_PIECES_OF_ROW.min((room * DIVISIONS / LINKED).checked_sub(1).filter(|&most| most > 0)?);
         let basis = PieceBasis::new();
         let start = (row % self.per_binade) as f64 * self.width;
         let log_binade = log_binade(row / self.per_binade) - self.log_unit;
@@ -121,7 +122,7 @@ impl<'a, S: Source> Filling<'a, S> {
         while shortest >= SHORTEST_PIECE {
             let mut i = 0;
             while i < pieces.len() {
-                let Piece { begin, end, is_good, .. } = pieces[i];
+                let RowPiece { begin, end, is_good, .. } = pieces[i];
                 if !is_good && end - begin >= shortest * self.width && pieces.len() < most {
                     let at = division(&joints, begin, end);
                     pieces.splice(i..=i, [fill(begin, at), fill(at, end)]);
@@ -136,24 +137,27 @@ impl<'a, S: Source> Filling<'a, S> {
     }
 
     /// The polynomial of a part of a row that begins at a mantissa, less one.
-    fn piece(&self, basis: &PieceBasis, row: f64, (begin, end): (f64, f64), log_binade: f64) -> Piece {
-        const ALL: usize = OF_PIECE.len() + BETWEEN_OF_PIECE.len();
-        let parts: [f64; ALL] =
-            std::array::from_fn(
-                |i| if i < OF_PIECE.len() { OF_PIECE[i] } else { BETWEEN_OF_PIECE[i - OF_PIECE.len()] },
-            );
+    fn piece(&self, basis: &PieceBasis, row: f64, (begin, end): (f64, f64), log_binade: f64) -> RowPiece {
+        const ASKED: usize = PIECE_NODES.len() + PIECE_CHECKS.len();
+        let parts: [f64; ASKED] = std::array::from_fn(|i| {
+            if i < PIECE_NODES.len() {
+                PIECE_NODES[i]
+            } else {
+                PIECE_CHECKS[i - PIECE_NODES.len()]
+            }
+        });
         let length = end - begin;
         let mantissas = parts.map(|part| row + begin + part * length);
         let law = self.source.at(mantissas.map(|mantissa| log1p(mantissa) + log_binade));
-        let points: [(f64, f64); ALL] = std::array::from_fn(|i| (law[i].0, law[i].1 * length / (1.0 + mantissas[i])));
+        let points: [(f64, f64); ASKED] = std::array::from_fn(|i| (law[i].0, law[i].1 * length / (1.0 + mantissas[i])));
         let slopes = std::array::from_fn(|i| points[i].1);
         let coefficients = basis.coefficients(points[0].0, slopes);
-        let at_end = (1.0, &points[OF_PIECE.len() - 1]);
-        let between = BETWEEN_OF_PIECE.into_iter().zip(&points[OF_PIECE.len()..]);
+        let at_end = (1.0, &points[PIECE_NODES.len() - 1]);
+        let between = PIECE_CHECKS.into_iter().zip(&points[PIECE_NODES.len()..]);
         let (error, miss) = self.error_of(&coefficients, length, between);
         let (jump, miss_at_end) = self.error_of(&coefficients, length, [at_end].into_iter());
         let is_good = miss <= 1.0 && miss_at_end <= 1.0 && jump <= tolerance::JUMP;
-        Piece { begin, end, row: Row::of_length(coefficients, length), error: larger(error, jump), is_good }
+        RowPiece { begin, end, row: Row::of_length(coefficients, length), error: larger(error, jump), is_good }
     }
 
     /// The largest error of the polynomial of a part of so long a mantissa where it is compared, and the largest of it and its slope
@@ -174,7 +178,7 @@ impl<'a, S: Source> Filling<'a, S> {
 
 /// A part of a row: where in it it begins and ends, by mantissa, its polynomial with its error, and whether that is good.
 #[derive(Clone, Copy)]
-struct Piece {
+struct RowPiece {
     begin: f64,
     end: f64,
     row: Row,

@@ -16,12 +16,12 @@ use crate::numerics::neighbours::Neighbours;
 use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.
-const FRACTION: u32 = 3;
+const GAP_FRACTION: u32 = 3;
 /// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance,
 /// and the load is a power of it, also where the density of heights jumps to 0 there.
 const NEAREST_TO_HIGHEST: f64 = 1e-9;
 /// Nor farther above the mean height than this.
-const FARTHEST: f64 = 2e3;
+const FARTHEST_GAP: f64 = 2e3;
 /// The largest power by which the load goes to 0 beyond the lightest that is compiled, where the highest summit is far.
 const TAIL_POWER: f64 = 7.0;
 
@@ -98,13 +98,13 @@ impl Gap {
         let middle = begin + depth * rise / heaviest.1;
         let deep = Continuation::new(-middle, middle - begin, (heaviest.0, -heaviest.1), 0.0, true);
         let source = Distances { curve, unit_load, anchor: dimensionless, end: first, least, begin, deep };
-        let shift = Table::shift_of(FRACTION);
+        let shift = Table::shift_of(GAP_FRACTION);
         // The first row that the curve has whole.
         let base = (margin.below().to_bits() >> shift) + 1;
         // And the one in which it begins.
         let end = ((margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift) + 1;
-        let mut table = Table::new(FRACTION, base, -anchor);
-        Filling::new(&source, lengths.unit, FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
+        let mut table = Table::new(GAP_FRACTION, base, -anchor);
+        Filling::new(&source, lengths.unit, GAP_FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);
         let (at_anchor, least) = if pull_off.is_none() { (Some(0.0), 0.0) } else { (None, table.begin_of(0)) };
         let beyond = Box::new(Beyond::new(&table, at_anchor, -lengths.callers(middle)));
         Self { table, beyond, least: least.max(0.0.above()), lengths }
@@ -164,7 +164,7 @@ fn lightest(branch: &Branch, curve: &Curve) -> f64 {
     let (begin, end) = curve.separation_range();
     // Farther, lengths have too few digits to tell separations among the heights apart.
     let highest = branch.farthest() - NEAREST_TO_HIGHEST * (1.0 + branch.farthest().abs());
-    highest.min(FARTHEST - branch.population().heights().origin()).max(begin).min(end)
+    highest.min(FARTHEST_GAP - branch.population().heights().origin()).max(begin).min(end)
 }
 
 /// The separation at which the load is 0, where it pulls at the end.

@@ -43,7 +43,7 @@ pub use table::Table;
 const MOST_ROWS: usize = 1280;
 const MOST_ROWS_PER_KINK: usize = 2;
 /// Rows per binade, as a power of two: so many that nearly all are good.
-const FRACTION: u32 = 1;
+const LOAD_FRACTION: u32 = 1;
 /// ln of the ratio of the ends of a row, at most.
 const ROW: f64 = 0.41;
 /// The law reaches from this part of the pull-off load above it, or of the load at which half of the summits touch, to so many
@@ -277,13 +277,13 @@ impl Compiled {
         let (lower, upper) = curve.log_range();
         let (lower, upper) =
             (lower.max(reach.log_lightest) + log(scale.load), upper.min(reach.log_heaviest) + log(scale.load));
-        let shift = Table::shift_of(FRACTION);
+        let shift = Table::shift_of(LOAD_FRACTION);
         // The rows that hold the ends, but for what the curve does not reach.
         let end = exp(upper.min(700.0)).to_bits() >> shift;
         let base = ((exp(lower.max(-700.0)).to_bits() >> shift) + 1).min(end);
-        let mut table = Table::new(FRACTION, base, branch.pull_off_load() * scale.load);
+        let mut table = Table::new(LOAD_FRACTION, base, branch.pull_off_load() * scale.load);
         let source = AgainstLoad { curve, quantity, unit: scale.value };
-        let filling = Filling::new(&source, scale.load, FRACTION);
+        let filling = Filling::new(&source, scale.load, LOAD_FRACTION);
         let error = filling.rows(&mut table, (end - base) as usize, reach.most_rows);
         let error = error.max(curve.error_at_pull_off(quantity, reach.log_lightest));
         let at_pull_off = branch.pull_off().map_or(0.0, |point| quantity.of(&point.sums).0 * scale.value);

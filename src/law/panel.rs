@@ -9,16 +9,16 @@ use crate::numerics::quadrature;
 use crate::numerics::root;
 
 /// Exact states per panel.
-pub const NODES: usize = 10;
+pub const PANEL_NODES: usize = 10;
 /// Where its node j lies, from -1 to 1.
 pub fn chebyshev(j: usize) -> f64 {
-    -cos(std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64)
+    -cos(std::f64::consts::PI * (j as f64 + 0.5) / PANEL_NODES as f64)
 }
 
 /// Interpolation conditions per panel: value and slope at each of them.
-const CONDITIONS: usize = 2 * NODES;
+const CONDITIONS: usize = 2 * PANEL_NODES;
 /// Where a panel is compared between its nodes, from -1 to 1.
-pub const BETWEEN: [f64; 2] = [0.1, 0.8];
+pub const PANEL_CHECKS: [f64; 2] = [0.1, 0.8];
 /// Next to a kink the slope of the stiffness is harder to resolve than that of friction: it need only be as good as values ask for, which
 /// leaves it within 1e-3 where the load is within 1 % of a kink, and within 1e-6 elsewhere.
 const SLACK: f64 = 2.0;
@@ -48,7 +48,7 @@ pub struct Sample {
 
 /// A stretch of the curve, with s falling as separation grows.
 #[derive(Debug, Clone)]
-pub struct Panel {
+pub struct CurvePanel {
     /// s at its ends.
     pub lowest: f64,
     pub highest: f64,
@@ -101,9 +101,9 @@ impl Length {
     }
 }
 
-impl Panel {
+impl CurvePanel {
     /// From one state to another, through the states at its nodes.
-    pub fn new(from: &Sample, to: &Sample, positions: Positions, nodes: &[Sample; NODES]) -> Self {
+    pub fn new(from: &Sample, to: &Sample, positions: Positions, nodes: &[Sample; PANEL_NODES]) -> Self {
         let is_narrow = from.s - to.s < NARROW;
         let length = Length::of(positions, from.separation, to.separation);
         let log_value = std::array::from_fn(|quantity| {
@@ -186,14 +186,19 @@ fn error_over_tolerance((value, slope): (f64, f64), exact: (f64, f64), slack: f6
 pub struct Hermite {
     /// The value at the first node, to which the others are relative.
     reference: f64,
-    nodes: [f64; NODES],
+    nodes: [f64; PANEL_NODES],
     /// Of Newton's form, each node twice.
     coefficients: [f64; CONDITIONS],
 }
 
 impl Hermite {
     /// With these values, relative to a reference, and slopes.
-    pub fn new(reference: f64, nodes: [f64; NODES], values: [f64; NODES], slopes: [f64; NODES]) -> Self {
+    pub fn new(
+        reference: f64,
+        nodes: [f64; PANEL_NODES],
+        values: [f64; PANEL_NODES],
+        slopes: [f64; PANEL_NODES],
+    ) -> Self {
         // Divided differences; between the two copies of a node they are the slope.
         let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
         for order in 1..CONDITIONS {
@@ -224,16 +229,16 @@ impl Hermite {
 }
 
 /// What a function rises by from the first node to each, of which these are the slopes.
-fn integrals(nodes: &[f64; NODES], mut slopes: [f64; NODES]) -> [f64; NODES] {
+fn integrals(nodes: &[f64; PANEL_NODES], mut slopes: [f64; PANEL_NODES]) -> [f64; PANEL_NODES] {
     // Newton's form of the polynomial through the slopes.
-    for order in 1..NODES {
-        for i in (order..NODES).rev() {
+    for order in 1..PANEL_NODES {
+        for i in (order..PANEL_NODES).rev() {
             slopes[i] = (slopes[i] - slopes[i - 1]) / (nodes[i] - nodes[i - order]);
         }
     }
     let slope = |at: f64| {
-        let higher = slopes[..NODES - 1].iter().zip(nodes).rev();
-        higher.fold(slopes[NODES - 1], |value, (coefficient, node)| value * (at - node) + coefficient)
+        let higher = slopes[..PANEL_NODES - 1].iter().zip(nodes).rev();
+        higher.fold(slopes[PANEL_NODES - 1], |value, (coefficient, node)| value * (at - node) + coefficient)
     };
     let mut sum = 0.0;
     std::array::from_fn(|i| {

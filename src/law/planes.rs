@@ -5,7 +5,7 @@
 //! Beyond the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi
 //! is constant. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
-use super::panel::{chebyshev, Hermite, Length, Sample, BETWEEN, NODES};
+use super::panel::{chebyshev, Hermite, Length, Sample, PANEL_CHECKS, PANEL_NODES};
 use super::position::Positions;
 use super::steps::MOST_OF_THE_REST;
 use super::tolerance::{self, larger};
@@ -16,13 +16,13 @@ use crate::numerics::root;
 /// A panel beyond the branch reaches as far as the real area falls by this factor, as a power of e, or over a part of what is left to the
 /// separation from which on nothing touches. There are no more than so many.
 const FALL_OF_AREA: f64 = 8.0;
-const MOST_PANELS: usize = 64;
+const MOST_PANELS_BEYOND: usize = 64;
 /// One that misses psi between its nodes is halved, to this part at the least.
 const LEAST_PART: f64 = 1.0 / 64.0;
 /// None is shorter, relative to 1 or to the separation: its nodes would have no digits.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST_PLANES_PANEL: f64 = 1e-9;
 /// Steps of Newton's method; some four are enough.
-const MOST_STEPS: u32 = 12;
+const MOST_NEWTON_STEPS: u32 = 12;
 
 /// A separation with 1 - psi, and the slope of that.
 #[derive(Debug, Clone, Copy)]
@@ -45,14 +45,14 @@ impl Place {
 #[derive(Debug, Clone)]
 pub struct Planes {
     /// In ascending order: those of the curve, and those beyond it.
-    panels: Vec<Panel>,
+    panels: Vec<PlanesPanel>,
     /// psi where the first begins.
     first_psi: f64,
 }
 
 /// A stretch between two separations.
 #[derive(Debug, Clone)]
-pub struct Panel {
+pub struct PlanesPanel {
     begin: f64,
     end: f64,
     /// The gaps there.
@@ -65,15 +65,15 @@ pub struct Panel {
     rise: Hermite,
 }
 
-impl Panel {
+impl PlanesPanel {
     /// From one state to another, through those of the nodes; where gaps begin is not known yet.
-    pub fn between(from: &Sample, to: &Sample, nodes: &[Sample; NODES], positions: Positions) -> Self {
+    pub fn between(from: &Sample, to: &Sample, nodes: &[Sample; PANEL_NODES], positions: Positions) -> Self {
         Self::new(Place::of(from), Place::of(to), nodes.each_ref().map(Place::of), positions)
     }
 
-    fn new(from: Place, to: Place, nodes: [Place; NODES], positions: Positions) -> Self {
+    fn new(from: Place, to: Place, nodes: [Place; PANEL_NODES], positions: Positions) -> Self {
         let length = Length::of(positions, from.separation, to.separation);
-        let (mut places, mut slopes, mut bends) = ([0.0; NODES], [0.0; NODES], [0.0; NODES]);
+        let (mut places, mut slopes, mut bends) = ([0.0; PANEL_NODES], [0.0; PANEL_NODES], [0.0; PANEL_NODES]);
         for (i, node) in nodes.iter().enumerate() {
             let (place, density) = length.between(from.separation, node.separation);
             places[i] = place;
@@ -115,7 +115,7 @@ impl Panel {
         let rise = gap.map(|gap| gap - self.begin_gap);
         let mean = (self.end - self.begin) / (self.end_gap - self.begin_gap);
         let mut place = rise.map(|rise| self.length.between(self.begin, self.begin + mean * rise).0);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MOST_NEWTON_STEPS {
             let found = place.map(|place| self.rise.at(place));
             let steps: [f64; N] = std::array::from_fn(|i| (rise[i] - found[i].0) / found[i].1);
             for (place, step) in place.iter_mut().zip(steps) {
@@ -135,7 +135,7 @@ impl Panel {
 
 impl Planes {
     /// From the panels of the curve.
-    pub fn new(branch: &Branch, mut panels: Vec<Panel>, positions: Positions) -> Self {
+    pub fn new(branch: &Branch, mut panels: Vec<PlanesPanel>, positions: Positions) -> Self {
         let first_psi =
             panels.first().map_or(1.0, |first| first.rise.at(0.0).1 * first.length.between(first.begin, first.begin).1);
         extend(branch, &mut panels, positions);
@@ -153,7 +153,7 @@ impl Planes {
         self.panels.partition_point(|panel| panel.end_gap < gap)
     }
 
-    pub fn panel(&self, index: usize) -> &Panel {
+    pub fn panel(&self, index: usize) -> &PlanesPanel {
         &self.panels[index]
     }
 
@@ -181,18 +181,18 @@ impl Planes {
 }
 
 /// Adds panels beyond the branch, up to where neighbours change nothing.
-fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
+fn extend(branch: &Branch, panels: &mut Vec<PlanesPanel>, positions: Positions) {
     let population = branch.population();
     let place = |separation: f64| Place { separation, crowding: population.at_separation(separation).crowding };
     let Some(last) = panels.last() else { return };
     let mut from = place(last.end);
     let end = population.farthest();
     let mut part = 1.0;
-    for _ in 0..MOST_PANELS {
+    for _ in 0..MOST_PANELS_BEYOND {
         if from.crowding.0 < tolerance::VALUE {
             return;
         }
-        let least = SHORTEST * (1.0 + from.separation.abs());
+        let least = SHORTEST_PLANES_PANEL * (1.0 + from.separation.abs());
         let next_kink = branch.kinks().iter().copied().find(|&kink| kink - from.separation > least).unwrap_or(end);
         // 1 - psi goes as the root of the area.
         let fall = 0.5 * FALL_OF_AREA * from.crowding.0 / -from.crowding.1;
@@ -202,11 +202,11 @@ fn extend(branch: &Branch, panels: &mut Vec<Panel>, positions: Positions) {
         }
         let to = place(from.separation + length);
         let nodes = std::array::from_fn(|i| place(positions.between(from.separation, to.separation, chebyshev(i))));
-        let panel = Panel::new(from, to, nodes, positions);
+        let panel = PlanesPanel::new(from, to, nodes, positions);
         if !panel.end_gap.is_finite() {
             return;
         }
-        let between = place(positions.between(from.separation, to.separation, BETWEEN[0]));
+        let between = place(positions.between(from.separation, to.separation, PANEL_CHECKS[0]));
         if part > LEAST_PART && panel.error_of(&between) > tolerance::SLOPE {
             part *= 0.5;
             continue;

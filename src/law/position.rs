@@ -6,7 +6,7 @@ use crate::numerics::elementary::{exp, log};
 /// Positions turn from separations to their logarithms this far from the mean height, in sigma.
 const TURN: f64 = 3.7;
 /// Panels shorter than this are as long in separation.
-const SHORT: f64 = 0.1;
+const SHORT_PANEL: f64 = 0.1;
 
 /// Positions of separations.
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +31,7 @@ impl Positions {
 
     /// Whether a panel is so short that positions have too few digits.
     pub fn is_short(&self, from: f64, to: f64) -> bool {
-        (to - from) * self.density(from) < SHORT
+        (to - from) * self.density(from) < SHORT_PANEL
     }
 
     /// How long a panel between two separations is.
@@ -45,7 +45,7 @@ impl Positions {
 
     /// The separation at a distance beyond another.
     pub fn beyond(&self, from: f64, length: f64) -> f64 {
-        if length < SHORT {
+        if length < SHORT_PANEL {
             from + length / self.density(from)
         } else {
             self.separation(self.position(from) + length)

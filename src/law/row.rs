@@ -7,10 +7,10 @@ use std::mem::size_of;
 /// Coefficients per row: a polynomial of degree 7, one cache line.
 pub const COEFFICIENTS: usize = 8;
 /// The parts of a row at which values determine it, beside values and slopes at its ends; where it is compared.
-pub const INTERIOR: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
-pub const BETWEEN: [f64; 3] = [0.05, 0.5, 0.95];
+pub const ROW_NODES: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
+pub const ROW_CHECKS: [f64; 3] = [0.05, 0.5, 0.95];
 /// The parts of a piece at which slopes determine it: Lobatto's points, of which two are its ends; where it is compared.
-pub const OF_PIECE: [f64; 7] = [
+pub const PIECE_NODES: [f64; 7] = [
     0.0,
     0.084_888_051_860_716_54,
     0.265_575_603_264_642_9,
@@ -19,11 +19,11 @@ pub const OF_PIECE: [f64; 7] = [
     0.915_111_948_139_283_5,
     1.0,
 ];
-pub const BETWEEN_OF_PIECE: [f64; 3] = [0.17, 0.62, 0.97];
+pub const PIECE_CHECKS: [f64; 3] = [0.17, 0.62, 0.97];
 /// The places at which a link divides a row: as many as it has room for.
 pub const DIVISIONS: usize = COEFFICIENTS - 2;
 /// No division: beyond the end of any row.
-const NONE: f64 = 2.0;
+const NO_DIVISION: f64 = 2.0;
 /// The bits of a quiet NaN, and those of it that may be any.
 const QUIET_NAN: u64 = 0xfff << 51;
 pub const OFFSET: u64 = (1 << 51) - 1;
@@ -50,7 +50,8 @@ impl Row {
     /// A link to parts, of which the first has this index, between these divisions.
     pub fn link(first: usize, divisions: &[f64]) -> Self {
         let first = f64::from_bits(QUIET_NAN | (first * size_of::<Self>()) as u64);
-        let mut row = Self([first, f64::NAN, NONE, NONE, NONE, NONE, NONE, NONE]);
+        let mut row =
+            Self([first, f64::NAN, NO_DIVISION, NO_DIVISION, NO_DIVISION, NO_DIVISION, NO_DIVISION, NO_DIVISION]);
         row.0[2..][..divisions.len()].copy_from_slice(divisions);
         row
     }
@@ -108,9 +109,9 @@ impl RowBasis {
     pub fn new() -> Self {
         // Lagrange's polynomials in power form.
         let mut inverse = [[0.0; 4]; 4];
-        for (i, &node) in INTERIOR.iter().enumerate() {
+        for (i, &node) in ROW_NODES.iter().enumerate() {
             let mut lagrange = [1.0, 0.0, 0.0, 0.0];
-            for (j, &other) in INTERIOR.iter().enumerate() {
+            for (j, &other) in ROW_NODES.iter().enumerate() {
                 if i == j {
                     continue;
                 }
@@ -131,7 +132,7 @@ impl RowBasis {
         let rise = right.0 - left.0;
         let cubic = [left.0, left.1, 3.0 * rise - 2.0 * left.1 - right.1, left.1 + right.1 - 2.0 * rise];
         let mut q = [0.0; 4];
-        for (i, &u) in INTERIOR.iter().enumerate() {
+        for (i, &u) in ROW_NODES.iter().enumerate() {
             let at = cubic[0] + u * (cubic[1] + u * (cubic[2] + u * cubic[3]));
             let value = (interior[i] - at) / (u * u * (1.0 - u) * (1.0 - u));
             for (k, coefficient) in q.iter_mut().enumerate() {
@@ -153,18 +154,18 @@ impl RowBasis {
 /// where differences of values have lost them.
 pub struct PieceBasis {
     /// From the slopes to the coefficients of powers 1 to 7.
-    integrals: [[f64; OF_PIECE.len()]; OF_PIECE.len()],
+    integrals: [[f64; PIECE_NODES.len()]; PIECE_NODES.len()],
 }
 
 impl PieceBasis {
     pub fn new() -> Self {
-        let mut integrals = [[0.0; OF_PIECE.len()]; OF_PIECE.len()];
-        for (i, &node) in OF_PIECE.iter().enumerate() {
+        let mut integrals = [[0.0; PIECE_NODES.len()]; PIECE_NODES.len()];
+        for (i, &node) in PIECE_NODES.iter().enumerate() {
             // Lagrange's polynomial in power form.
-            let mut lagrange = [0.0; OF_PIECE.len()];
+            let mut lagrange = [0.0; PIECE_NODES.len()];
             lagrange[0] = 1.0;
-            for &other in OF_PIECE.iter().filter(|&&other| other != node) {
-                for k in (0..OF_PIECE.len()).rev() {
+            for &other in PIECE_NODES.iter().filter(|&&other| other != node) {
+                for k in (0..PIECE_NODES.len()).rev() {
                     let lower = if k > 0 { lagrange[k - 1] } else { 0.0 };
                     lagrange[k] = (lower - other * lagrange[k]) / (node - other);
                 }
@@ -176,7 +177,7 @@ impl PieceBasis {
         Self { integrals }
     }
 
-    pub fn coefficients(&self, value: f64, slopes: [f64; OF_PIECE.len()]) -> [f64; COEFFICIENTS] {
+    pub fn coefficients(&self, value: f64, slopes: [f64; PIECE_NODES.len()]) -> [f64; COEFFICIENTS] {
         std::array::from_fn(|k| match k {
             0 => value,
             k => self.integrals[k - 1].iter().zip(slopes).map(|(integral, slope)| integral * slope).sum(),
@@ -208,7 +209,7 @@ mod tests {
 
     #[test]
     fn a_row_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
-        let found = RowBasis::new().coefficients(horner(0.0), horner(1.0), INTERIOR.map(|u| horner(u).0));
+        let found = RowBasis::new().coefficients(horner(0.0), horner(1.0), ROW_NODES.map(|u| horner(u).0));
         for (found, expected) in found.into_iter().zip(C) {
             assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
         }
@@ -216,7 +217,7 @@ mod tests {
 
     #[test]
     fn a_piece_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
-        let found = PieceBasis::new().coefficients(horner(0.0).0, OF_PIECE.map(|u| horner(u).1));
+        let found = PieceBasis::new().coefficients(horner(0.0).0, PIECE_NODES.map(|u| horner(u).1));
         for (found, expected) in found.into_iter().zip(C) {
             assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
         }

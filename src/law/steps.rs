@@ -12,18 +12,18 @@ const LEAST_OVERLAP: f64 = 1e-100;
 /// branch, of what is left of 1 - psi.
 pub const MOST_OF_THE_REST: f64 = 0.7;
 /// A panel that takes more than this part of what is left takes all.
-const WHOLE: f64 = 0.99;
+const ALL_THAT_IS_LEFT: f64 = 0.99;
 /// A kink nearer to the end than this part of what is left is at the end: contact with the lower end that breaks at once.
-const AT_END: f64 = 1e-9;
+const KINK_AT_END: f64 = 1e-9;
 /// A shorter stretch hardly changes values: what it misses may be noise.
-const SHORT: f64 = 0.02;
+const SHORT_STRETCH: f64 = 0.02;
 /// It may miss by so many times the tolerance, which is then what the compiled law promises.
 const MOST_OF_SHORT: f64 = 2.0;
 /// And by so many once no more states are to be spent: as many as a model may.
 const MOST_WHEN_SPENT: f64 = tolerance::MOST / tolerance::VALUE;
 /// The shortest panels, or this part of what is left of the branch, if that is shorter: what is then not resolved is too short to
 /// matter.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST_STRETCH: f64 = 1e-6;
 const SHORTEST_PART: f64 = 0.01;
 /// A panel that misses the curve is halved so often at once, at most, as the error of the last that began there lets expect.
 const MOST_HALVINGS: f64 = 4.0;
@@ -105,20 +105,20 @@ impl Steps {
         let to = match self.ends.last() {
             Some(&to) => self.other_half(from, to),
             None => {
-                let kink = self.kink_after(from).filter(|&kink| self.end - kink > AT_END * (self.end - from));
+                let kink = self.kink_after(from).filter(|&kink| self.end - kink > KINK_AT_END * (self.end - from));
                 let to = self.longest(from, kink);
                 self.ends.push(to);
                 to
             }
         };
         let length = self.positions.distance(from, to);
-        let most = match length < SHORT {
+        let most = match length < SHORT_STRETCH {
             true if is_spent => MOST_WHEN_SPENT,
             true => MOST_OF_SHORT,
             false => 1.0,
         };
         let is_shortest = length < self.shortest(from);
-        Stretch { from, to, most, slope_slack: (SHORT / length).max(1.0).sqrt(), is_shortest }
+        Stretch { from, to, most, slope_slack: (SHORT_STRETCH / length).max(1.0).sqrt(), is_shortest }
     }
 
     /// All that is left of the branch, however well a panel meets it: between pull-off and the lightest load that is asked for.
@@ -140,7 +140,7 @@ impl Steps {
 
     /// No shorter panel is halved.
     fn shortest(&self, from: f64) -> f64 {
-        SHORTEST.min(SHORTEST_PART * (self.end - from))
+        SHORTEST_STRETCH.min(SHORTEST_PART * (self.end - from))
     }
 
     fn kink_after(&self, from: f64) -> Option<f64> {
@@ -155,7 +155,7 @@ impl Steps {
         }
         let length = MOST_OF_THE_REST * self.positions.distance(from, self.end);
         // What little would be left is part of this panel.
-        match length >= WHOLE * self.positions.distance(from, stop) {
+        match length >= ALL_THAT_IS_LEFT * self.positions.distance(from, stop) {
             true => stop,
             false => self.positions.beyond(from, length),
         }

@@ -1,7 +1,7 @@
 //! The bodies. Add one here and to no other place: every language reads this table, and `docs/materials.md` is tested
 //! against it.
 
-use super::{Material, NONE};
+use super::{Material, NO_RANGE};
 use crate::materials::names::c_string;
 
 /// Rows of a name, what the body is called in words, Young's modulus E [Pa] in its range, Poisson's ratio nu, hardness H
@@ -18,19 +18,19 @@ macro_rules! bodies {
             $(hardness: $hardness, $(hardness_range: $hardness_range,)? $(state: $state,)?)?
             $(burgers_vector: $burgers,)?
             reference: c_string!($reference),
-            ..NOTHING_KNOWN
+            ..UNKNOWN_MATERIAL
         }),*]
     };
 }
 
-const NOTHING_KNOWN: Material = Material {
+const UNKNOWN_MATERIAL: Material = Material {
     name: c"",
     words: &[],
     young: 0.0,
-    young_range: NONE,
+    young_range: NO_RANGE,
     poisson: 0.0,
     hardness: 0.0,
-    hardness_range: NONE,
+    hardness_range: NO_RANGE,
     state: "",
     burgers_vector: 0.0,
     reference: c"",

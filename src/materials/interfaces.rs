@@ -18,12 +18,12 @@ macro_rules! interfaces {
             conditions: c_string!($conditions),
             source: c_string!(stringify!($source)),
             reference: c_string!($reference),
-            ..NOTHING_KNOWN
+            ..UNKNOWN_INTERFACE
         }),*]
     };
 }
 
-const NOTHING_KNOWN: Interface = Interface {
+const UNKNOWN_INTERFACE: Interface = Interface {
     name: c"",
     shear_strength: 0.0,
     pressure_coefficient: 0.0,

@@ -1,6 +1,6 @@
 //! Materials, pairs of them and interfaces, with sources, in SI units: what the contact parameters of a surface are made from.
 //!
-//! `bodies`, `pairs` and `interfaces` are the tables, the only place of each number. 0 and `NONE` stand for a number that no source is
+//! `bodies`, `pairs` and `interfaces` are the tables, the only place of each number. 0 and `NO_RANGE` stand for a number that no source is
 //! known for: it is left out, and what needs it says so.
 
 mod bodies;
@@ -16,7 +16,7 @@ use std::ffi::CStr;
 pub(crate) use unknown::{no_interface, no_material, NoPair};
 
 /// A range for which no source is known.
-pub const NONE: [f64; 2] = [0.0, 0.0];
+pub const NO_RANGE: [f64; 2] = [0.0, 0.0];
 
 /// An isotropic elastic body.
 #[derive(Debug)]
@@ -200,15 +200,16 @@ mod tests {
     fn names_are_unique_and_numbers_within_their_ranges() {
         for (i, one) in MATERIALS.iter().enumerate() {
             assert!(MATERIALS[..i].iter().all(|other| other.name != one.name), "{:?} twice", one.name);
-            let within = |value: f64, range: [f64; 2]| range == NONE || (range[0] <= value && value <= range[1]);
+            let within = |value: f64, range: [f64; 2]| range == NO_RANGE || (range[0] <= value && value <= range[1]);
             assert!(within(one.young, one.young_range) && within(one.hardness, one.hardness_range), "{:?}", one.name);
-            assert!(one.hardness > 0.0 || one.hardness_range == NONE, "{:?}", one.name);
+            assert!(one.hardness > 0.0 || one.hardness_range == NO_RANGE, "{:?}", one.name);
             assert!(one.poisson > 0.0 && one.poisson <= 0.5 && one.name.to_bytes().len() < 16, "{:?}", one.name);
         }
         for pair in PAIRS {
             let [low, high] = pair.work_of_adhesion_range;
             assert!(
-                pair.work_of_adhesion_range == NONE || (low <= pair.work_of_adhesion && pair.work_of_adhesion <= high)
+                pair.work_of_adhesion_range == NO_RANGE
+                    || (low <= pair.work_of_adhesion && pair.work_of_adhesion <= high)
             );
         }
     }

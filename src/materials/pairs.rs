@@ -1,7 +1,7 @@
 //! The pairs. Add one here and to no other place: every language reads this table, and `docs/materials.md` is tested
 //! against it.
 
-use super::{Pair, NONE};
+use super::{Pair, NO_RANGE};
 use crate::materials::names::c_string;
 
 /// Rows of two bodies, the work of adhesion w [J/m^2] in its range, the Hamaker constant A [J] that it is estimated
@@ -16,15 +16,15 @@ macro_rules! pairs {
             $(hamaker: $hamaker,)?
             $(slip_stress_1: $stress,)?
             reference: c_string!($reference),
-            ..NOTHING_KNOWN
+            ..UNKNOWN_PAIR
         }),*]
     };
 }
 
-const NOTHING_KNOWN: Pair = Pair {
+const UNKNOWN_PAIR: Pair = Pair {
     name: c"",
     work_of_adhesion: 0.0,
-    work_of_adhesion_range: NONE,
+    work_of_adhesion_range: NO_RANGE,
     hamaker: 0.0,
     slip_stress_1: 0.0,
     reference: c"",

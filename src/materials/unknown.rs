@@ -4,10 +4,10 @@ use super::{halves, Bodies, Material, INTERFACES, MATERIALS, PAIRS};
 use crate::materials::names::{expected, text, Expected, Instead, Unknown};
 use std::fmt::{Display, Formatter};
 
-const LISTED: &str = "docs/materials.md lists them";
+const MATERIALS_LISTED: &str = "docs/materials.md lists them";
 
 /// Bodies that people expect, and why they are not in the table.
-const EXPECTED: &Expected = &[
+const EXPECTED_MATERIALS: &Expected = &[
     (
         "rubber|elastomer|NBR|EPDM|SBR|FKM|silicone|polyurethane|latex",
         "rubber is viscoelastic, and outside the domain of the model: docs/when-to-use.md",
@@ -38,7 +38,7 @@ pub fn no_material(name: &[u8]) -> Unknown<'_> {
 /// What is said of the name of an interface that is none.
 pub fn no_interface(name: &[u8]) -> Unknown<'_> {
     let names = INTERFACES.iter().map(|interface| text(interface.name));
-    Unknown { name, thing: "interface", instead: Instead::of(name, names, LISTED) }
+    Unknown { name, thing: "interface", instead: Instead::of(name, names, MATERIALS_LISTED) }
 }
 
 /// What is said of the name of a pair that is none, or of which no work of adhesion is known.
@@ -49,8 +49,8 @@ impl Display for NoPair<'_> {
         let name = self.0.escape_ascii();
         let Some((first, second)) = halves(self.0) else {
             let instead = match instead(self.0) {
-                Instead::Says(says) if says != LISTED => Instead::Says(says),
-                _ => Instead::of(self.0, PAIRS.iter().map(|pair| text(pair.name)), LISTED),
+                Instead::Says(says) if says != MATERIALS_LISTED => Instead::Says(says),
+                _ => Instead::of(self.0, PAIRS.iter().map(|pair| text(pair.name)), MATERIALS_LISTED),
             };
             return Unknown { name: self.0, thing: "pair", instead }.fmt(f);
         };
@@ -86,9 +86,9 @@ fn instead(name: &[u8]) -> Instead<'static> {
     if Bodies::find(name).is_some() {
         return Instead::Says("it is a pair: give each body by its own name");
     }
-    match expected(EXPECTED, name) {
+    match expected(EXPECTED_MATERIALS, name) {
         Some(says) => Instead::Says(says),
-        None => Instead::of(name, MATERIALS.iter().map(|material| text(material.name)), LISTED),
+        None => Instead::of(name, MATERIALS.iter().map(|material| text(material.name)), MATERIALS_LISTED),
     }
 }
 
@@ -136,7 +136,7 @@ mod tests {
             let said = NoPair(name.as_bytes()).to_string();
             assert!(said.starts_with(says) && !said.contains("stel or stel"), "{said}");
         }
-        for word in EXPECTED.iter().flat_map(|(words, _)| words.split('|')) {
+        for word in EXPECTED_MATERIALS.iter().flat_map(|(words, _)| words.split('|')) {
             assert!(Material::find(word).is_none(), "{word}");
         }
     }

@@ -2,7 +2,7 @@
 
 use super::cells::{edge_values, fall, lay, LEAST_OF_REACH};
 use super::{at_most, energy, sum, within, within_cells, MicroslipStep, PerEdge, PerLevel};
-use super::{EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, ROOTS, STATE, WIDTHS};
+use super::{CELL_WIDTHS, EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, ROOTS, STATE};
 use crate::numerics::elementary::hypot;
 use crate::numerics::four::Four;
 
@@ -88,7 +88,7 @@ impl Levels {
                 (state[REACH], state[LAST]) = (now, now);
             }
             if DETAILS {
-                self.width = WIDTHS.map(|width| width * now);
+                self.width = CELL_WIDTHS.map(|width| width * now);
                 (self.following, self.gained) = ([1.0; LEVELS + 4], NO_EDGE);
                 if !is_first {
                     self.follow_half(1.0);
@@ -259,7 +259,7 @@ impl Levels {
             } else {
                 x = x + V::splat(dx);
                 y = y + V::splat(dy);
-                let width = V::read(&WIDTHS, j) * V::splat(stiffness);
+                let width = V::read(&CELL_WIDTHS, j) * V::splat(stiffness);
                 (width, width)
             };
             let (tx, ty) = (x * width, y * width);
@@ -327,7 +327,7 @@ impl Levels {
         let strength = at_most(self.strength.slope, LARGEST_WITH_SQUARE);
         let stiffness = at_most(self.stiffness.slope, LARGEST_WITH_SQUARE);
         let mut rate = 0.0;
-        for (width, share) in WIDTHS.iter().zip(self.shares) {
+        for (width, share) in CELL_WIDTHS.iter().zip(self.shares) {
             rate += (stiffness * width * size).min(strength * share);
         }
         let along = if size > 0.0 { rate / size } else { 0.0 };

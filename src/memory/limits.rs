@@ -1,6 +1,6 @@
 //! The strength of the levels against load: it hardly changes, and values at a few loads are blended.
 
-use super::strengths::{self, Strengths, NODES};
+use super::strengths::{self, Strengths, LEVEL_NODES};
 use super::{PerLevel, LEVELS};
 use crate::numerics::float_bits::{power_of_two, MANTISSA_BITS};
 use crate::numerics::four::Four;
@@ -70,8 +70,8 @@ impl Limits {
             }
             return;
         }
-        let (mut nodes, mut node_slopes) = ([[0.0; 2]; NODES], [[0.0; 2]; NODES]);
-        for j in (0..2 * NODES).step_by(4) {
+        let (mut nodes, mut node_slopes) = ([[0.0; 2]; LEVEL_NODES], [[0.0; 2]; LEVEL_NODES]);
+        for j in (0..2 * LEVEL_NODES).step_by(4) {
             let from = V::read_single(before.nodes.as_flattened(), j);
             let change = V::read_single(after.nodes.as_flattened(), j) - from;
             (from + V::splat(part) * change).write(nodes.as_flattened_mut(), j);

@@ -51,7 +51,7 @@ const EDGES: PerEdge = {
     edges
 };
 
-static WIDTHS: PerLevel = {
+static CELL_WIDTHS: PerLevel = {
     let mut widths = NO_LEVEL;
     let mut j = 0;
     while j < LEVELS {
@@ -133,13 +133,13 @@ pub fn turn(state: &mut [f64; STATE], cosine: f64, sine: f64) -> Result<(), Erro
 /// How much of each of four cells lies below a place, over the reach of all.
 #[inline(always)]
 fn within_cells<V: Four>(j: usize, place: V) -> V {
-    (place - V::read(&EDGES, j)).clamp(V::splat(0.0), V::read(&WIDTHS, j))
+    (place - V::read(&EDGES, j)).clamp(V::splat(0.0), V::read(&CELL_WIDTHS, j))
 }
 
 /// How much of a cell lies below a place, over the reach of all.
 #[inline(always)]
 fn within_cell(j: usize, place: f64) -> f64 {
-    (place - EDGES[j]).clamp(0.0, WIDTHS[j])
+    (place - EDGES[j]).clamp(0.0, CELL_WIDTHS[j])
 }
 
 /// A displacement, in its direction no farther than this.

@@ -14,10 +14,10 @@ use crate::population::Population;
 
 /// H is tabulated against s, at nodes found from the bits of v = 1/s - 1: at 0, and at powers of two from 2^-7 to 2^5.
 const LEAST_EXPONENT: u64 = 1023 - 7;
-pub const NODES: usize = 14;
+pub const LEVEL_NODES: usize = 14;
 
 /// Phi is asked for at the limits of the levels at the nodes and between them, about.
-const SAMPLES: usize = 2 * NODES - 2;
+const SAMPLES: usize = 2 * LEVEL_NODES - 2;
 /// These limits are found from displacements, over strength by stiffness, from about the least on.
 const LEAST_DISPLACEMENT: f64 = 0.01;
 /// The ratio of one of these displacements to the next, and of limits that are near enough.
@@ -29,7 +29,7 @@ pub struct Strengths {
     /// The share of each cell of which all levels touch; exactly 1 together.
     pub shares: [f32; LEVELS],
     /// H and X at the nodes.
-    pub nodes: [[f32; 2]; NODES],
+    pub nodes: [[f32; 2]; LEVEL_NODES],
 }
 
 impl Strengths {
@@ -41,7 +41,7 @@ impl Strengths {
         }))
     }
 
-    fn of_nodes(nodes: [[f32; 2]; NODES]) -> Self {
+    fn of_nodes(nodes: [[f32; 2]; LEVEL_NODES]) -> Self {
         /// Up to 1, whole numbers of these have few enough digits.
         const UNIT: f64 = 1.0 / (1_u32 << f32::MANTISSA_DIGITS) as f64;
         let numbers = nodes.map(|node| node.map(f64::from));
@@ -93,7 +93,7 @@ pub fn of_contacts(population: &Population, separation: f64, unit: f64, near: &S
     let mut samples = Vec::with_capacity(2 * SAMPLES);
     let alike = near.places().map(|place| place * unit);
     let limits = asked(&mut samples, alike)?;
-    let is_alike = samples[samples.len() - 1][2] >= 1.0 - NODES_AT[NODES - 1]
+    let is_alike = samples[samples.len() - 1][2] >= 1.0 - NODES_AT[LEVEL_NODES - 1]
         && alike
             .iter()
             .zip(limits)
@@ -142,8 +142,8 @@ pub fn of_equal_contacts() -> Strengths {
 /// The shares of cells that are cut at a place with a slope by load, from H and X at the nodes and their slopes.
 #[inline(always)]
 pub fn shares_of_cut<const SLOPES: bool>(
-    nodes: &[[f64; 2]; NODES],
-    node_slopes: &[[f64; 2]; NODES],
+    nodes: &[[f64; 2]; LEVEL_NODES],
+    node_slopes: &[[f64; 2]; LEVEL_NODES],
     [place, place_slope]: [f64; 2],
     shares: &mut PerLevel,
     slopes: &mut PerLevel,
@@ -181,10 +181,10 @@ const INVERSE_EDGES: PerEdge = {
 };
 
 /// s at the nodes.
-const NODES_AT: [f64; NODES] = {
-    let mut at = [1.0; NODES];
+const NODES_AT: [f64; LEVEL_NODES] = {
+    let mut at = [1.0; LEVEL_NODES];
     let mut i = 1;
-    while i < NODES {
+    while i < LEVEL_NODES {
         at[i] = 1.0 / (1.0 + power_of_two(LEAST_EXPONENT - 1 + i as u64));
         i += 1;
     }
@@ -192,10 +192,10 @@ const NODES_AT: [f64; NODES] = {
 };
 
 /// 1 over the width, in s, from a node to the next.
-const INVERSE_WIDTHS: [f64; NODES] = {
-    let mut inverses = [0.0; NODES];
+const INVERSE_WIDTHS: [f64; LEVEL_NODES] = {
+    let mut inverses = [0.0; LEVEL_NODES];
     let mut i = 0;
-    while i + 1 < NODES {
+    while i + 1 < LEVEL_NODES {
         inverses[i] = 1.0 / (NODES_AT[i] - NODES_AT[i + 1]);
         i += 1;
     }
@@ -204,9 +204,9 @@ const INVERSE_WIDTHS: [f64; NODES] = {
 
 /// H and X at s < 1: a cubic between nodes.
 #[inline(always)]
-fn interpolated(nodes: &[[f64; 2]; NODES], s: f64, v: f64) -> (f64, f64) {
+fn interpolated(nodes: &[[f64; 2]; LEVEL_NODES], s: f64, v: f64) -> (f64, f64) {
     let exponent = v.to_bits() >> MANTISSA_BITS;
-    let node = (exponent + 1).saturating_sub(LEAST_EXPONENT).min(NODES as u64 - 2) as usize;
+    let node = (exponent + 1).saturating_sub(LEAST_EXPONENT).min(LEVEL_NODES as u64 - 2) as usize;
     let (width, inverse) = (NODES_AT[node] - NODES_AT[node + 1], INVERSE_WIDTHS[node]);
     let t = (NODES_AT[node] - s) * inverse;
     let ([low, low_slope], [high, high_slope]) = (nodes[node], nodes[node + 1]);
@@ -222,8 +222,8 @@ mod tests {
 
     /// H and X, and x - Phi with 1 - its slope: of contacts of one size that slip from their rims, and of sizes by which Phi is an
     /// exponential.
-    type Kind = (&'static str, fn(f64) -> (f64, f64), fn(f64) -> (f64, f64));
-    const KINDS: [Kind; 2] = [
+    type Levels = (&'static str, fn(f64) -> (f64, f64), fn(f64) -> (f64, f64));
+    const LEVELS_OF: [Levels; 2] = [
         (
             "one size",
             |s| (1.0 - s * (1.5 - 0.5 * s * s), 1.5 * (1.0 - s * s)),
@@ -245,12 +245,12 @@ mod tests {
 
     #[test]
     fn cells_have_the_strength_of_their_levels_wherever_they_are_cut() {
-        for (name, levels, _) in KINDS {
+        for (name, levels, _) in LEVELS_OF {
             let nodes = Strengths::new(levels).nodes.map(|node| node.map(f64::from));
             for i in 0..200 {
                 let place = 1.0 - 0.003 * f64::from(i);
                 let (mut shares, mut slopes) = ([f64::NAN; LEVELS], [f64::NAN; LEVELS]);
-                shares_of_cut::<true>(&nodes, &[[0.0; 2]; NODES], [place, 0.3], &mut shares, &mut slopes);
+                shares_of_cut::<true>(&nodes, &[[0.0; 2]; LEVEL_NODES], [place, 0.3], &mut shares, &mut slopes);
                 assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-15, "{name}, {place}: {shares:?}");
                 let above = |j: usize| if EDGES[j] == 0.0 { 1.0 } else { levels((EDGES[j] / place).min(1.0)).0 };
                 for (j, share) in shares.into_iter().enumerate() {
@@ -263,7 +263,7 @@ mod tests {
 
     #[test]
     fn phi_at_a_few_displacements_gives_the_strength_of_levels() {
-        for (name, levels, lost) in KINDS {
+        for (name, levels, lost) in LEVELS_OF {
             let samples: [_; 26] = std::array::from_fn(|k| {
                 let x = LEAST_DISPLACEMENT * 1.35_f64.powi(k as i32);
                 [x, lost(x).0, lost(x).1]

@@ -4,22 +4,22 @@
 //! as they are. A measured force F at the load P gives c = (F - kappa P_H)/F0. All else, how F changes with load, area, roughness
 //! and adhesion, is the model's.
 
-use super::points::{misfit, nearest, tell_pressure, Point, Seen};
+use super::points::{misfit, nearest, tell_pressure, MeasuredPoint, Seen};
 use super::Model;
 use crate::error::{CalibrationFailure as Reason, Error};
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
-use crate::params::{Params, LARGEST};
+use crate::params::{Params, LARGEST_QUANTITY};
 use std::ops::RangeInclusive;
 
 /// Above it surfaces have seized, or a force was given.
-const LARGEST_COEFFICIENT: f64 = 20.0;
+const SEIZED_COEFFICIENT: f64 = 20.0;
 /// What most coefficients lie between: of a load within beside a coefficient without, the two are swapped.
 const USUAL: RangeInclusive<f64> = 1e-3..=10.0;
 /// A lighter load looks like a coefficient.
 const LARGEST_USUAL_LOAD: f64 = 2.0;
 /// Strengths so close to the measured one are it.
-const ROUNDING: f64 = 1e-12;
+const SAME_STRENGTH: f64 = 1e-12;
 
 /// What a calibration found.
 #[derive(Debug)]
@@ -52,7 +52,7 @@ impl Params {
             let allowed = "must be > 0; at zero load, or where the load pulls, calibrate with the friction force";
             return Err(Error::invalid("calibration_load", load, allowed));
         }
-        if !finite(friction_coefficient) || friction_coefficient <= 0.0 || friction_coefficient > LARGEST_COEFFICIENT {
+        if !finite(friction_coefficient) || friction_coefficient <= 0.0 || friction_coefficient > SEIZED_COEFFICIENT {
             let allowed =
                 "must be > 0 and at most 20; is it a force? Calibrate with the friction force then; or is it in per cent? Or is \
                  it the load, which comes first?";
@@ -75,7 +75,7 @@ impl Params {
     /// coefficient gives alone, or so large that a stress exceeds G*; and those of [`Model::new`] and
     /// [`Model::state_at_load`]. The parameters are then as before.
     pub fn calibrate_force(&mut self, load: f64, friction_force: f64) -> Result<(), Error> {
-        let point = Point { load, force: friction_force, error: self.calibration_error };
+        let point = MeasuredPoint { load, force: friction_force, error: self.calibration_error };
         self.calibrate_points(&[point], false, None).map(|_| ())
     }
 
@@ -86,11 +86,11 @@ impl Params {
     /// A model without a pressure coefficient, where there is one, is not made again.
     pub(crate) fn calibrate_points(
         &mut self,
-        points: &[Point],
+        points: &[MeasuredPoint],
         pressure_is_free: bool,
         without_pressure: Option<&Model>,
     ) -> Result<Calibrated, Error> {
-        let refused = |point: &Point, reason: Reason, number: f64| {
+        let refused = |point: &MeasuredPoint, reason: Reason, number: f64| {
             Err(Error::Uncalibrated { load: point.load, friction_force: point.force, reason, number })
         };
         if let Some(point) = points.iter().find(|point| !finite(point.force) || point.force <= 0.0) {
@@ -133,13 +133,13 @@ impl Params {
             }
         };
         let [least, most] = [
-            1.0 / (LARGEST * self.slip.stress_1.min(self.slip.stress_2)),
+            1.0 / (LARGEST_QUANTITY * self.slip.stress_1.min(self.slip.stress_2)),
             1.0 / self.slip.stress_1.max(self.slip.stress_2),
         ];
         // Of several points that which is farthest beyond is named.
         let beyond = |reason: Reason, bound: f64, sign: f64| {
             let allowed = |one: &Seen| bound * one.force + kappa * one.pressed;
-            let excess = |(point, one): &(&Point, &Seen)| sign * (log(point.force) - log(allowed(one)));
+            let excess = |(point, one): &(&MeasuredPoint, &Seen)| sign * (log(point.force) - log(allowed(one)));
             let of_all = points.iter().zip(&seen);
             let (point, one) =
                 of_all.max_by(|one, other| excess(one).total_cmp(&excess(other))).unwrap_or((&points[0], &seen[0]));
@@ -152,13 +152,13 @@ impl Params {
             return beyond(Reason::Weakness, least, -1.0);
         }
         let misfit = misfit(&seen, log(factor), kappa, tells_pressure);
-        let Point { mut load, force: mut friction_force, .. } = points[0];
+        let MeasuredPoint { mut load, force: mut friction_force, .. } = points[0];
         if points.len() > 1 {
             load = exp(points.iter().map(|point| log(point.load)).sum::<f64>() / points.len() as f64);
             let state = model.state_at_load(load)?;
             friction_force = factor * state.friction_force + kappa * state.hertz_load;
         }
-        if (factor - 1.0).abs() > ROUNDING {
+        if (factor - 1.0).abs() > SAME_STRENGTH {
             self.slip.stress_1 *= factor;
             self.slip.stress_2 *= factor;
         }
@@ -182,7 +182,7 @@ mod tests {
         let model = Model::new(&before).expect("a model");
         let points = [(1.0, 1e-3), (10.0, 2e-3), (1000.0, 2e-3), (1e4, 1e-3)].map(|(load, error)| {
             let state = model.state_at_load(load).expect("a state");
-            Point { load, force: 2.0 * state.friction_force + 0.02 * state.hertz_load, error }
+            MeasuredPoint { load, force: 2.0 * state.friction_force + 0.02 * state.hertz_load, error }
         });
         for known in [None, Some(&model)] {
             let mut params = before.clone();
@@ -198,7 +198,8 @@ mod tests {
         }
         // Far off, and so no more known than they agree; a coefficient that is not free stays.
         let mut params = Params { pressure_coefficient: 0.01, ..before };
-        let off = points.map(|point| Point { force: point.force * (1.0 + 0.1 * (point.load.log10() % 2.0)), ..point });
+        let off = points
+            .map(|point| MeasuredPoint { force: point.force * (1.0 + 0.1 * (point.load.log10() % 2.0)), ..point });
         let found = params.calibrate_points(&off, false, None).expect("a strength");
         assert!(!found.tells_pressure && found.misfit > 2.0 && params.pressure_coefficient == 0.01, "{found:?}");
         let error = 1e-3 * 0.4_f64.sqrt() * found.misfit;
@@ -211,7 +212,9 @@ mod tests {
         let params = Params { calibration_error: 0.1, ..Params::paper() };
         for (force, sign) in [(1e20, 1.0), (1e-290, -1.0)] {
             let beyond = |load: f64, off: f64| match params.clone().calibrate_force(load, force) {
-                Err(Error::Uncalibrated { number, .. }) => Point { load, force: number * exp(sign * off), error: 0.1 },
+                Err(Error::Uncalibrated { number, .. }) => {
+                    MeasuredPoint { load, force: number * exp(sign * off), error: 0.1 }
+                }
                 other => panic!("{other:?}"),
             };
             let mut points = [beyond(0.1, 1.0), beyond(1e5, 3.0)];
@@ -242,7 +245,7 @@ mod tests {
 
     #[test]
     fn coefficients_are_taken_up_to_twenty() {
-        assert_eq!(Params::measured_force(3.0, LARGEST_COEFFICIENT), Ok(60.0));
+        assert_eq!(Params::measured_force(3.0, SEIZED_COEFFICIENT), Ok(60.0));
         assert!(Params::measured_force(3.0, 20.000_000_1).is_err() && Params::measured_force(3.0, 0.0).is_err());
     }
 }

@@ -311,24 +311,24 @@ impl Model {
     fn few(&self, separation: f64, sums: &Sums, contacts: &Statistics) -> [f64; 2] {
         // Of fewer contacts, or with more adhesion over the load, nothing was compared; next to an abrupt end of heights a few more are
         // needed: there P P''/P'^2 is 0.6, in a tail about 1.
-        const FEWEST: f64 = 1.0;
+        const FEWEST_CONTACTS: f64 = 1.0;
         const MOST_ADHESIVE: f64 = 3.0;
         const FEWEST_AT_END: f64 = 3.0;
-        const AT_END: f64 = 0.8;
+        const LEAST_BEND_AT_END: f64 = 0.8;
         // The bias of one contact is that of so many more.
         const MORE: f64 = 0.25;
         // The second differences of load and friction, over this part of the separation in which the load decays.
-        const STEP: f64 = 0.05;
+        const DECAY_STEP: f64 = 0.05;
         let n = sums.contacting * self.units.count;
         let (load, hertz, by_separation) = (sums.load(), sums.hertz_load, sums.load_slope);
-        let step = STEP * hertz / -by_separation;
-        if !(n >= FEWEST && hertz <= MOST_ADHESIVE * load && step > 0.0 && step.is_finite()) {
+        let step = DECAY_STEP * hertz / -by_separation;
+        if !(n >= FEWEST_CONTACTS && hertz <= MOST_ADHESIVE * load && step > 0.0 && step.is_finite()) {
             return [f64::NAN; 2];
         }
         let [loose, pressed] = [step, -step].map(|step| self.branch.population().at_separation(separation + step));
         let second = |of: fn(&Sums) -> f64| (of(&loose) - of(&pressed)) / (2.0 * step);
         let bend = second(|sums| sums.load_slope) / by_separation;
-        if n < FEWEST_AT_END && load * bend / by_separation < AT_END {
+        if n < FEWEST_AT_END && load * bend / by_separation < LEAST_BEND_AT_END {
             return [f64::NAN; 2];
         }
         // Over the slopes by separation.

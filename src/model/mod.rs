@@ -25,7 +25,7 @@ pub(crate) use gap::by_gap;
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
 /// A friction coefficient above this is taken as infinite.
-const LARGEST_COEFFICIENT: f64 = 1e140;
+const INFINITE_COEFFICIENT: f64 = 1e140;
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
 
@@ -163,7 +163,7 @@ impl Model {
         if error > tolerance::MOST {
             return Err(Error::NotConverged { what: "table_error", value: error });
         }
-        let inverse_cap = 1.0 / params.max_friction_coefficient.min(LARGEST_COEFFICIENT);
+        let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
         let params = params.clone();
         let known = [Known::default(); Quantity::COUNT];
@@ -385,9 +385,9 @@ impl Model {
 
 /// a/b for b > 0, saturating where it would overflow.
 fn ratio(a: f64, b: f64) -> f64 {
-    const LARGEST: f64 = 1e300;
-    if a.abs() >= LARGEST * b.min(1.0) {
-        LARGEST.copysign(a)
+    const LARGEST_QUOTIENT: f64 = 1e300;
+    if a.abs() >= LARGEST_QUOTIENT * b.min(1.0) {
+        LARGEST_QUOTIENT.copysign(a)
     } else {
         a / b
     }

@@ -9,7 +9,7 @@ use crate::numerics::float_bits::nan;
 
 /// A friction force measured at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct MeasuredPoint {
     /// [force]
     pub load: f64,
     /// [force]
@@ -39,7 +39,7 @@ pub struct Prior {
 }
 
 impl Prior {
-    pub const NONE: Self = Self { mean: 0.0, precision: 0.0 };
+    pub const UNKNOWN: Self = Self { mean: 0.0, precision: 0.0 };
 }
 
 /// What is left open of the strength at one pressure coefficient: ln c is normal.
@@ -58,13 +58,13 @@ const PRESSURE_DEVIATION: f64 = 0.1;
 /// coefficient.
 const SOME_PRECISION: f64 = 0.724_5;
 /// Nodes of a pressure coefficient.
-const NODES: u32 = 17;
+const PRESSURE_NODES: u32 = 17;
 /// Slices of less than this part of the largest weight are left out.
-const NEGLIGIBLE: f64 = 10.0;
+const LEAST_LOG_WEIGHT: f64 = 10.0;
 /// Narrowings of the range of nodes, each to an eighth at most.
 const ROUNDS: usize = 6;
 /// The largest pressure coefficient that parameters may have.
-const LARGEST: f64 = 1e3;
+const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
 /// ln(c F0 + kappa H), and d/d(ln c) of it.
 fn model(seen: &Seen, log_c: f64, kappa: f64) -> (f64, f64) {
@@ -109,7 +109,7 @@ pub fn slice(seen: &[Seen], prior: Prior, kappa: f64) -> Slice {
 
 /// Whether the points tell the pressure coefficient better than it is known without: as they do where they reach over loads.
 pub fn tell_pressure(seen: &[Seen]) -> bool {
-    let log_c = slice(seen, Prior::NONE, 0.0).mean;
+    let log_c = slice(seen, Prior::UNKNOWN, 0.0).mean;
     let by_kappa = |one: &Seen| one.pressed / (exp(log_c) * one.force);
     let weight = |one: &Seen| 1.0 / (one.error * one.error);
     let total: f64 = seen.iter().map(weight).sum();
@@ -121,7 +121,7 @@ pub fn tell_pressure(seen: &[Seen]) -> bool {
 /// The largest pressure coefficient worth a look: that which alone gives some measured force, so many of its errors off.
 fn most(seen: &[Seen], errors: f64) -> f64 {
     let of = |one: &Seen| exp(one.measured - log(one.pressed) + errors * one.error);
-    seen.iter().map(of).fold(LARGEST, f64::min)
+    seen.iter().map(of).fold(LARGEST_PRESSURE_COEFFICIENT, f64::min)
 }
 
 /// Slices at pressure coefficients that are evenly apart, where they have weight.
@@ -129,16 +129,16 @@ pub fn slices(seen: &[Seen], prior: Prior) -> Vec<Slice> {
     let [mut low, mut high] = [0.0, most(seen, 4.0)];
     let mut found = Vec::new();
     for _ in 0..ROUNDS {
-        let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(NODES);
-        found = (0..=NODES).map(|i| slice(seen, prior, at(i))).collect();
+        let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(PRESSURE_NODES);
+        found = (0..=PRESSURE_NODES).map(|i| slice(seen, prior, at(i))).collect();
         let best = found.iter().map(|slice| slice.log_weight).fold(f64::NEG_INFINITY, f64::max);
-        let has_weight = |slice: &Slice| slice.log_weight > best - NEGLIGIBLE;
+        let has_weight = |slice: &Slice| slice.log_weight > best - LEAST_LOG_WEIGHT;
         let first = found.iter().position(has_weight).unwrap_or(0);
         let last = found.iter().rposition(has_weight).unwrap_or(0);
-        if last - first > NODES as usize / 2 {
+        if last - first > PRESSURE_NODES as usize / 2 {
             break;
         }
-        [low, high] = [found[first.saturating_sub(1)].kappa, found[(last + 1).min(NODES as usize)].kappa];
+        [low, high] = [found[first.saturating_sub(1)].kappa, found[(last + 1).min(PRESSURE_NODES as usize)].kappa];
     }
     let last = found.len() - 1;
     for end in [0, last] {
@@ -150,7 +150,7 @@ pub fn slices(seen: &[Seen], prior: Prior) -> Vec<Slice> {
 /// ln c and kappa of the curve nearest to the points, nothing being known of the strength. A kappa that the points tell is the mean
 /// of what they leave open.
 pub fn nearest(seen: &[Seen], kappa: Option<f64>) -> (f64, f64) {
-    let log_c = |kappa: f64| slice(seen, Prior::NONE, kappa).mean;
+    let log_c = |kappa: f64| slice(seen, Prior::UNKNOWN, kappa).mean;
     let kappa = kappa.unwrap_or_else(|| {
         let all = slices(seen, Prior { mean: log_c(0.0), precision: SOME_PRECISION });
         let best = all.iter().map(|slice| slice.log_weight).fold(f64::NEG_INFINITY, f64::max);
@@ -195,7 +195,7 @@ mod tests {
     fn a_coefficient_is_looked_for_up_to_where_it_alone_is_too_much() {
         let points = [seen(1.0, 2.0, 6.0, 0.3), seen(1.0, 0.0, 1.0, 0.1), seen(1.0, 5.0, 10.0, 0.2)];
         assert!((most(&points, 0.0) - 2.0).abs() < 1e-12 && (most(&points, 4.0) - 2.0 * exp(0.8)).abs() < 1e-12);
-        assert_eq!(most(&points[1..2], 4.0), LARGEST);
+        assert_eq!(most(&points[1..2], 4.0), LARGEST_PRESSURE_COEFFICIENT);
         // Friction by pressure alone, and no strength is left.
         let points = [seen(1e-9, 1.0, 0.5, 1e-3), seen(1e-9, 20.0, 10.0, 1e-3)];
         assert!((nearest(&points, None).1 / (0.99 * 0.5) - 1.0).abs() < 1e-6, "{}", nearest(&points, None).1);
@@ -206,7 +206,7 @@ mod tests {
     fn no_other_curve_is_nearer_to_scattered_points() {
         let points =
             [(1.0, 0.5, 1.2), (3.0, 1.1, 4.6), (9.0, 3.0, 7.8)].map(|(h, f, measured)| seen(f, h, measured, 1e-4));
-        let cost = |kappa: f64| cost(&points, Prior::NONE, slice(&points, Prior::NONE, kappa).mean, kappa);
+        let cost = |kappa: f64| cost(&points, Prior::UNKNOWN, slice(&points, Prior::UNKNOWN, kappa).mean, kappa);
         let (_, kappa) = nearest(&points, None);
         assert!(cost(kappa) < cost(0.99 * kappa) && cost(kappa) < cost(1.01 * kappa), "{kappa}");
     }
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn a_slice_has_the_least_cost() {
         let points = [seen(1.0, 0.5, 2.0, 0.1), seen(3.0, 3.0, 5.0, 0.2)];
-        for (prior, of_prior) in [(Prior::NONE, 0.0), (Prior { mean: -1.0, precision: 30.0 }, 30.0)] {
+        for (prior, of_prior) in [(Prior::UNKNOWN, 0.0), (Prior { mean: -1.0, precision: 30.0 }, 30.0)] {
             for kappa in [0.0, 0.3] {
                 let found = slice(&points, prior, kappa);
                 let cost = |step: f64| cost(&points, prior, found.mean + step, kappa);
@@ -229,7 +229,7 @@ mod tests {
         assert_eq!(slice(&[], Prior { mean: -1.0, precision: 0.0 }, 0.1).mean, -1.0);
         // However far from 0 it is.
         let light = [1e-70, 1e-68].map(|force| seen(force, 0.0, 1e65 * force, 0.1));
-        assert!((slice(&light, Prior::NONE, 0.0).mean - log(1e65)).abs() < 1e-12);
+        assert!((slice(&light, Prior::UNKNOWN, 0.0).mean - log(1e65)).abs() < 1e-12);
     }
 
     /// Of no points half the square of what is off, in the deviations that it has without them.

@@ -31,7 +31,7 @@ pub const WARNING_FEW_WAVES: u64 = 512;
 /// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
 const YIELD_PRESSURE: f64 = 0.4;
 /// The plasticity index above which contacts flow at any load (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
-const PLASTIC_INDEX: f64 = 1.0;
+const FLOW_INDEX: f64 = 1.0;
 /// The fraction of the nominal area up to which contacts are too far apart to matter to each other; of the summits in contact too,
 /// where the slope of the surface is not known: asperities that stand for a surface with its slope may touch each other.
 const CROWDED_FRACTION: f64 = 0.1;
@@ -56,8 +56,8 @@ const ALWAYS: f64 = f64::MAX;
 pub struct Measures([f64; WARNINGS]);
 
 /// All warnings, and how many they are.
-pub const ALL: u64 = 2 * WARNING_FEW_WAVES - 1;
-pub const WARNINGS: usize = ALL.count_ones() as usize;
+pub const EVERY_WARNING: u64 = 2 * WARNING_FEW_WAVES - 1;
+pub const WARNINGS: usize = EVERY_WARNING.count_ones() as usize;
 
 impl Measures {
     /// Of a state of the surfaces with these parameters.
@@ -67,7 +67,7 @@ impl Measures {
         let is_elastic = params.contact_law == ContactLawKind::Maugis;
         let plastic = match is_elastic && params.hardness > 0.0 {
             true => (state.mean_asperity_pressure / (YIELD_PRESSURE * params.hardness))
-                .max(state.plasticity_index / PLASTIC_INDEX),
+                .max(state.plasticity_index / FLOW_INDEX),
             false => 0.0,
         };
         let area = if params.nominal_area > 0.0 { state.real_area / params.nominal_area } else { 0.0 };
@@ -109,10 +109,10 @@ fn shear_strength(hardness: f64) -> f64 {
 }
 
 /// How far apart the states are that are looked at [sigma], next to the middle of the heights and to the lightest load ...
-const STEP: f64 = 0.1;
+const NEAR_STEP: f64 = 0.1;
 /// ... and up to this distance from both; farther off, by this part of what the distance exceeds it: the contacts change
 /// slowly there.
-const MIDDLE: f64 = 10.0;
+const NEAR_DISTANCE: f64 = 10.0;
 const GROWTH: f64 = 0.5;
 /// Whether a measure rises from an end inwards is seen from a state so far inside [sigma].
 const NEXT_TO_END: f64 = 0.001;
@@ -151,7 +151,7 @@ fn separations(near: f64, far: f64) -> Vec<f64> {
     let mut here = near;
     while here < far {
         let distance = here.abs().min(far - here);
-        here = (here + STEP + GROWTH * (distance - MIDDLE).max(0.0)).max(here.above());
+        here = (here + NEAR_STEP + GROWTH * (distance - NEAR_DISTANCE).max(0.0)).max(here.above());
         all.push(here);
     }
     all.retain(|&d| d < far - beside);

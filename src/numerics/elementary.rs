@@ -58,10 +58,10 @@ fn is_ordinary(x: f64) -> bool {
 #[inline]
 fn ordinary_exp(x: f64) -> f64 {
     /// Adding it rounds to a whole number, which is then in the last bits.
-    const ROUNDING: f64 = 1.5 * (1u64 << 52) as f64;
+    const ROUNDING_SHIFT: f64 = 1.5 * (1u64 << 52) as f64;
     // x = n ln 2 + r
-    let shifted = x * LOG2_E + ROUNDING;
-    let n = shifted - ROUNDING;
+    let shifted = x * LOG2_E + ROUNDING_SHIFT;
+    let n = shifted - ROUNDING_SHIFT;
     let r = (x - n * LN_2[0]) - n * LN_2[1];
     let (r2, c) = (r * r, &TAYLOR);
     let r4 = r2 * r2;
@@ -84,7 +84,7 @@ pub fn log1p_each<const N: usize>(numbers: [f64; N]) -> [f64; N] {
 /// By the series of ln((1 + s)/(1 - s)) in s^2, with the coefficients of Sun's fdlibm (e_log.c).
 #[inline]
 fn ordinary_log1p(x: f64) -> f64 {
-    const SERIES: [f64; 7] = [
+    const ATANH_SERIES: [f64; 7] = [
         6.666_666_666_666_735e-1,
         3.999_999_999_940_942e-1,
         2.857_142_874_366_239e-1,
@@ -98,15 +98,15 @@ fn ordinary_log1p(x: f64) -> f64 {
     const ONE: u64 = 0x3FF0_0000_0000_0000;
     const MANTISSA: u64 = (1 << 52) - 1;
     /// A whole number in the last bits of this one is the difference to it.
-    const WHOLE: f64 = (1u64 << 52) as f64;
+    const WHOLE_NUMBERS: f64 = (1u64 << 52) as f64;
     // 1 + x = u (1 + rounding), u = 2^k (1 + f)
     let u = 1.0 + x;
     let rounding = (x - (u - 1.0)) / u;
     let bits = u.to_bits().wrapping_add(ONE - LEAST);
-    let k = f64::from_bits((bits >> 52) | WHOLE.to_bits()) - (WHOLE + 1023.0);
+    let k = f64::from_bits((bits >> 52) | WHOLE_NUMBERS.to_bits()) - (WHOLE_NUMBERS + 1023.0);
     let f = f64::from_bits((bits & MANTISSA) + LEAST) - 1.0;
     let s = f / (2.0 + f);
-    let (z, c) = (s * s, &SERIES);
+    let (z, c) = (s * s, &ATANH_SERIES);
     let w = z * z;
     let series = z * (c[0] + w * (c[2] + w * (c[4] + w * c[6]))) + w * (c[1] + w * (c[3] + w * c[5]));
     let half = 0.5 * f * f;

@@ -11,7 +11,7 @@ use crate::population::radius::RadiusProfile;
 use std::sync::Arc;
 
 /// No surface is steeper on average; it is the slope in another unit.
-pub const STEEPEST: f64 = 5.0;
+pub const STEEPEST_SURFACE: f64 = 5.0;
 /// Means of summits are no higher, in height_std: gaps between mean planes would have few digits.
 const HIGHEST_SUMMITS: f64 = 1e4;
 
@@ -179,7 +179,7 @@ impl Params {
 /// [`Error::InvalidParameter`] or [`Error::OutOfRange`].
 pub(super) fn check_rms_slope(slope: f64) -> Result<(), Error> {
     not_negative("rms_slope", slope, "must be finite and >= 0; 0 means not known")?;
-    if slope > STEEPEST {
+    if slope > STEEPEST_SURFACE {
         let allowed = "must be at most 5, a slope of 79 degrees; is it in degrees or per cent? A slope is the tangent of its angle";
         return Err(Error::out_of_range("rms_slope", slope, allowed));
     }

@@ -14,9 +14,9 @@ pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::materials::{Bodies, Interface};
 use crate::numerics::float_bits::infinite;
-pub(crate) use checks::STEEPEST;
+pub(crate) use checks::STEEPEST_SURFACE;
 pub(crate) use numbers::positive;
-pub(crate) use numbers::LARGEST;
+pub(crate) use numbers::LARGEST_QUANTITY;
 use numbers::{magnitude, not_negative, poisson_ratio};
 pub(crate) use spectrum::LEAST_BANDWIDTH;
 use spectrum::{SpectralMoments, Summits};
@@ -111,8 +111,8 @@ impl Default for Params {
 pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
 
 /// Of summits of a Gaussian surface the bandwidth is 0.897 + (eta sigma R/0.02036)^2.
-const NARROWEST: f64 = 0.8968;
-const SUMMIT_PRODUCT: f64 = 0.02036;
+const NARROWEST_BANDWIDTH: f64 = 0.8968;
+const BANDWIDTH_PRODUCT: f64 = 0.02036;
 
 /// The radius_rate of radii that vary with height.
 pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
@@ -392,8 +392,8 @@ impl Params {
             return 0.0;
         }
         // Beyond, no number is needed.
-        let product = (self.summit_product() / SUMMIT_PRODUCT).min(LARGEST);
-        NARROWEST + product * product
+        let product = (self.summit_product() / BANDWIDTH_PRODUCT).min(LARGEST_QUANTITY);
+        NARROWEST_BANDWIDTH + product * product
     }
 
     /// eta sigma R, eta the summits per `nominal_area`, which must be known.

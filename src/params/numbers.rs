@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::numerics::float_bits::{finite, nan};
 
 /// Raw quantities beyond this, or below its inverse, could overflow when combined.
-pub const LARGEST: f64 = 1e40;
+pub const LARGEST_QUANTITY: f64 = 1e40;
 
 pub const POSITIVE: &str = "must be finite and > 0";
 
@@ -26,7 +26,7 @@ pub fn magnitude(name: &'static str, value: f64, allowed: &'static str) -> Resul
     if !finite(value) || value <= 0.0 {
         return Err(Error::invalid(name, value, allowed));
     }
-    if !(1.0 / LARGEST..=LARGEST).contains(&value) {
+    if !(1.0 / LARGEST_QUANTITY..=LARGEST_QUANTITY).contains(&value) {
         return Err(Error::out_of_range(name, value, "must be between 1e-40 and 1e40; choose other units"));
     }
     Ok(())

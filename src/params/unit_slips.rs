@@ -36,7 +36,7 @@ const SOFTEST_METAL: (f64, &str) =
     (3e-4, "must be at least 3e-4, or hardness 0 for not known; is hardness in GPa or in MPa, and of the softer body?");
 
 /// What surfaces have in units that their Burgers vector tells, each bound with what it is and the likely slip.
-struct Units {
+struct UnitSystem {
     burgers_vector: RangeInclusive<f64>,
     /// Gels have some kPa.
     softest: (f64, &'static str),
@@ -54,8 +54,8 @@ struct Units {
     most_summits: (f64, &'static str),
 }
 
-const UNITS: [Units; 2] = [
-    Units {
+const UNITS: [UnitSystem; 2] = [
+    UnitSystem {
         burgers_vector: 1e-10..=1e-9,
         softest: (1e3, "must be at least 1000 Pa where burgers_vector is in m; is it, or E1 or E2, in MPa or GPa?"),
         stiffest: (1e16, "must be at most 1e16 Pa where burgers_vector is in m; is it, or E1 or E2, too large by a factor of 1e9?"),
@@ -72,7 +72,7 @@ const UNITS: [Units; 2] = [
             "must be at most 3e16 where burgers_vector is in m; is the area in um^2, and the summit density per m^2?",
         ),
     },
-    Units {
+    UnitSystem {
         burgers_vector: 1e-7..=1e-6,
         softest: (1e-6, "must be at least 1e-6 GPa, or 1e-3 MPa, where burgers_vector is in mm; is it, or E1 or E2, in GPa?"),
         stiffest: (1e7, "must be at most 1e7 MPa where burgers_vector is in mm; is it in Pa?"),

@@ -6,7 +6,7 @@ use super::sums::{out_of_panels, Sums};
 use super::walk::PART_AT_LOWER_END;
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
-use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
+use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS_OF_SUM, SHORTEST_PANEL};
 use crate::error::Error;
 use crate::numerics::elementary::exp;
 use crate::numerics::quadrature::{self, POINTS};
@@ -75,8 +75,8 @@ impl Population {
         let &AttractedRange { law, from, to: (upper, end), .. } = range;
         let (mut z, mut overlap) = self.attractions_at_lower_end(law, from, upper, &mut visit);
         // The smallest summits are attracted within a layer that is thinner than a rounding.
-        let shortest = (SHORTEST * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
-        for _ in 0..MOST_PANELS {
+        let shortest = (SHORTEST_PANEL * (end - overlap)).max(4.0 * f64::EPSILON * overlap.abs());
+        for _ in 0..MOST_PANELS_OF_SUM {
             if overlap >= end {
                 return Ok(());
             }

@@ -1,14 +1,14 @@
 //! Where a panel ends before it is as long as it may be: at the kinks of the laws, where a contact radius is one of the slip
 //! law's or an overlap one of the law of contact's, and at extrema, so that no kink is passed twice within a panel.
 
-use super::panels::Panel;
+use super::panels::SummitPanel;
 use super::{Point, Population, ONSET, RADII};
 use crate::asperity::contact::KINKS;
 use crate::asperity::slip::SlipOnset;
 use crate::numerics::root;
 
 /// And over none does the distance from there grow by more than this.
-const MOST_GROWTH: f64 = 4.0;
+const MOST_DISTANCE_GROWTH: f64 = 4.0;
 /// Between two extrema of the contact radius friction is hardly changed by passing a kink if they are nearer to each other than a panel
 /// halved so often.
 const STEPS_TO_TURN: u32 = 9;
@@ -16,7 +16,7 @@ const STEPS_TO_TURN: u32 = 9;
 impl Population {
     /// The same panel, or its first part up to a kink. Where radii vary with height it ends at an extremum of the contact
     /// radius too, so that each radius within shows at its ends.
-    pub(super) fn cut_at_kink(&self, separation: f64, panel: Panel, start_kink: Option<usize>) -> Panel {
+    pub(super) fn cut_at_kink(&self, separation: f64, panel: SummitPanel, start_kink: Option<usize>) -> SummitPanel {
         let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
         if !self.radius.is_constant() {
             let is_cut = self.cut_where(separation, &mut panel, Point::radius_change, None);
@@ -44,7 +44,7 @@ impl Population {
     /// Where within a panel the contact radius falls though it rises at both ends, or the other way: it turns back on either side.
     /// A panel that begins at an extremum begins with next to no change, of either sign. `None` also where the radius is far from
     /// where friction has a kink, and where radii do not fall with height.
-    fn between_extrema(&self, separation: f64, panel: &Panel) -> Option<f64> {
+    fn between_extrema(&self, separation: f64, panel: &SummitPanel) -> Option<f64> {
         if self.radius.amplitude > 0.0 {
             return None;
         }
@@ -77,18 +77,24 @@ impl Population {
 
     /// Ends a panel where its summits are much farther from the onset of slip, or much nearer, than where it begins: what they
     /// resist is singular there, also where no summit is of that height.
-    fn cut_near_onset(&self, separation: f64, panel: &mut Panel, ratio: f64) {
+    fn cut_near_onset(&self, separation: f64, panel: &mut SummitPanel, ratio: f64) {
         let left = |point: &Point| 1.0 - ratio * point.contact.radius / self.slip.friction(&point.contact).force;
         let [from, to] = [panel.from, panel.to].map(|point| left(&point));
         if from > 0.0 && !self.is_onset(panel.kink) {
-            let limit = if to > from { MOST_GROWTH * from } else { from / MOST_GROWTH };
+            let limit = if to > from { MOST_DISTANCE_GROWTH * from } else { from / MOST_DISTANCE_GROWTH };
             self.cut_where(separation, panel, |point| left(point) - limit, None);
         }
     }
 
     /// Ends a panel where the friction force of its summits is this times the contact radius, and where their ratio turns
     /// back, so that each ratio within shows at the ends.
-    fn cut_at_friction_over_radius(&self, separation: f64, panel: &mut Panel, ratio: f64, start_kink: Option<usize>) {
+    fn cut_at_friction_over_radius(
+        &self,
+        separation: f64,
+        panel: &mut SummitPanel,
+        ratio: f64,
+        start_kink: Option<usize>,
+    ) {
         const KINK: Option<usize> = Some(RADII + KINKS);
         let turn = |point: &Point| {
             let friction = self.slip.friction(&point.contact);
@@ -107,7 +113,12 @@ impl Population {
 
     /// The same for the kinks of the law of contact, which move with the radius: where a summit is nearest to or farthest
     /// from one a panel ends too. There is no more than one such place as far as radii change ever faster or ever slower.
-    fn cut_at_kink_of_contact(&self, separation: f64, mut panel: Panel, start_kink: Option<usize>) -> Panel {
+    fn cut_at_kink_of_contact(
+        &self,
+        separation: f64,
+        mut panel: SummitPanel,
+        start_kink: Option<usize>,
+    ) -> SummitPanel {
         for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
             if !self.radius.is_constant() {
                 self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
@@ -121,7 +132,13 @@ impl Population {
     }
 
     /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum. Returns whether it does.
-    fn cut_where(&self, separation: f64, panel: &mut Panel, f: impl Fn(&Point) -> f64, kink: Option<usize>) -> bool {
+    fn cut_where(
+        &self,
+        separation: f64,
+        panel: &mut SummitPanel,
+        f: impl Fn(&Point) -> f64,
+        kink: Option<usize>,
+    ) -> bool {
         let ends = [panel.from, panel.to].map(|end| (panel.variable(&end), f(&end)));
         let [(from, at_from), (to, at_to)] = ends;
         // An end that was not found tells nothing: the panel will be tried again shorter.

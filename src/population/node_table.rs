@@ -5,11 +5,11 @@
 //! the integrals of the density times Legendre polynomials say what each node weighs, and no contact is solved. So it is far below the
 //! heights too, where one panel holds them all.
 
-use super::panels::{Axis, Panel};
+use super::panels::{Axis, SummitPanel};
 use super::sums::{out_of_panels, Summit};
 use super::walk::{Progress, Visitor, Walk, PART_AT_LOWER_END};
 use super::{Point, Population};
-use crate::distribution::panel::{self, LowerEndPanel, SHORTEST};
+use crate::distribution::panel::{self, LowerEndPanel, SHORTEST_PANEL};
 use crate::error::Error;
 use crate::numerics::legendre::Moments;
 use crate::numerics::quadrature::{self, POINTS};
@@ -19,16 +19,16 @@ use crate::numerics::quadrature::{self, POINTS};
 const LONG_FROM: f64 = 20.0;
 const MOST_SHORT: usize = 36;
 /// Farther above break-away than this, in sigma or, if that is more, times the overlap there, contacts are walked.
-const FARTHEST: f64 = 1e5;
+const FARTHEST_NODE: f64 = 1e5;
 /// So near to break-away, in sigma or, where it is farther, parts of its overlap, panels are laid in the parameter of the law, and
 /// walked where the density is not smooth.
-const NEAR: f64 = 0.002;
+const NEAR_BREAK_AWAY: f64 = 0.002;
 /// Farther away they are laid in the square root of the height above break-away, from 0 of which the law of contact is smooth.
 /// It grows by no more than this factor: a polynomial through the nodes then follows slopes to 1e-11 from weak adhesion
 /// to JKR's, and values to 1e-13.
-const MOST_GROWTH: f64 = 2.0;
+const MOST_ROOT_GROWTH: f64 = 2.0;
 /// A piece of a polynomial density that is less than this part of a panel needs few nodes.
-const SHORT: f64 = 0.3;
+const SHORT_PIECE: f64 = 0.3;
 const FEW: usize = 6;
 
 /// Panels from break-away upwards, at separation 0.
@@ -62,13 +62,13 @@ impl NodeTable {
         let edge = population.edge(0.0).point;
         let reach = panel::tail_panel_length(&*population.heights);
         let near = if population.heights.support().0.is_finite() {
-            edge.z + NEAR * (1.0 + edge.z.abs())
+            edge.z + NEAR_BREAK_AWAY * (1.0 + edge.z.abs())
         } else {
             f64::INFINITY
         };
         let mut table = NodeTable { edge, panels: Vec::new(), end: edge };
         let mut kink = None;
-        while table.end.z < edge.z + FARTHEST * (1.0 + edge.z.abs()) {
+        while table.end.z < edge.z + FARTHEST_NODE * (1.0 + edge.z.abs()) {
             let clearance = table.end.z - edge.z;
             let is_short = clearance < LONG_FROM && table.panels.len() < MOST_SHORT;
             let reach = if is_short { reach } else { f64::MAX };
@@ -101,13 +101,13 @@ impl NodeTable {
 
 impl Population {
     /// The panel from a summit far enough from break-away, at separation 0.
-    fn panel_in_roots(&self, here: Point, kink: Option<usize>, clearance: f64, reach: f64) -> Panel {
-        let longest = (MOST_GROWTH * MOST_GROWTH - 1.0) * clearance;
+    fn panel_in_roots(&self, here: Point, kink: Option<usize>, clearance: f64, reach: f64) -> SummitPanel {
+        let longest = (MOST_ROOT_GROWTH * MOST_ROOT_GROWTH - 1.0) * clearance;
         let rise = longest.min(reach);
         let part = part_in_roots((clearance.sqrt(), (clearance + rise).sqrt()));
-        let rise = longest.min(part * reach).max(SHORTEST);
+        let rise = longest.min(part * reach).max(SHORTEST_PANEL);
         let to = self.at_height(0.0, here.z + rise, here.contact.parameter);
-        let panel = Panel { axis: Axis::Height, from: here, to, kink: None, part: 1.0, is_eased: false };
+        let panel = SummitPanel { axis: Axis::Height, from: here, to, kink: None, part: 1.0, is_eased: false };
         self.cut_at_kink(0.0, panel, kink)
     }
 
@@ -172,7 +172,7 @@ impl Population {
             moments.add(&nodes.map(|(rise, _)| part.place(part.root(z + rise))), &nodes.map(|(_, fraction)| fraction));
             z += panel.length;
         }
-        for _ in 0..panel::MOST_PANELS {
+        for _ in 0..panel::MOST_PANELS_OF_SUM {
             let is_polynomial = heights.is_piecewise_polynomial();
             let is_rest = |z| self.is_rest_negligible(progress, z, z - part.separation, heights.log_density(z));
             if z >= part.to || !is_polynomial && is_rest(z) {
@@ -188,7 +188,7 @@ impl Population {
             let roots = (part.root(z), part.root(end));
             // The difference of the roots, with the digits of heights far above break-away.
             let width = (end - z) / (roots.0 + roots.1);
-            match is_polynomial && width < SHORT * (to - from) {
+            match is_polynomial && width < SHORT_PIECE * (to - from) {
                 true => self.add_heights::<FEW>(part, (z, roots.0), (width, 0.0), &mut moments, progress),
                 false => self.add_heights::<POINTS>(part, (z, roots.0), (width, 1.0), &mut moments, progress),
             }

@@ -6,7 +6,7 @@
 
 use super::break_away::LEAST_RATE;
 use super::{Point, Population};
-use crate::distribution::panel::SHORTEST;
+use crate::distribution::panel::SHORTEST_PANEL;
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root::MOST_STEPS;
@@ -15,7 +15,7 @@ use crate::numerics::root::MOST_STEPS;
 const HEIGHT_RATIO: f64 = 2.5;
 /// Where radii vary, dz/ds must not change by more than this factor over a panel in the parameter because they do: where the radius
 /// of contact falls with height, the parameter does at last.
-const MOST_BEND: f64 = 1.2;
+const MOST_RATE_CHANGE: f64 = 1.2;
 /// A panel in the parameter is no longer than this many times the distance to where the law is singular.
 const PARAMETER_RATIO: f64 = 3.0;
 /// Between the slip law's radii friction is a power of the contact radius of about 3/2, which the rule follows closely: no
@@ -40,7 +40,7 @@ pub enum Axis {
 
 /// A panel between two summits.
 #[derive(Debug, Clone, Copy)]
-pub struct Panel {
+pub struct SummitPanel {
     pub axis: Axis,
     pub from: Point,
     pub to: Point,
@@ -78,7 +78,7 @@ impl Population {
         clearance: f64,
         reach: f64,
         stop: f64,
-    ) -> Panel {
+    ) -> SummitPanel {
         // Where radii fall so steeply that the parameter turns back, panels in it would become ever shorter; not so at break-away.
         let turns_back = here.height_share() < LEAST_RATE;
         let by_parameter = if turns_back || clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
@@ -92,21 +92,21 @@ impl Population {
             Some(to) => (Axis::Parameter, to),
             None => {
                 let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
-                let z = (here.z + reach.min((ratio * clearance).max(SHORTEST))).min(stop);
+                let z = (here.z + reach.min((ratio * clearance).max(SHORTEST_PANEL))).min(stop);
                 (Axis::Height, self.at_height(separation, z, here.contact.parameter))
             }
         };
-        let panel = Panel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
+        let panel = SummitPanel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
         let panel = self.cut_at_kink(separation, panel, kink);
         // A polynomial density is smooth up to where it ends.
         let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
         // What contacts about to slip resist asks for all points.
         let part = if self.has_onset() { 1.0 } else { self.part(&panel, clearance, smooth) };
-        Panel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
+        SummitPanel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 
     /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
-    fn part(&self, panel: &Panel, clearance: f64, smooth: f64) -> f64 {
+    fn part(&self, panel: &SummitPanel, clearance: f64, smooth: f64) -> f64 {
         let rise = panel.to.z - panel.from.z;
         match panel.axis {
             Axis::Height => rise / smooth.min(HEIGHT_RATIO * clearance),
@@ -123,11 +123,11 @@ impl Population {
     fn longest_step(&self, from: &Point) -> f64 {
         let (s, g) = (from.contact.parameter, self.radius.factor(from.z));
         let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, g);
-        let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST)) } else { smooth };
+        let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST_PANEL)) } else { smooth };
         // Of the shortest panel at a parameter of 0 the end counts.
-        let radius = if s > SHORTEST { from.contact.radius } else { self.law.at(SHORTEST, g).radius };
+        let radius = if s > SHORTEST_PANEL { from.contact.radius } else { self.law.at(SHORTEST_PANEL, g).radius };
         if radius > 0.999_999 * self.slip.kinks()[0] {
-            smooth.min((POWER_RATIO * s).max(SHORTEST))
+            smooth.min((POWER_RATIO * s).max(SHORTEST_PANEL))
         } else {
             smooth
         }
@@ -177,7 +177,7 @@ impl Population {
     }
 
     /// The summits at the nodes of a panel, with their weights in height; those beyond the number of points have none.
-    pub(super) fn nodes(&self, separation: f64, panel: &Panel) -> [(f64, Point); POINTS] {
+    pub(super) fn nodes(&self, separation: f64, panel: &SummitPanel) -> [(f64, Point); POINTS] {
         let guess = panel.guess();
         let mut nodes = [(0.0, panel.from); POINTS];
         let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
@@ -197,7 +197,7 @@ impl Population {
     }
 
     /// The summit at a value of the variable of a panel.
-    pub(super) fn on_panel(&self, separation: f64, panel: &Panel, x: f64) -> Point {
+    pub(super) fn on_panel(&self, separation: f64, panel: &SummitPanel, x: f64) -> Point {
         self.at_place(separation, panel.axis, x, panel.guess().at(x))
     }
 
@@ -215,11 +215,11 @@ impl Point {
     /// Whether heights follow from the parameter between another summit and this one. Not so if this one was not found.
     fn follows(&self, other: &Self) -> bool {
         let (share, other) = (self.height_share(), other.height_share());
-        !self.z.is_nan() && share.max(other) <= MOST_BEND * share.min(other)
+        !self.z.is_nan() && share.max(other) <= MOST_RATE_CHANGE * share.min(other)
     }
 }
 
-impl Panel {
+impl SummitPanel {
     /// Whether the panel serves for a summit at one of its nodes.
     pub(super) fn follows(&self, node: &Point) -> bool {
         self.axis == Axis::Height || node.follows(&self.from)

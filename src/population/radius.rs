@@ -14,7 +14,7 @@ pub struct RadiusProfile {
 }
 
 /// Over one smooth piece the radius changes by no more e-folds.
-const MOST_E_FOLDS: f64 = 7.0;
+const MOST_RADIUS_E_FOLDS: f64 = 7.0;
 /// How finely heights are looked at, per length in which radii change.
 const LOOKS_PER_CHANGE: f64 = 8.0;
 /// Smaller radius factors are taken as this: such summits carry nothing, and squares stay in range.
@@ -63,7 +63,7 @@ impl RadiusProfile {
         let (g, slope) = self.at(z);
         let z = z + self.origin;
         let smooth = if z < 0.0 { (0.65 * -z).max(1.1 * pole) } else { 1.1 * hypot(z, pole) };
-        smooth.min(MOST_E_FOLDS * g / slope.abs())
+        smooth.min(MOST_RADIUS_E_FOLDS * g / slope.abs())
     }
 
     /// Heights from one up to another, near enough to each other to see how radii change.

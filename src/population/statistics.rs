@@ -13,7 +13,7 @@ use crate::numerics::quadrature;
 use crate::numerics::root;
 
 /// A slope of friction by load, as large as next to pull-off, of which squares are still numbers.
-const STEEPEST: f64 = 1e40;
+const LARGEST_FRICTION_SLOPE: f64 = 1e40;
 
 /// Contact radii, in b, and their share of the regimes of slip.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -94,7 +94,7 @@ impl Population {
             population: self,
             count: 0.0,
             sums: Statistics::default(),
-            slope: slope.clamp(-STEEPEST, STEEPEST),
+            slope: slope.clamp(-LARGEST_FRICTION_SLOPE, LARGEST_FRICTION_SLOPE),
             friction: 0.0,
             hertz: [0.0; 2],
             seen: Vec::new(),

@@ -10,7 +10,7 @@ use crate::asperity::slip::{SlipOnset, Tangential};
 use crate::error::Error;
 
 /// Less than this part of all contacts is none, where four digits are wanted.
-const NEGLIGIBLE: f64 = 1e-8;
+const NEGLIGIBLE_CONTACTS: f64 = 1e-8;
 
 /// The tangential force of the contacts, and what it is made of, per summit of the surface.
 #[derive(Debug, Clone, Copy, Default)]
@@ -57,7 +57,7 @@ impl<const N: usize> Visitor for Lost<N> {
         let (strength, radius) = (fraction * summit.friction, fraction * summit.radius);
         self.strength += strength;
         self.all += radius;
-        if strength < NEGLIGIBLE * self.strength && radius < NEGLIGIBLE * self.all {
+        if strength < NEGLIGIBLE_CONTACTS * self.strength && radius < NEGLIGIBLE_CONTACTS * self.all {
             return;
         }
         let reach = self.onset.reach() * strength;

@@ -1,10 +1,10 @@
 //! Goes over the summits in contact at a separation, from the lowest up to where the rest is negligible, and hands each to whoever sums.
 
-use super::panels::{Axis, Panel};
+use super::panels::{Axis, SummitPanel};
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population};
 use crate::asperity::slip::Slip;
-use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS, SHORTEST};
+use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS_OF_SUM, SHORTEST_PANEL};
 use crate::error::Error;
 use crate::numerics::elementary::exp;
 use crate::numerics::quadrature::POINTS;
@@ -16,9 +16,9 @@ const LONGER_PER_FOLD: f64 = 0.02;
 /// is the height.
 pub(super) const PART_AT_LOWER_END: f64 = 0.1;
 /// What is less than this part of all above the last mode of the heights ends the sum.
-const NEGLIGIBLE: f64 = 1e-16;
+const NEGLIGIBLE_REST: f64 = 1e-16;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
-const STEEPEST: f64 = 1e9;
+const STEEPEST_DENSITY: f64 = 1e9;
 
 /// What the summits in contact are handed to.
 pub trait Visitor {
@@ -97,7 +97,7 @@ impl Population {
         let mut kink = None;
         let end = end.min(self.highest);
         let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
-        for _ in 0..MOST_PANELS {
+        for _ in 0..MOST_PANELS_OF_SUM {
             if here.z >= end {
                 return Ok(());
             }
@@ -118,7 +118,7 @@ impl Population {
             };
             let (mut panel, mut nodes) = lay(reach);
             // Where radii change so fast that the height does not follow from the parameter, a shorter panel serves.
-            while !nodes.iter().all(|(_, point)| panel.follows(point)) && reach > SHORTEST {
+            while !nodes.iter().all(|(_, point)| panel.follows(point)) && reach > SHORTEST_PANEL {
                 reach *= 0.25;
                 (panel, nodes) = lay(reach);
             }
@@ -159,7 +159,7 @@ impl Population {
                 true => (1.0 / (self.highest - z), self.highest - z),
                 false => (-self.heights.log_density_slope(z), 0.0),
             };
-            density * importance(overlap + rise) <= NEGLIGIBLE * progress.total * rate
+            density * importance(overlap + rise) <= NEGLIGIBLE_REST * progress.total * rate
         }
     }
 
@@ -178,7 +178,7 @@ impl Population {
         let r = (densities[j] - densities[i]) / (densities[j] + densities[i]);
         let slope = 2.0 * r * (1.0 + r * r * (1.0 / 3.0 + r * r * (1.0 / 5.0 + r * r / 7.0))) / (z[j] - z[i]);
         // Next to the end of the heights it is no number, or so large that a rounding error is no small change; little lies so near.
-        let slope = if slope.abs() < STEEPEST { slope } else { 0.0 };
+        let slope = if slope.abs() < STEEPEST_DENSITY { slope } else { 0.0 };
         for i in 0..POINTS {
             let rounding = overlaps[i] - (z[i] - separation);
             densities[i] += densities[i] * (slope * rounding);
@@ -196,7 +196,7 @@ impl Population {
         let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
         // A kink of the slip law within so short a panel ends it.
         let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
-        let whole = Panel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
+        let whole = SummitPanel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
         let cut = self.cut_at_kink(separation, whole, None);
         // Its nodes do not gather at its end: where contacts are about to slip is left to another.
         let length = if self.is_onset(cut.kink) { 0.5 } else { 1.0 } * (cut.to.z - lower_end);

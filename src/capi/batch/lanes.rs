@@ -1,7 +1,7 @@
 //! The law for four loads side by side.
 
 use super::avx2::{Bits, Lanes, Mask};
-use super::{one, Arrays, FirstInvalid, Quantity};
+use super::{one, Arrays, Asked, FirstInvalid};
 use crate::law::{Beyond, Continuation, Row, Table, COEFFICIENTS, DIGIT, DIGIT_BITS, DIVISIONS, OFFSET};
 use crate::model::{Known, Model};
 use crate::numerics::float_bits::MANTISSA_BITS;
@@ -43,7 +43,7 @@ struct Other {
 }
 
 /// What vectors of loads are to be compared with.
-struct Limits<'a> {
+struct TableLimits<'a> {
     table: &'a Table,
     known: Known,
     cap: f64,
@@ -66,20 +66,18 @@ struct Answers {
 }
 
 /// What is known beside the table. Zero is a gap like others, and there is no load where the surfaces are apart.
-fn known(model: &Model, quantity: Quantity) -> Known {
+fn known(model: &Model, quantity: Asked) -> Known {
     let unknown = (f64::NAN, f64::NAN);
     match quantity {
-        Quantity::Load => {
-            Known { at_pull_off: unknown, at_zero: unknown, apart: 0.0, light_slope: 0.0, heavy: f64::NAN }
-        }
+        Asked::Load => Known { at_pull_off: unknown, at_zero: unknown, apart: 0.0, light_slope: 0.0, heavy: f64::NAN },
         _ => model.known(quantity.tabulated()),
     }
 }
 
 /// Evaluates all full vectors; returns how many elements they are.
 #[target_feature(enable = "avx2")]
-pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
-    match (quantity == Quantity::Coefficient, !arrays.slope.is_null()) {
+pub unsafe fn evaluate(model: &Model, quantity: Asked, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
+    match (quantity == Asked::Coefficient, !arrays.slope.is_null()) {
         (false, false) => evaluate_as::<false, false>(model, quantity, arrays, first_invalid),
         (false, true) => evaluate_as::<false, true>(model, quantity, arrays, first_invalid),
         (true, false) => evaluate_as::<true, false>(model, quantity, arrays, first_invalid),
@@ -91,7 +89,7 @@ pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays, first_
 #[inline(always)]
 unsafe fn evaluate_as<const COEFFICIENT: bool, const SLOPE: bool>(
     model: &Model,
-    quantity: Quantity,
+    quantity: Asked,
     arrays: Arrays,
     first_invalid: &mut FirstInvalid,
 ) -> usize {
@@ -99,10 +97,10 @@ unsafe fn evaluate_as<const COEFFICIENT: bool, const SLOPE: bool>(
     let cap = model.params().max_friction_coefficient;
     let (known, inverse_cap, beyond) = (known(model, quantity), model.inverse_cap(), quantity.beyond(model));
     let (least, heaviest) = match quantity {
-        Quantity::Load => (model.least_approach(), model.deepest_compression()),
+        Asked::Load => (model.least_approach(), model.deepest_compression()),
         _ => (0.0, model.heaviest_load()),
     };
-    let limits = Limits { table, known, cap, inverse_cap, beyond, least, heaviest };
+    let limits = TableLimits { table, known, cap, inverse_cap, beyond, least, heaviest };
     let vectors = arrays.n / Lanes::COUNT;
     let mut block = [MaybeUninit::<Found>::uninit(); BLOCK];
     // The vectors of the block that no rows answer by themselves, or cap.
@@ -135,13 +133,13 @@ unsafe fn evaluate_as<const COEFFICIENT: bool, const SLOPE: bool>(
 #[inline(never)]
 unsafe fn answer_others<const SLOPE: bool>(
     model: &Model,
-    quantity: Quantity,
-    limits: &Limits,
+    quantity: Asked,
+    limits: &TableLimits,
     arrays: Arrays,
     others: &mut [MaybeUninit<Other>],
     first_invalid: &mut FirstInvalid,
 ) {
-    let (table, is_coefficient) = (limits.table, quantity == Quantity::Coefficient);
+    let (table, is_coefficient) = (limits.table, quantity == Asked::Coefficient);
     // All links before the first of their parts is read, as above.
     for other in &mut *others {
         let other = other.assume_init_mut();
@@ -182,7 +180,7 @@ unsafe fn answer_others<const SLOPE: bool>(
 /// gives what the rows have, if there is one for each.
 #[inline(always)]
 unsafe fn by_rows<const SLOPE: bool>(
-    limits: &Limits,
+    limits: &TableLimits,
     is_coefficient: bool,
     found: &Found,
     arrays: Arrays,
@@ -223,7 +221,7 @@ unsafe fn write<const SLOPE: bool>(value: Lanes, slope: Lanes, arrays: Arrays, i
 unsafe fn write_and_ask<const SLOPE: bool>(
     answers: &Answers,
     model: &Model,
-    quantity: Quantity,
+    quantity: Asked,
     arrays: Arrays,
     i: usize,
     first_invalid: &mut FirstInvalid,
@@ -306,7 +304,7 @@ unsafe fn per_mantissa(x: Bits) -> Lanes {
 /// What no row answers by itself: capped coefficients, loads at zero and below pull-off.
 #[inline(always)]
 unsafe fn beside_rows<const SLOPE: bool>(
-    limits: &Limits,
+    limits: &TableLimits,
     is_coefficient: bool,
     loads: Lanes,
     value: Lanes,
@@ -386,7 +384,7 @@ unsafe fn follow_links(table: &Table, found: &mut Found, t: Lanes) -> bool {
 /// it goes on.
 #[inline(always)]
 unsafe fn or_beyond<const SLOPE: bool>(
-    limits: &Limits,
+    limits: &TableLimits,
     found: &Found,
     (mut value, mut slope): (Lanes, Lanes),
 ) -> (Lanes, Lanes) {
@@ -435,7 +433,7 @@ unsafe fn or_beyond<const SLOPE: bool>(
 
 /// Where the coefficient is not capped, nor the load so light that the slope may overflow; not where the force is NaN.
 #[inline(always)]
-unsafe fn open<const SLOPE: bool>(limits: &Limits, load: Lanes, force: Lanes) -> Mask {
+unsafe fn open<const SLOPE: bool>(limits: &TableLimits, load: Lanes, force: Lanes) -> Mask {
     let open = force.mul(Lanes::splat(limits.inverse_cap)).lt(load);
     if SLOPE {
         Lanes::and_mask(open, Lanes::splat(LIGHTEST).lt(load))

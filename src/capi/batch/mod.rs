@@ -12,13 +12,13 @@ mod lanes;
 use super::boundary::{write, Failure};
 use super::fp_environment;
 use crate::error::Error;
-use crate::law::{Beyond, Quantity as Tabulated, Table};
+use crate::law::{Beyond, Quantity, Table};
 use crate::model::Model;
 use crate::numerics::float_bits::{moderate, nan};
 
 /// Which law is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Quantity {
+pub enum Asked {
     /// Friction coefficient.
     Coefficient,
     /// Friction force.
@@ -29,13 +29,13 @@ pub enum Quantity {
     Load,
 }
 
-impl Quantity {
+impl Asked {
     /// What its table has, against load.
     #[inline]
-    const fn tabulated(self) -> Tabulated {
+    const fn tabulated(self) -> Quantity {
         match self {
-            Self::Stiffness => Tabulated::Radius,
-            _ => Tabulated::Friction,
+            Self::Stiffness => Quantity::Radius,
+            _ => Quantity::Friction,
         }
     }
 
@@ -139,7 +139,7 @@ pub type FirstInvalid = Option<(usize, f64)>;
 ///
 /// # Safety
 /// The arrays have n elements; `load` is not NULL unless n = 0.
-pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays) -> Result<(), Failure> {
+pub unsafe fn evaluate(model: &Model, quantity: Asked, arrays: Arrays) -> Result<(), Failure> {
     let first_invalid = fill(model, quantity, arrays);
     first_invalid.map_or(Ok(()), |(index, load)| Err(quantity.failure(model, index, load)))
 }
@@ -148,7 +148,7 @@ pub unsafe fn evaluate(model: &Model, quantity: Quantity, arrays: Arrays) -> Res
 ///
 /// # Safety
 /// As [`evaluate`].
-pub unsafe fn fill(model: &Model, quantity: Quantity, arrays: Arrays) -> FirstInvalid {
+pub unsafe fn fill(model: &Model, quantity: Asked, arrays: Arrays) -> FirstInvalid {
     let mut first_invalid = None;
     let done = vectors(model, quantity, arrays, &mut first_invalid);
     for i in done..arrays.n {
@@ -161,7 +161,7 @@ pub unsafe fn fill(model: &Model, quantity: Quantity, arrays: Arrays) -> FirstIn
 #[inline]
 unsafe fn one(
     model: &Model,
-    quantity: Quantity,
+    quantity: Asked,
     arrays: Arrays,
     index: usize,
     load: f64,
@@ -177,7 +177,7 @@ unsafe fn one(
 
 /// As many elements as fill vectors; how many those are.
 #[cfg(target_arch = "x86_64")]
-unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
+unsafe fn vectors(model: &Model, quantity: Asked, arrays: Arrays, first_invalid: &mut FirstInvalid) -> usize {
     if is_x86_feature_detected!("avx2") {
         return lanes::evaluate(model, quantity, arrays, first_invalid);
     }
@@ -185,7 +185,7 @@ unsafe fn vectors(model: &Model, quantity: Quantity, arrays: Arrays, first_inval
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-unsafe fn vectors(_: &Model, _: Quantity, _: Arrays, _: &mut FirstInvalid) -> usize {
+unsafe fn vectors(_: &Model, _: Asked, _: Arrays, _: &mut FirstInvalid) -> usize {
     0
 }
 
@@ -201,7 +201,7 @@ mod tests {
         let summary = model.summary();
         let (pull_off, heaviest) = (summary.pull_off_load, summary.max_table_load);
         let mut loads: Vec<f64> = (0..1000).map(|i| heaviest * 1e-40_f64.powf(f64::from(i) / 1000.0)).collect();
-        let table = model.table(Tabulated::Friction);
+        let table = model.table(Quantity::Friction);
         for row in (0..table.row_count).filter(|&row| table.rows[row].is_link()) {
             let (begin, end) = (table.begin_of(row), table.begin_of(row + 1));
             loads.extend((0..200).map(|i| pull_off + begin + (end - begin) * f64::from(i) / 200.0));
@@ -237,15 +237,15 @@ mod tests {
         let model = Model::new(&Params::paper()).expect("a model");
         for depth in [0.0, 1e3, 1e5, 1e7, 1e12] {
             let gap = -depth * model.params().height_std;
-            let (load, slope) = Quantity::Load.at(&model, -gap);
+            let (load, slope) = Asked::Load.at(&model, -gap);
             assert_eq!((load, by_gap(slope)), model.load_and_slope_at_gap(gap), "{depth:e}");
         }
         for times in [1e-3, 2.0, 1e6, 1e12] {
             let load = times * model.summary().max_table_load;
             for (quantity, expected) in [
-                (Quantity::Coefficient, model.friction_at_load(load)),
-                (Quantity::Force, model.friction_force_at_load(load)),
-                (Quantity::Stiffness, model.tangential_stiffness_at_load(load)),
+                (Asked::Coefficient, model.friction_at_load(load)),
+                (Asked::Force, model.friction_force_at_load(load)),
+                (Asked::Stiffness, model.tangential_stiffness_at_load(load)),
             ] {
                 assert_eq!(quantity.at(&model, load).0, expected, "{quantity:?}, {times:e}");
             }
@@ -269,15 +269,15 @@ mod tests {
                 let part = 1e-60_f64.powf(f64::from(i) / 400.0);
                 let loads = [0.999 * pull_off, -0.5 * pull_off].map(|load| load * part.max(1e-3));
                 for load in loads.into_iter().chain([half * part, half / part, half * (1.0 + part)]) {
-                    for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness] {
+                    for quantity in [Asked::Coefficient, Asked::Force, Asked::Stiffness] {
                         let is_known = quantity.table(&model).at_load(load).is_some()
-                            || load <= 0.0 && (quantity == Quantity::Coefficient || load == 0.0);
+                            || load <= 0.0 && (quantity == Asked::Coefficient || load == 0.0);
                         let is_few = is_known || quantity.beyond(&model).is_moderate(load);
                         assert!(is_few, "{quantity:?} at {load:e} of {pull_off:e}");
                     }
                 }
                 let gap = -sigma * 1e-12 / part;
-                let is_known = Quantity::Load.table(&model).at_load(-gap).is_some();
+                let is_known = Asked::Load.table(&model).at_load(-gap).is_some();
                 assert!(is_known || model.load_beyond().is_moderate(-gap), "at {gap:e}");
             }
         }
@@ -299,7 +299,7 @@ mod tests {
             let (mut value, mut slope) = (vec![0.0; loads.len()], vec![0.0; loads.len()]);
             let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
             let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
-            for quantity in [Quantity::Coefficient, Quantity::Force, Quantity::Stiffness, Quantity::Load] {
+            for quantity in [Asked::Coefficient, Asked::Force, Asked::Stiffness, Asked::Load] {
                 for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
                     // SAFETY: the arrays have so many elements.
                     let first_invalid = unsafe { fill(&model, quantity, arrays) };

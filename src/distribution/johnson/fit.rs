@@ -21,7 +21,7 @@ pub struct Fit {
     /// 1/delta.
     pub epsilon: f64,
     /// Its kind.
-    pub kind: Kind,
+    pub kind: CurveKind,
     /// Mean of v.
     pub mean: f64,
     /// Standard deviation of v.
@@ -30,7 +30,7 @@ pub struct Fit {
 
 /// S_U or S_B.
 #[derive(Debug, Clone, Copy)]
-pub enum Kind {
+pub enum CurveKind {
     /// S_U.
     Unbounded {
         /// 1 - tau > 0.
@@ -64,8 +64,8 @@ pub fn fit(skew: f64, kurtosis: f64) -> Fit {
 impl Fit {
     fn reflected(self) -> Self {
         let kind = match self.kind {
-            Kind::Unbounded { below, above } => Kind::Unbounded { below: above, above: below },
-            Kind::Bounded { share, rest } => Kind::Bounded { share: rest, rest: share },
+            CurveKind::Unbounded { below, above } => CurveKind::Unbounded { below: above, above: below },
+            CurveKind::Bounded { share, rest } => CurveKind::Bounded { share: rest, rest: share },
         };
         Self { kind, mean: -self.mean, ..self }
     }
@@ -95,9 +95,9 @@ fn unbounded(skew: f64, excess: f64) -> Fit {
     let p = growth(q);
     let epsilon = log1p(p).sqrt();
     let kind = if tau < 1.0 {
-        Kind::Unbounded { below: 1.0 - tau, above: 1.0 + tau }
+        CurveKind::Unbounded { below: 1.0 - tau, above: 1.0 + tau }
     } else {
-        Kind::Bounded { share: 0.0, rest: 1.0 }
+        CurveKind::Bounded { share: 0.0, rest: 1.0 }
     };
     if epsilon == 0.0 {
         return Fit { epsilon, kind, mean: 0.0, deviation: 1.0 };
@@ -138,34 +138,34 @@ fn bounded(skew: f64, kurtosis: f64) -> Fit {
     // ln(share/rest), from where it cannot be told from lognormal to where there is no skew.
     let log_odds = |epsilon: f64| {
         let lowest = -40.0 - epsilon * (11.0 + 4.0 * epsilon);
-        let residual = |log_odds: f64| Moments::of(epsilon, log_odds).skew - skew;
+        let residual = |log_odds: f64| CurveMoments::of(epsilon, log_odds).skew - skew;
         if skew == 0.0 {
             0.0
         } else {
             root::bracketed(residual, lowest, 0.0)
         }
     };
-    let residual = |epsilon: f64| Moments::of(epsilon, log_odds(epsilon)).kurtosis - kurtosis;
+    let residual = |epsilon: f64| CurveMoments::of(epsilon, log_odds(epsilon)).kurtosis - kurtosis;
     let epsilon = root::bracketed(residual, smallest, LARGEST_EPSILON);
     let log_odds = log_odds(epsilon);
-    let Moments { mean, deviation, .. } = Moments::of(epsilon, log_odds);
+    let CurveMoments { mean, deviation, .. } = CurveMoments::of(epsilon, log_odds);
     let (share, rest) = shares(log_odds);
-    Fit { epsilon, kind: Kind::Bounded { share, rest }, mean, deviation }
+    Fit { epsilon, kind: CurveKind::Bounded { share, rest }, mean, deviation }
 }
 
 fn shares(log_odds: f64) -> (f64, f64) {
     (1.0 / (1.0 + exp(-log_odds)), 1.0 / (1.0 + exp(log_odds)))
 }
 
-/// Moments of v on an S_B curve.
-struct Moments {
+/// CurveMoments of v on an S_B curve.
+struct CurveMoments {
     mean: f64,
     deviation: f64,
     skew: f64,
     kurtosis: f64,
 }
 
-impl Moments {
+impl CurveMoments {
     /// By the trapezoidal rule in u, whose error falls exponentially with 1/step: v has its poles at Im u = pi/epsilon.
     fn of(epsilon: f64, log_odds: f64) -> Self {
         if epsilon == 0.0 {
@@ -222,8 +222,8 @@ mod tests {
         for (skew, part) in [(0.3, 1e-3), (0.3, 0.1), (3.0, 1e-9), (3.0, 0.1)] {
             let kurtosis = (3.0 + excess_of_lognormal(skew)) * (1.0 - part);
             let fit = fit(skew, kurtosis);
-            let Kind::Bounded { share, rest } = fit.kind else { panic!("{fit:?}") };
-            let found = Moments::of(fit.epsilon, (share / rest).ln());
+            let CurveKind::Bounded { share, rest } = fit.kind else { panic!("{fit:?}") };
+            let found = CurveMoments::of(fit.epsilon, (share / rest).ln());
             assert!(near(found.skew, skew, 1e-13), "{skew}, {part:e}: {}", found.skew);
             assert!(near(found.kurtosis, kurtosis, 1e-11), "{skew}, {part:e}: {}", found.kurtosis / kurtosis - 1.0);
         }
@@ -235,7 +235,7 @@ mod tests {
         for i in 1..40 {
             let skew = 0.01 * f64::from(i);
             let fit = unbounded(skew, excess_of_lognormal(skew));
-            assert!(!matches!(fit.kind, Kind::Unbounded { below: 0.0, .. }), "{skew}: {fit:?}");
+            assert!(!matches!(fit.kind, CurveKind::Unbounded { below: 0.0, .. }), "{skew}: {fit:?}");
         }
     }
 }

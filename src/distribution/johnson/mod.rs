@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::numerics::elementary::{exp, expm1, hypot, log, log1p};
 use crate::numerics::float_bits::finite;
 use crate::numerics::root;
-use fit::{Fit, Kind};
+use fit::{CurveKind, Fit};
 use std::sync::Arc;
 
 /// The largest skew, of either sign, and the largest kurtosis that are evaluated: in heavier tails loads are carried by
@@ -32,7 +32,7 @@ fn least_kurtosis(skew: f64) -> f64 {
 /// widths of the bulk would blur it.
 const LEFT_AT_END: f64 = 0.1;
 const FAR_UP: f64 = 38.0;
-const FARTHEST_ORIGIN: f64 = 300.0;
+const FARTHEST_END: f64 = 300.0;
 
 /// A standardised curve of Johnson's system.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ struct Johnson {
     epsilon: f64,
     /// dv/dz, with v of `fit`.
     deviation: f64,
-    kind: Kind,
+    kind: CurveKind,
     /// dy/dz, with y = epsilon v.
     rate: f64,
     /// Height of the median.
@@ -102,10 +102,10 @@ impl Johnson {
         let median = -mean / deviation;
         let mut curve = Self { skew, kurtosis, epsilon, deviation, kind, rate, median, origin: 0.0, mode: 0.0 };
         let (end, away) = match kind {
-            Kind::Unbounded { below, above } => (median + (below - 1.0) / rate, (below * above).sqrt() / rate),
-            Kind::Bounded { .. } => (curve.support().1, 0.0),
+            CurveKind::Unbounded { below, above } => (median + (below - 1.0) / rate, (below * above).sqrt() / rate),
+            CurveKind::Bounded { .. } => (curve.support().1, 0.0),
         };
-        if (end - curve.height(FAR_UP)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_ORIGIN {
+        if (end - curve.height(FAR_UP)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_END {
             curve.origin = end;
             curve.median -= end;
         }
@@ -119,15 +119,15 @@ impl Johnson {
     pub fn height(&self, u: f64) -> f64 {
         let t = self.epsilon * u;
         match self.kind {
-            Kind::Unbounded { below, above } if self.origin == 0.0 => {
+            CurveKind::Unbounded { below, above } if self.origin == 0.0 => {
                 self.median + 0.5 * (above * expm1(t) - below * expm1(-t)) / self.rate
             }
-            Kind::Unbounded { below, above } => 0.5 * (above * exp(t) - below * exp(-t)) / self.rate,
-            Kind::Bounded { share, .. } if self.origin == 0.0 => {
+            CurveKind::Unbounded { below, above } => 0.5 * (above * exp(t) - below * exp(-t)) / self.rate,
+            CurveKind::Bounded { share, .. } if self.origin == 0.0 => {
                 let rise = expm1(t);
                 self.median + rise / (1.0 + share * rise) / self.rate
             }
-            Kind::Bounded { share, .. } => -1.0 / (1.0 + share * expm1(t)) / (share * self.rate),
+            CurveKind::Bounded { share, .. } => -1.0 / (1.0 + share * expm1(t)) / (share * self.rate),
         }
     }
 
@@ -135,8 +135,8 @@ impl Johnson {
     #[inline]
     fn at(&self, z: f64) -> Option<At> {
         let (t, rate, slope) = match self.kind {
-            Kind::Unbounded { below, above } => self.unbounded(z, below, above),
-            Kind::Bounded { share, rest } => self.bounded(z, share, rest)?,
+            CurveKind::Unbounded { below, above } => self.unbounded(z, below, above),
+            CurveKind::Bounded { share, rest } => self.bounded(z, share, rest)?,
         };
         let u = t / self.epsilon;
         let rate = self.deviation * rate;
@@ -183,8 +183,8 @@ impl HeightDistribution for Johnson {
 
     fn support(&self) -> (f64, f64) {
         match self.kind {
-            Kind::Unbounded { .. } => (f64::NEG_INFINITY, f64::INFINITY),
-            Kind::Bounded { share, rest } => {
+            CurveKind::Unbounded { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            CurveKind::Bounded { share, rest } => {
                 let upper = if self.origin == 0.0 { self.median + 1.0 / (share * self.rate) } else { 0.0 };
                 (self.median - 1.0 / (rest * self.rate), upper)
             }
@@ -204,11 +204,11 @@ impl HeightDistribution for Johnson {
 
     fn distance_to_singularity(&self, z: f64) -> f64 {
         match self.kind {
-            Kind::Unbounded { below, above } => {
+            CurveKind::Unbounded { below, above } => {
                 let centre = if self.origin == 0.0 { self.median - 0.5 * (above - below) / self.rate } else { 0.0 };
                 hypot(z - centre, (below * above).sqrt() / self.rate)
             }
-            Kind::Bounded { .. } => {
+            CurveKind::Bounded { .. } => {
                 let (lower, upper) = self.support();
                 (z - lower).min(upper - z)
             }
