@@ -36,13 +36,13 @@ module asperity
   ! An iteration did not converge: please report the parameters
   integer(c_int32_t), parameter, public :: ASPERITY_NOT_CONVERGED = 6
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255  ! A bug in the library: please report it
-  ! Of strength_source: the default strength, an order of magnitude
+  ! A strength_source: the default strength, an order of magnitude
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_DEFAULT = 0
-  ! Of strength_source: a row of the table of interfaces, or the rows of these bodies, measured on other specimens
+  ! A strength_source: a row of the table of interfaces, or the rows of these bodies, measured on other specimens
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_TABLE = 1
-  ! Of strength_source: the text gives slip stresses or a pressure coefficient, taken as known
+  ! A strength_source: the text gives slip stresses or a pressure coefficient, taken as known
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
-  ! Of strength_source: measured on these surfaces
+  ! A strength_source: measured on these surfaces
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
   ! A default strength and a true one are within this factor either way with a probability of 95 %
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_FACTOR = 10

@@ -80,13 +80,13 @@
 #define ASPERITY_NOT_CONVERGED 6
 /** A bug in the library: please report it. */
 #define ASPERITY_INTERNAL 255
-/** Of `strength_source`: the default strength, an order of magnitude. */
+/** A `strength_source`: the default strength, an order of magnitude. */
 #define ASPERITY_STRENGTH_DEFAULT 0
-/** Of `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens. */
+/** A `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens. */
 #define ASPERITY_STRENGTH_TABLE 1
-/** Of `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known. */
+/** A `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known. */
 #define ASPERITY_STRENGTH_GIVEN 2
-/** Of `strength_source`: measured on these surfaces. */
+/** A `strength_source`: measured on these surfaces. */
 #define ASPERITY_STRENGTH_MEASURED 3
 /** A default strength and a true one are within this factor either way with a probability of 95 %. */
 #define ASPERITY_STRENGTH_FACTOR 10

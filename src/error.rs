@@ -107,7 +107,7 @@ pub enum Error {
         /// The number that the reason is about: a force, or a slip stress.
         number: f64,
     },
-    /// Of an interface only a friction coefficient is known, which no parameter is.
+    /// An interface has only a friction coefficient, which no parameter is.
     #[error("{}", Calibrate(interface))]
     NoStrength {
         /// The interface.

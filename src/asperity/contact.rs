@@ -5,13 +5,13 @@
 /// Lengths: radius in b, overlap in sigma; load in E* b^2.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Rates {
-    /// Of the overlap u = z - d.
+    /// The overlap u = z - d, or its change.
     pub overlap: f64,
-    /// Of the contact radius a.
+    /// The contact radius a, or its change.
     pub radius: f64,
-    /// Of the load P.
+    /// The load P, or its change.
     pub load: f64,
-    /// Of the load P_H of Hertz' contact of the same radius.
+    /// The load P_H of Hertz' contact of the same radius, or its change.
     pub hertz_load: f64,
 }
 
@@ -115,7 +115,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::asperity::groups::Groups;
 
-    /// Of elastic summits.
+    /// The groups of elastic summits.
     pub fn elastic([alpha, beta, gamma, b_over_h]: [f64; 4]) -> Groups {
         Groups { alpha, beta, gamma, b_over_h, hardness: f64::INFINITY, yields: false, nominal_area: 0.0 }
     }

@@ -2,7 +2,7 @@
 //!
 //! The stress tau is eqs (13)-(15), Hurtado and Kim's three regimes: below the first radius an asperity slips as a whole at a
 //! constant stress, above the second by gliding dislocations at a lower one; between them the stress is a power of the radius.
-//! To it comes the part of the strength that grows with pressure (Briscoe and Evans, Proc. R. Soc. A 380 (1982) 389): kappa
+//! The part of the strength that grows with pressure is added (Briscoe and Evans, Proc. R. Soc. A 380 (1982) 389): kappa
 //! times the load of Hertz' contact of the same radius, which is the load and what adhesion adds to it.
 
 use super::contact::{Contact, Rates};

@@ -27,7 +27,7 @@ impl Failure {
 
     /// A file is refused, for what it has or what the system says of it.
     pub fn of_file(path: &Path, error: &Error) -> Self {
-        // Of a long path the end, so that what is wrong fits into the message.
+        // Only the end of a long path is told, so that what is wrong fits into the message.
         let name = path.file_name().filter(|_| path.as_os_str().len() > LONGEST_PATH).map_or(path, Path::new);
         Self::new(error.status(), &format_args!("{}: {error}", name.display()))
     }

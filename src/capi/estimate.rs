@@ -9,13 +9,13 @@ use crate::estimate::{write, Answer, Estimate, Rests};
 use std::ffi::c_char;
 use std::mem::{align_of, size_of};
 
-/// Of `strength_source`: the default strength, an order of magnitude.
+/// A `strength_source`: the default strength, an order of magnitude.
 pub const ASPERITY_STRENGTH_DEFAULT: i32 = 0;
-/// Of `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens.
+/// A `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens.
 pub const ASPERITY_STRENGTH_TABLE: i32 = 1;
-/// Of `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known.
+/// A `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known.
 pub const ASPERITY_STRENGTH_GIVEN: i32 = 2;
-/// Of `strength_source`: measured on these surfaces.
+/// A `strength_source`: measured on these surfaces.
 pub const ASPERITY_STRENGTH_MEASURED: i32 = 3;
 /// A default strength and a true one are within this factor either way with a probability of 95 %.
 pub const ASPERITY_STRENGTH_FACTOR: i32 = 10;

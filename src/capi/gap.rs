@@ -7,7 +7,7 @@ use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use crate::model::{by_gap, Model};
 
-/// So many gaps are turned into arguments of the table at a time.
+/// How many gaps are turned into arguments of the table at a time.
 const BLOCK: usize = 128;
 
 /// Returns the load at a gap, from the compiled law, and writes its slope.

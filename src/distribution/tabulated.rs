@@ -73,7 +73,7 @@ impl Tabulated {
         let pieces = pieces(&part, &relative);
 
         let moment = |of: &dyn Fn(f64) -> f64| -> f64 {
-            // Of degree 6 at most.
+            // The integrand is of degree 6 at most.
             pieces
                 .iter()
                 .zip(part.windows(2))

@@ -175,7 +175,7 @@ fn hazard_nodes(shape: f64) -> impl Iterator<Item = (f64, f64)> {
 /// Eq (21), and what standardises the distribution.
 struct WeibullMoments {
     ln_b1: f64,
-    /// Of heights over their mean.
+    /// The variance of heights over their mean.
     variance: f64,
     skew: f64,
     kurtosis: f64,

@@ -9,7 +9,7 @@ use crate::population::Population;
 const FIRST_COMPARED: f64 = 1e-3;
 /// and at the latest, if the loads have so few digits that the two do not agree before, where it is this part.
 const LAST_COMPARED: f64 = 1e-2;
-/// So well they agree, rounding apart; and a piece with its halves, relative to the fall from where it begins.
+/// The difference and the integral agree to this, rounding apart; and a piece with its halves, relative to the fall from where it begins.
 const AGREEMENT: f64 = 3e-8;
 /// How well a load is known, relative to what presses and what pulls: at best,
 const LOAD_ROUNDING: f64 = 3e-14;

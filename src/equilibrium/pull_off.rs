@@ -45,7 +45,7 @@ pub struct End {
 }
 
 impl End {
-    /// Of a population, looked for from heavy load.
+    /// The end of the branch of a population, looked for from heavy load.
     ///
     /// # Errors
     /// [`Error::NotConverged`] if it cannot be found; [`Error::OutOfRange`] if the load there is not negative.

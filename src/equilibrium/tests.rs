@@ -58,7 +58,7 @@ fn the_load_above_pull_off_changes_as_its_slope_says_however_near() {
     }
 }
 
-/// Of summits that do not adhere, down to loads that are no numbers.
+/// Summits that do not adhere, down to loads that are no numbers.
 #[test]
 fn without_adhesion_the_lightest_contacts_are_alike() {
     let branch = Branch::new(of(&surface(HERTZ, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");

@@ -6,7 +6,7 @@
 
 use crate::numerics::elementary::log;
 
-/// Of a normal distribution, 95 % lie within so many standard deviations.
+/// 95 % of a normal distribution lie within so many standard deviations.
 pub const REACH_95: f64 = 1.959_963_984_540_054;
 
 /// A default strength of an interface and a true one are within this factor either way with a probability of 95 %, which is
@@ -20,7 +20,7 @@ pub const SLOPE_FACTOR: f64 = 4.0;
 pub const ROW_PRESSURE: f64 = 1e6;
 /// ... and the largest where its load, which is one of other specimens, is known.
 pub const LARGEST_ROW_PRESSURE: f64 = 1e8;
-/// Of a surface without a nominal area, summits per area times their radius and standard deviation of height (Greenwood and
+/// Summits per area times their radius and standard deviation of height, of a surface without a nominal area (Greenwood and
 /// Williamson, Proc. R. Soc. A 295, 1966).
 pub const SUMMIT_PRODUCT: f64 = 0.05;
 

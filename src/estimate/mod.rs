@@ -201,7 +201,7 @@ impl Estimate {
     fn add_specimens(&self, answer: &mut Answer, by_pressure: f64) -> Result<(), Error> {
         let middle = &self.cases[0].model;
         let state = match middle.state_at_load(answer.load) {
-            // Of so rough surfaces no number is small enough for what the mean has without a load.
+            // No number is small enough for what the mean of so rough surfaces has without a load.
             Err(_) if answer.load == 0.0 => None,
             state => Some(state?),
         };
@@ -277,7 +277,7 @@ impl Estimate {
         (state.warnings & WARNING_FEW != 0 && !self.is_of_pressures()).then_some(state.contacting)
     }
 
-    /// Of loads and of forces.
+    /// The unit of loads and of forces.
     fn unit(&self) -> &'static str {
         match self.is_of_pressures() {
             true => "Pa",

@@ -70,7 +70,7 @@ fn bands_have_the_coverage_that_they_say() {
         let mut params = describe(text.as_bytes(), case).expect("a surface").params;
         params.contact_law = ContactLawKind::ElasticPlastic;
         params.work_of_adhesion = 0.0;
-        // Of a stronger one the slip stress would be above the shear modulus of the bodies.
+        // The slip stress of a stronger one would be above the shear modulus of the bodies.
         let factor = (deviation(DEFAULT_FACTOR) * normal()).exp().min(20.0);
         params.slip.stress_1 *= factor;
         params.slip.stress_2 *= factor;
@@ -192,7 +192,7 @@ fn few_contacts_are_counted_and_told() {
     let mean = found[1].specimen_force / found[1].load;
     assert_near(least, mean * (-reach).exp(), 5e-3);
     assert_near(most, mean * reach.exp(), 5e-3);
-    // Of surfaces so rough that the mean has no number, too.
+    // The same holds for surfaces so rough that the mean has no number.
     let rough = answer(&format!("work_of_adhesion = 1e-4\n{text}"), 0.0);
     assert!(rough.friction_force == 0.0 && rough.friction_coefficient == f64::INFINITY, "{rough:?}");
     assert!(rough.specimen_force > 1e-10 && rough.specimen_force < found[3].specimen_force, "{rough:?}");
@@ -385,7 +385,7 @@ fn slips_of_units_that_no_contact_has_are_asked_for() {
     assert!(counted(1e13).contains(says), "{}", counted(1e13));
 }
 
-/// Of the bodies what makes the answer, with what another makes of it; of what is given nothing.
+/// What makes the answer is told of the bodies, with what another makes of it; nothing is told of what is given.
 #[test]
 fn what_is_taken_of_materials_is_told() {
     let told = |text: &str| {
@@ -405,11 +405,11 @@ fn what_is_taken_of_materials_is_told() {
     assert_eq!(told(&soft), [steel]);
     let moduli = "[materials]\nE1 = 200e9\nnu1 = 0.29\n";
     assert_eq!(told(&format!("{soft}{moduli}")), [""; 0]);
-    // Of a strength that is not measured, friction goes as one over the hardness; of a body without a range half and twice it are told.
+    // Where the strength is not measured, friction goes as one over the hardness; half and twice it are told of a body without a range.
     let [_, stainless] = &told(&format!("{GROUND}{ROUGH}"))[..] else { panic!("two lines") };
     let begins = "hardness = 1.27 GPa of stainless, AISI 304 annealed: with 635 MPa mu(10 N) is 0.19";
     assert!(stainless.starts_with(begins) && stainless.contains(", with 2.54 GPa 0.05"), "{stainless}");
-    // Of silicon that does not yield the hardness is nothing to the answer.
+    // The hardness of silicon that does not yield is nothing to the answer.
     let silicon = "E = 160 GPa and nu = 0.22 of Si";
     let adhesion = "work of adhesion 0.063 J/m^2 of Si/Si, measured and estimated 0.03 to 0.144";
     assert_eq!(told(&format!("{SILICON}{SMOOTH}")), [silicon, adhesion]);
@@ -469,7 +469,7 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         let found = refused(&format!("{text}{STEEL}{ROUGH}"));
         assert!(found.starts_with(says), "{found}\nnot\n{says}");
     }
-    // Of several points that which is wrong is named.
+    // The message names the point that is wrong.
     for [wrong, right] in [[1, 0], [0, 1]].map(|order| order.map(|i| ["[1000, 0.16]", "[10, 15]"][i])) {
         let found = refused(&format!("{STEEL}measured = [{wrong}, {right}]\n{ROUGH}"));
         assert!(found.starts_with("line 3: friction_force = 150 at load = 10: must be at most 12.4"), "{found}");

@@ -21,7 +21,7 @@ const LARGE: f64 = 5.0;
 const STEEP: f64 = 0.7;
 /// Works of adhesion of clean metals are some J/m^2.
 const STICKY: f64 = 5.0;
-/// Of a steel sheet of 1 mm under its weight [Pa]: where the heaviest load makes less, a unit may be wrong.
+/// The pressure of a steel sheet of 1 mm under its weight [Pa]: where the heaviest load makes less, a unit may be wrong.
 const LIGHT: f64 = 77.0;
 /// The same of surfaces that adhere, whose friction at lighter loads is asked for [Pa].
 const LIGHT_OF_ADHESION: f64 = 1.0;
@@ -35,7 +35,7 @@ const APART: f64 = 3.0;
 const TOLD: f64 = 0.01;
 /// Hardnesses of one material, where no range is known: over that of the table.
 const HARDER: [f64; 2] = [0.5, 2.0];
-/// Of less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
+/// With less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
 /// (python/tests/test_pads.py).
 const MOST_OVER_ONE_SUMMIT: f64 = 2.0;
 /// More points are told by their number.

@@ -34,7 +34,8 @@ pub struct Beyond {
 }
 
 impl Beyond {
-    /// Of a table of a quantity that has this value at pull-off, or none of which lighter loads ask; heavier ones count from an origin.
+    /// What continues a table of a quantity that has this value at pull-off, or none for which lighter loads ask; heavier ones
+    /// count from an origin.
     pub fn new(table: &Table, at_pull_off: Option<f64>, heavy_origin: f64) -> Self {
         // The next number below: the end is not of the last row.
         let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());

@@ -88,7 +88,7 @@ mod tests {
             assert!((load - (log_excess.exp() - pull_off)).abs() <= 1e-13 * load.abs().max(pull_off), "{load}");
             assert!(near(by_s, log_excess.exp() / rate, 1e-12), "{by_s}");
         }
-        // Of a pull-off load next to the smallest number and a load next to the largest.
+        // The pull-off load is next to the smallest number and the load next to the largest.
         let (s, rate) = Coordinate { log_pull_off: Some(-640.0) }.at(700.0);
         assert!(near(s, 670.0 + LN_2, 1e-15) && rate == 0.5, "{s}, {rate}");
         assert_eq!(Coordinate { log_pull_off: None }.at(-8.0), (-4.0, 0.5));

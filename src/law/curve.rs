@@ -16,7 +16,7 @@ use crate::numerics::elementary::{exp_each, log};
 
 /// The heaviest load is looked for from this far below the mean height, in sigma, in steps that double.
 const FIRST_DEPTH: f64 = 8.0;
-/// Of a part of the loads it is looked for from far separations on, in sigma above the middle of the heights.
+/// The heaviest load of a part of the loads is looked for from far separations on, at these, in sigma above the middle of the heights.
 const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 /// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
 const MOST_SAMPLES: usize = 2500;
@@ -92,7 +92,7 @@ impl Curve {
             };
             let attempt = match curve.attempt(branch, from, stretch, &mut ends) {
                 Ok(attempt) => attempt,
-                // So near to pull-off rounding tells whether the load falls.
+                // Rounding tells whether the load falls so near to pull-off.
                 Err(Unfollowed { separation }) if steps.end - separation < NEXT_TO_END * (1.0 + separation.abs()) => {
                     break
                 }
@@ -107,7 +107,7 @@ impl Curve {
             if let Some(panel) = &crowded {
                 error = larger(error, panel.error_at(&between) / (stretch.slope_slack * tolerance::SLOPE));
             }
-            // So near to the end separations, of which nodes then coincide, have no digits left.
+            // Separations so near to the end have no digits left: nodes coincide.
             if end.separation <= from.separation || error.is_infinite() && stretch.is_shortest {
                 break;
             }

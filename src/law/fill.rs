@@ -13,7 +13,7 @@ use std::ops::Range;
 /// Where the law is asked for a row: where it is determined, where it is compared, and at its end.
 const ROW_PARTS: [f64; 8] =
     [ROW_NODES[0], ROW_NODES[1], ROW_NODES[2], ROW_NODES[3], ROW_CHECKS[0], ROW_CHECKS[1], ROW_CHECKS[2], 1.0];
-/// To so many rows a link leads.
+/// A link leads to so many rows.
 const LINKED: usize = DIVISIONS + 1;
 /// The most pieces of a row: links of three levels.
 const MOST_PIECES_OF_ROW: usize = LINKED * LINKED * LINKED;
@@ -208,7 +208,7 @@ fn groups(begins: &[f64], end: f64) -> Vec<Range<usize>> {
     let ends = begins[1..].iter().chain([&end]);
     let less_by_length: Vec<f64> = ends.zip(begins).map(|(end, begin)| begin - end).collect();
     let by_length = ascending(&less_by_length);
-    // So many as links of as few levels as can be hold.
+    // As many as links hold of as few levels as can be.
     let mut largest = LINKED;
     while largest * LINKED < begins.len() {
         largest *= LINKED;

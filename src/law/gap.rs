@@ -20,7 +20,7 @@ const GAP_FRACTION: u32 = 3;
 /// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance,
 /// and the load is a power of it, also where the density of heights jumps to 0 there.
 const NEAREST_TO_HIGHEST: f64 = 1e-9;
-/// Nor farther above the mean height than this.
+/// The table reaches no farther above the mean height than this.
 const FARTHEST_GAP: f64 = 2e3;
 /// The largest power by which the load goes to 0 beyond the lightest that is compiled, where the highest summit is far.
 const TAIL_POWER: f64 = 7.0;
@@ -101,7 +101,7 @@ impl Gap {
         let shift = Table::shift_of(GAP_FRACTION);
         // The first row that the curve has whole.
         let base = (margin.below().to_bits() >> shift) + 1;
-        // And the one in which it begins.
+        // The row in which the curve begins.
         let end = ((margin + (first - begin) * lengths.unit).min(f64::MAX).to_bits() >> shift) + 1;
         let mut table = Table::new(GAP_FRACTION, base, -anchor);
         Filling::new(&source, lengths.unit, GAP_FRACTION).rows(&mut table, (end - base) as usize, reach.most_rows);

@@ -380,7 +380,7 @@ mod tests {
         }
     }
 
-    /// Of an exact state that the table had not been made from, and of one that lies off.
+    /// The error is told of an exact state that the table had not been made from, and of one that lies off.
     #[test]
     fn the_error_of_a_table_is_that_of_the_exact_state_farthest_from_it() {
         let branch = branch(0.001);

@@ -68,7 +68,7 @@ pub enum Length {
 }
 
 impl Length {
-    /// Of a panel from one separation to another.
+    /// The length of a panel from one separation to another.
     pub fn of(positions: Positions, from: f64, to: f64) -> Self {
         match positions.is_short(from, to) {
             true => Self::Separation,
@@ -187,7 +187,7 @@ pub struct Hermite {
     /// The value at the first node, to which the others are relative.
     reference: f64,
     nodes: [f64; PANEL_NODES],
-    /// Of Newton's form, each node twice.
+    /// The coefficients of Newton's form, each node twice.
     coefficients: [f64; CONDITIONS],
 }
 

@@ -37,7 +37,7 @@ pub const OFFSET: u64 = (1 << 51) - 1;
 pub struct Row(pub [f64; COEFFICIENTS]);
 
 impl Row {
-    /// Of a polynomial in the part of a length.
+    /// The row of a polynomial in the part of a length.
     pub fn of_length(coefficients: [f64; COEFFICIENTS], length: f64) -> Self {
         let mut scale = 1.0;
         Self(coefficients.map(|coefficient| {

@@ -19,7 +19,7 @@ const KINK_AT_END: f64 = 1e-9;
 const SHORT_STRETCH: f64 = 0.02;
 /// It may miss by so many times the tolerance, which is then what the compiled law promises.
 const MOST_OF_SHORT: f64 = 2.0;
-/// And by so many once no more states are to be spent: as many as a model may.
+/// It may miss by so many times the tolerance once no more states are to be spent: as many as a model may.
 const MOST_WHEN_SPENT: f64 = tolerance::MOST / tolerance::VALUE;
 /// The shortest panels, or this part of what is left of the branch, if that is shorter: what is then not resolved is too short to
 /// matter.

@@ -64,7 +64,7 @@ pub fn expected(words: &Expected, name: &[u8]) -> Option<&'static str> {
 
 /// As many letters may be wrong, if they are less than half of the name.
 const SLIPS: usize = 2;
-/// So long a word is looked for within names.
+/// A word of at least so many letters is looked for within names.
 const WORD: usize = 4;
 
 impl<'a> Instead<'a> {

@@ -114,7 +114,7 @@ impl Params {
             if point.force <= of_pressure {
                 return refused(point, Reason::Pressure, of_pressure);
             }
-            // Of a load that hardly presses the force may be too small for a number.
+            // Where the load hardly presses, the force may be too small for a number.
             if state.friction_force < f64::MIN_POSITIVE {
                 return refused(point, Reason::NoFriction, state.friction_force);
             }
@@ -136,7 +136,7 @@ impl Params {
             1.0 / (LARGEST_QUANTITY * self.slip.stress_1.min(self.slip.stress_2)),
             1.0 / self.slip.stress_1.max(self.slip.stress_2),
         ];
-        // Of several points that which is farthest beyond is named.
+        // The error names the point that is farthest beyond.
         let beyond = |reason: Reason, bound: f64, sign: f64| {
             let allowed = |one: &Seen| bound * one.force + kappa * one.pressed;
             let excess = |(point, one): &(&MeasuredPoint, &Seen)| sign * (log(point.force) - log(allowed(one)));

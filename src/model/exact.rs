@@ -163,7 +163,7 @@ impl Model {
         if slipping.radius == 0.0 {
             return Ok((0.0, 0.0));
         }
-        // Of loads so light that the state is one of a heavier load, scaled down, so is this.
+        // Where the load is so light that the state is one of a heavier load, scaled down, this is scaled too.
         let part = sums.radius / slipping.radius;
         let tangential = (slipping.force * part * self.units.force).min(force);
         Ok((tangential.copysign(displacement), slipping.sticking / slipping.radius * stiffness))
@@ -281,7 +281,7 @@ impl Model {
         if sums.load_slope == 0.0 {
             0.0
         } else if sums.load_slope > 0.0 && self.is_on_branch(separation) {
-            // So near to pull-off that the sign is rounding.
+            // The sign is rounding so near to pull-off.
             f64::MAX
         } else {
             by_separation / self.units.load / sums.load_slope
@@ -301,15 +301,15 @@ impl Model {
         Ok(state)
     }
 
-    /// Of contacts under a constant load, carried by whatever summits there are: the standard deviation of their friction force over its
-    /// mean, and by what part the mean exceeds the sum over the mean surface. NaN where Monte Carlo does not bear it out
-    /// (tests/physics/few_contacts.rs).
+    /// Scatter and bias of contacts under a constant load, carried by whatever summits there are: the standard deviation of their
+    /// friction force over its mean, and by what part the mean exceeds the sum over the mean surface. NaN where Monte Carlo does
+    /// not bear it out (tests/physics/few_contacts.rs).
     ///
     /// Both are of first order in 1/n, from Poisson's statistics of summits: load and friction fluctuate at a separation, and the
     /// separation follows the load. Of the bias that is the whole second order of the fluctuations. With fewer contacts Monte Carlo
     /// gives less.
     fn few(&self, separation: f64, sums: &Sums, contacts: &Statistics) -> [f64; 2] {
-        // Of fewer contacts, or with more adhesion over the load, nothing was compared; next to an abrupt end of heights a few more are
+        // With fewer contacts, or with more adhesion over the load, nothing was compared; next to an abrupt end of heights a few more are
         // needed: there P P''/P'^2 is 0.6, in a tail about 1.
         const FEWEST_CONTACTS: f64 = 1.0;
         const MOST_ADHESIVE: f64 = 3.0;

@@ -27,7 +27,7 @@ pub struct Seen {
     pub pressed: f64,
     /// ln F as it was measured.
     pub measured: f64,
-    /// Of its error.
+    /// The standard deviation of its error.
     pub error: f64,
 }
 
@@ -48,13 +48,13 @@ pub struct Slice {
     pub kappa: f64,
     pub mean: f64,
     pub variance: f64,
-    /// Of the probability, but for a constant.
+    /// Logarithm of the probability, but for a constant.
     pub log_weight: f64,
 }
 
 /// Standard deviation of a pressure coefficient (>= 0) that is not known: those of the table of interfaces are 0.001 to 0.14.
 const PRESSURE_DEVIATION: f64 = 0.1;
-/// Of ln c where nothing is known of it but the points: a factor of 10 either way about that of the points without a pressure
+/// Precision of ln c where nothing is known of it but the points: a factor of 10 either way about that of the points without a pressure
 /// coefficient.
 const SOME_PRECISION: f64 = 0.724_5;
 /// Nodes of a pressure coefficient.
@@ -232,7 +232,7 @@ mod tests {
         assert!((slice(&light, Prior::UNKNOWN, 0.0).mean - log(1e65)).abs() < 1e-12);
     }
 
-    /// Of no points half the square of what is off, in the deviations that it has without them.
+    /// It costs half the square of what is off, in the deviations that it has without points.
     #[test]
     fn what_is_known_without_points_costs() {
         let prior = Prior { mean: 1.0, precision: 4.0 };

@@ -60,7 +60,7 @@ pub const EVERY_WARNING: u64 = 2 * WARNING_FEW_WAVES - 1;
 pub const WARNINGS: usize = EVERY_WARNING.count_ones() as usize;
 
 impl Measures {
-    /// Of a state of the surfaces with these parameters.
+    /// What is measured of a state of the surfaces with these parameters.
     pub fn new(params: &Params, state: &State) -> Self {
         let of_many = params.is_of_many();
         let touching = state.contacting > 0.0;

@@ -5,7 +5,7 @@
 pub const LAST_STEP: f64 = 1e-13;
 /// No search takes as many steps, Newton's three to five; it bounds the time of a call.
 pub const MOST_STEPS: u32 = 1000;
-/// To this part of the bracket roots are found, next to 0 too.
+/// Roots are found to this part of the bracket, next to 0 too.
 const LAST_BITS: f64 = 1e-18;
 
 /// The root of `f` between `lower` and `upper`, by Chandrupatla's method (Adv. Eng. Softw. 28, 1997,

@@ -110,7 +110,7 @@ impl Default for Params {
 /// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
 pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
 
-/// Of summits of a Gaussian surface the bandwidth is 0.897 + (eta sigma R/0.02036)^2.
+/// The bandwidth of summits of a Gaussian surface is 0.897 + (eta sigma R/0.02036)^2.
 const NARROWEST_BANDWIDTH: f64 = 0.8968;
 const BANDWIDTH_PRODUCT: f64 = 0.02036;
 

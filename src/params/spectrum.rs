@@ -22,7 +22,7 @@ struct Fitted {
     density: f64,
     radius_amplitude: f64,
     radius_rate: f64,
-    /// Of the asperities above the mean plane.
+    /// Mean height of the asperities above the mean plane.
     mean_height: f64,
     /// Taken where none is known.
     bandwidth: f64,
@@ -52,7 +52,7 @@ pub struct Summits {
     pub radius_amplitude: f64,
     /// rho of eq (3), where epsilon is not 0.
     pub radius_rate: f64,
-    /// Of the heights, above the mean plane of the surface [length].
+    /// Mean of the heights, above the mean plane of the surface [length].
     pub mean_height: f64,
 }
 
@@ -60,11 +60,11 @@ pub struct Summits {
 /// of two independent surfaces are the sums.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectralMoments {
-    /// Of height [length^2].
+    /// Variance of height [length^2].
     pub m0: f64,
-    /// Of slope.
+    /// Variance of slope.
     pub m2: f64,
-    /// Of curvature [1/length^2]; 0 if not known.
+    /// Variance of curvature [1/length^2]; 0 if not known.
     pub m4: f64,
 }
 

@@ -7,7 +7,7 @@ use crate::asperity::contact::KINKS;
 use crate::asperity::slip::SlipOnset;
 use crate::numerics::root;
 
-/// And over none does the distance from there grow by more than this.
+/// Over no panel does the distance from there grow by more than this.
 const MOST_DISTANCE_GROWTH: f64 = 4.0;
 /// Between two extrema of the contact radius friction is hardly changed by passing a kink if they are nearer to each other than a panel
 /// halved so often.

@@ -86,3 +86,98 @@ impl Population {
         Some(self.law.at(root::bracketed(residual, edge.parameter, upper), g))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ};
+    use super::*;
+    use crate::params::HeightFamily;
+
+    /// Radii that fall with height, so that at each separation there is a largest contact, on which smaller ones may follow and
+    /// larger ones again.
+    #[test]
+    fn where_the_largest_contact_has_a_radius_of_the_slip_law_there_is_a_kink() {
+        let falling = surface(
+            [2.030_566e-3, 9.363_442e4, 2.050_705e-2, 5.229_844],
+            HeightFamily::Gaussian,
+            [-0.971_68, 1.257_087],
+        );
+        let turning = surface(
+            [0.231_864_6, 101.472_3, 5.499_749e-3, 0.132_452_1],
+            HeightFamily::Weibull { shape: 35.716_55 },
+            [-0.482_421_9, 29.526_7],
+        );
+        for (params, near, distances) in [
+            (falling, -0.1934, [-1e-3, -1e-5, -1e-6, -1e-7, 1e-7, 1e-6, 1e-5, 1e-3]),
+            (turning, -0.0826, [-1e-3, -1e-4, -1e-5, -1e-6, 1e-6, 1e-5, 2e-5, 5e-5]),
+        ] {
+            let population = of(&params);
+            let kinks = population.kinks();
+            let kink = kinks.iter().find(|kink| (*kink - near).abs() < 1e-3);
+            let kink = kink.unwrap_or_else(|| panic!("no kink near {near}: {kinks:?}"));
+            let friction = |separation: f64| population.at_separation(separation).friction;
+            for distance in distances {
+                let (separation, step) = (kink + distance, 2e-2 * f64::abs(distance));
+                let secant = (friction(separation + step) - friction(separation - step)) / (2.0 * step);
+                let slope = population.at_separation(separation).friction_slope;
+                let error = (slope / secant - 1.0).abs();
+                assert!(error < 3e-6, "{distance:e} from {kink}: {slope:e}, {error:e}");
+            }
+        }
+    }
+
+    /// Where a function of height changes sign, from a fine grid.
+    fn roots(population: &Population, f: impl Fn(f64) -> f64) -> Vec<f64> {
+        let at = |i: u32| {
+            let (lowest, highest) = (population.lower_cut, population.highest);
+            lowest + (highest - lowest) * f64::from(i) / 3000.0
+        };
+        let changes = (0..3000).map(|i| (at(i), at(i + 1))).filter(|&(a, b)| (f(a) < 0.0) != (f(b) < 0.0));
+        changes.map(|(a, b)| root::bracketed(&f, a, b)).collect()
+    }
+
+    #[test]
+    fn kinks_of_contact_are_passed_at_breakpoints_and_where_a_summit_is_nearest_to_one() {
+        for radii in [[0.0, 1.0], [0.9, 2.0], [-0.9, 2.0]] {
+            let population = of(&yielding([0.05, 100.0, 0.0, 1.0], table(), radii));
+            let kinks = population.kinks();
+            let mut expected = Vec::new();
+            for overlap in population.kinks_of_contact {
+                assert!(overlap.is_finite() && overlap > 0.0);
+                let distance = |z: f64| z - overlap * population.radius.factor(z);
+                let slope = |z: f64| (distance(z + 1e-5) - distance(z - 1e-5)) / 2e-5;
+                expected.extend(population.heights.breakpoints().iter().map(|&z| distance(z)));
+                expected.extend(roots(&population, slope).into_iter().map(distance));
+            }
+            // And where contact begins, and the slip law has its radii.
+            expected.extend(population.heights.breakpoints().iter().copied());
+            for separation in &expected {
+                let nearest = kinks.iter().map(|kink| (kink - separation).abs()).fold(f64::MAX, f64::min);
+                assert!(nearest < 1e-7, "{radii:?}: none at {separation} in {kinks:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn where_the_edge_of_contact_has_a_radius_of_the_slip_law_there_is_a_kink() {
+        let mut params = surface(FOLD, HeightFamily::Gaussian, [0.9, 0.7]);
+        let plain = of(&params);
+        let edge = |z: f64| Edge::at(&*plain.law, &plain.radius, z).point.contact;
+        params.slip.radius_1 = edge(0.4).radius;
+        let population = of(&params);
+        let expected = 0.4 - edge(0.4).overlap;
+        let nearest = population.kinks().iter().map(|kink| (kink - expected).abs()).fold(f64::MAX, f64::min);
+        assert!(nearest < 1e-9, "{nearest:e}");
+    }
+
+    #[test]
+    fn a_lower_end_that_is_a_power_is_a_kink_and_no_two_are_one() {
+        let population = of(&surface(HERTZ, HeightFamily::Weibull { shape: 2.2 }, [0.0, 1.0]));
+        let kinks = population.kinks();
+        let (lower_end, _) = population.heights.support();
+        assert!(kinks.iter().any(|kink| (kink - lower_end).abs() < 1e-12), "{lower_end} is not in {kinks:?}");
+        assert!(kinks.windows(2).all(|pair| pair[1] - pair[0] > SAME_KINK), "{kinks:?}");
+        // Heights without ends and breakpoints have none where radii are equal.
+        assert!(of(&surface(HERTZ, HeightFamily::Gaussian, [0.0, 1.0])).kinks().is_empty());
+    }
+}

@@ -14,13 +14,13 @@ use crate::error::Error;
 use crate::numerics::legendre::Moments;
 use crate::numerics::quadrature::{self, POINTS};
 
-/// So far above break-away, in sigma, and no more of them, panels are so short that the density is smooth over each, as far as it
+/// Up to this far above break-away, in sigma, panels are so short that the density is smooth over each, as far as it
 /// is; beyond they are as long as the law of contact allows. A panel takes 1 kB.
 const LONG_FROM: f64 = 20.0;
 const MOST_SHORT: usize = 36;
 /// Farther above break-away than this, in sigma or, if that is more, times the overlap there, contacts are walked.
 const FARTHEST_NODE: f64 = 1e5;
-/// So near to break-away, in sigma or, where it is farther, parts of its overlap, panels are laid in the parameter of the law, and
+/// Nearer to break-away than this, in sigma or, where it is farther, parts of its overlap, panels are laid in the parameter of the law, and
 /// walked where the density is not smooth.
 const NEAR_BREAK_AWAY: f64 = 0.002;
 /// Farther away they are laid in the square root of the height above break-away, from 0 of which the law of contact is smooth.

@@ -124,7 +124,7 @@ impl Population {
         let (s, g) = (from.contact.parameter, self.radius.factor(from.z));
         let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, g);
         let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST_PANEL)) } else { smooth };
-        // Of the shortest panel at a parameter of 0 the end counts.
+        // At a parameter of 0 the end of the shortest panel counts.
         let radius = if s > SHORTEST_PANEL { from.contact.radius } else { self.law.at(SHORTEST_PANEL, g).radius };
         if radius > 0.999_999 * self.slip.kinks()[0] {
             smooth.min((POWER_RATIO * s).max(SHORTEST_PANEL))

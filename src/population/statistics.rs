@@ -48,7 +48,7 @@ struct Counting<'a> {
     /// F', the slope of friction by load.
     slope: f64,
     friction: f64,
-    /// Of Hertz' loads and their squares.
+    /// The sums of Hertz' loads and of their squares.
     hertz: [f64; 2],
     seen: Vec<(f64, f64)>,
 }
@@ -125,7 +125,7 @@ impl Population {
             by_regime: sums.by_regime.map(|fraction| fraction / count),
             elastic: sums.elastic / count,
             flowing: sums.flowing / count,
-            // Of the lightest contacts squares are no numbers.
+            // Squares of the lightest contacts are no numbers.
             friction_variance: match friction * friction > f64::MIN_POSITIVE {
                 true => sums.friction_variance / friction * (count / friction),
                 false => 0.0,
@@ -158,5 +158,61 @@ impl Population {
             }
         }
         fraction
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, HERTZ, WEAK};
+    use crate::asperity::contact::Contact;
+    use crate::params::{HeightFamily, Params};
+    use crate::population::Population;
+
+    /// The contacts at a separation, at equal steps of height from the first: their fraction of all summits, the contact, and
+    /// its friction.
+    fn contacts(population: &Population, separation: f64) -> Vec<(f64, Contact, f64)> {
+        const STEPS: u32 = 20_000;
+        let lowest = population.edge(separation).point.z.max(population.lower_cut);
+        let step = (population.highest - lowest) / f64::from(STEPS);
+        let at = |i: u32| {
+            let z = lowest + (f64::from(i) + 0.5) * step;
+            let guess = population.law.guess(z - separation, population.radius.factor(z));
+            let contact = population.at_height(separation, z, guess).contact;
+            (step * population.heights.log_density(z).exp(), contact, population.slip.friction(&contact).force)
+        };
+        (0..STEPS).map(at).collect()
+    }
+
+    #[test]
+    fn means_and_variances_are_those_of_a_sum_over_heights() {
+        for (groups, radii) in [(HERTZ, [0.0, 1.0]), (WEAK, [0.0, 1.0]), (WEAK, [0.4, 0.7])] {
+            let params = Params { hardness: 0.15, ..surface(groups, HeightFamily::Weibull { shape: 3.0 }, radii) };
+            let population = of(&params);
+            for separation in [-0.5, 1.5] {
+                let slope = 0.01;
+                let found = population.statistics(separation, 1.0, slope).expect("statistics");
+                let contacts = contacts(&population, separation);
+                let sum = |of: &dyn Fn(&Contact, f64) -> f64| -> f64 {
+                    contacts.iter().map(|(fraction, contact, friction)| fraction * of(contact, *friction)).sum()
+                };
+                let count = sum(&|_, _| 1.0);
+                let mean_friction = sum(&|_, friction| friction) / count;
+                let excess = |load: f64, friction: f64| (friction - slope * load).powi(2);
+                let variance = sum(&|contact, friction| excess(contact.load, friction)) / count;
+                let [first, _] = population.yields;
+                let near = |what: &str, found: f64, expected: f64| {
+                    assert!(
+                        (found - expected).abs() < 2e-4 * expected,
+                        "{what} at {separation}: {found}, not {expected}"
+                    );
+                };
+                near("mean radius", found.mean_radius, sum(&|contact, _| contact.radius) / count);
+                near("variance", found.friction_variance, variance / (mean_friction * mean_friction));
+                if radii[0] == 0.0 {
+                    let elastic = sum(&|contact, _| if contact.overlap <= first { 1.0 } else { 0.0 }) / count;
+                    near("elastic", found.elastic, elastic);
+                }
+            }
+        }
     }
 }

@@ -132,7 +132,7 @@ pub struct Summit {
 }
 
 impl Summit {
-    /// Of a contact and its friction force.
+    /// What the sums take of a contact and its friction force.
     #[inline]
     pub fn new(contact: &Contact, friction: Friction) -> Self {
         let by_overlap = contact.s_by_overlap();

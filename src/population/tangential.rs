@@ -19,7 +19,7 @@ pub struct Microslip {
     pub force: f64,
     /// Sum of the radii of the contacts, in b, each as far as it sticks: what the stiffness is proportional to.
     pub sticking: f64,
-    /// Of all contacts.
+    /// Sum of the radii of all contacts, in b.
     pub radius: f64,
 }
 
@@ -90,7 +90,7 @@ impl<const N: usize> Visitor for Lost<N> {
 impl Population {
     /// The contacts at a separation, displaced so far that one that sticks bears these forces times its radius: what they would
     /// resist if all stuck, over their strength; how much less they resist; and what part of their stiffness has been given up.
-    /// To some four digits, since panels do not end where contacts begin to slip. `None` if there are none, or their sums are
+    /// They have some four digits, since panels do not end where contacts begin to slip. `None` if there are none, or their sums are
     /// not to be had.
     pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; 3]; N]> {
         let onset = self.slip.onset;

@@ -24,18 +24,18 @@ const STEEPEST_DENSITY: f64 = 1e9;
 pub trait Visitor {
     /// Whether what it makes of a summit is as smooth as the law of contact: then some fractions may be negative, not their sum.
     const IS_SMOOTH: bool = false;
-    /// So many summits at a height, as a fraction of all.
+    /// Takes the summits at a height, with their fraction of all.
     fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
-    /// The last summit of a panel.
+    /// Takes the last summit of a panel.
     fn end_of_panel(&mut self, _end: &Point) {}
 }
 
 /// What the contacts of a walk are handed to, with all that is known of them. The walk is compiled once for all of these: a copy
 /// of it takes 8 kB.
 pub trait ContactVisitor {
-    /// So many contacts, as a fraction of all summits.
+    /// Takes contacts, with their fraction of all summits.
     fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip);
-    /// The last contact of a panel.
+    /// Takes the last contact of a panel.
     fn last_contact(&mut self, _end: &Point) {}
 }
 

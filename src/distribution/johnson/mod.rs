@@ -257,7 +257,7 @@ mod tests {
             .collect()
     }
 
-    /// To all digits next to the end that is the origin, and of nearly Gaussian heights.
+    /// They do to all digits next to the end that is the origin, and for nearly Gaussian heights.
     #[test]
     fn heights_and_scores_belong_together() {
         let nearly_gaussian = [3.0 + 1e-12, 3.0 - 1e-12].map(|kurtosis| (curve(0.0, kurtosis), 1e-14));
