@@ -222,7 +222,6 @@ fn check_groups(groups: &Groups) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::neighbours::Neighbours;
 
     /// What a change of the default case is refused for, if it is: whether it has a meaning, and the name in the message.
     fn refused(change: impl FnOnce(&mut Params)) -> Option<(bool, &'static str)> {

@@ -61,4 +61,14 @@ mod tests {
         }
         assert_eq!(at(0.0), (0.0, 0.0));
     }
+
+    #[test]
+    fn slopes_are_those_of_secants() {
+        for share in [1e-4, 0.003, 0.1, 0.4999, 0.5001, 0.7, 3.0] {
+            let step = 1e-5 * share;
+            let secant = (at(share + step).0 - at(share - step).0) / (2.0 * step);
+            let (_, slope) = at(share);
+            assert!((slope / secant - 1.0).abs() < 1e-7, "{share}: {slope}, not {secant}");
+        }
+    }
 }

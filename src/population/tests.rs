@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::numerics::neighbours::Neighbours;
-use crate::params::{HeightFamily, Params};
+use crate::params::{ContactLawKind, HeightFamily, Params};
 
 /// The population of a surface that is valid.
 pub fn of(params: &Params) -> Population {
@@ -14,6 +14,12 @@ pub fn surface([alpha, beta, gamma, b_over_h]: [f64; 4], heights: HeightFamily, 
     let mut params = Params { heights, radius_amplitude: amplitude, radius_rate: rate, ..Params::paper() };
     params.set_dimensionless(alpha, beta, gamma, b_over_h, 0.3).expect("a surface");
     params
+}
+
+/// A surface of which the summits yield.
+pub fn yielding(groups: [f64; 4], heights: HeightFamily, radii: [f64; 2]) -> Params {
+    let params = surface(groups, heights, radii);
+    Params { contact_law: ContactLawKind::ElasticPlastic, hardness: 0.02 * params.composite_modulus, ..params }
 }
 
 pub fn table() -> HeightFamily {
