@@ -27,7 +27,6 @@ from libcosimpy.CosimSlave import CosimLocalSlave
 
 from asperity import Error, Model, Params, _header
 from asperity.__main__ import main
-from asperity.hosts.fmu_binaries import _soname
 
 PARAMS = Params.from_toml(HARD_CARBON)
 LOAD, FORCE, COEFFICIENT, SLOPE = range(4)
@@ -552,15 +551,6 @@ def test_the_sources_inside_are_those_of_the_binary(request: pytest.FixtureReque
     declared = rf"FMI{fmi[0]}_Export\s+fmi{fmi[0]}\w+TYPE\s+(fmi{fmi[0]}\w+);"
     standard = set(re.findall(declared, header.read_text(encoding="utf-8")))
     assert {name.removeprefix("pad_") for name in names} == standard and len(standard) > 40
-
-
-def test_a_library_with_a_soname_lies_under_it(tmp_path: Path) -> None:
-    """As those of releases do, which tests/dist/fmu.sh runs: a unit looks for no other name."""
-    (tmp_path / "empty.c").write_text("int nothing;\n", encoding="utf-8")
-    for name, wanted in (("libasperity.so.12", "libasperity.so.12"), ("", None)):
-        soname = [f"-Wl,-soname,{name}"] if name else []
-        subprocess.run(["cc", "-shared", *soname, "empty.c", "-o", "library.so"], cwd=tmp_path, check=True, timeout=600)
-        assert _soname((tmp_path / "library.so").read_bytes()) == wanted
 
 
 def test_what_cannot_be_a_unit_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

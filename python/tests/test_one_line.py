@@ -84,11 +84,6 @@ def test_roughness_is_taken_in_several_forms() -> None:
     assert two.value != friction("Si/Si", Rq=5e-9, RSm=600e-9, load=1e5).value
 
 
-def test_numbers_that_are_given_replace_those_of_the_pair() -> None:
-    expected = model_friction(model_of(PAIRS["Si/Si"].contact | {"work_of_adhesion": 0.1}))
-    assert friction("Si/Si", **ROUGH, load=1e5, work_of_adhesion=0.1).value == pytest.approx(expected, rel=1e-7)
-
-
 def model_of(contact_of: dict[str, Any]) -> Params:
     return Params.from_iso25178(**contact_of, **ROUGH, nominal_area=1.0)
 

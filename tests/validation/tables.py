@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -17,10 +18,12 @@ import adhesion
 import boundary_elements
 import coverage
 import yielding
-from gallery import calibrated, contacts, defaults, measured
 from boundary_elements import PRESSURES, AnyRow
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
+sys.path.insert(0, str(DOCS))
+
+from gallery import calibrated, contacts, defaults, measured  # noqa: E402
 
 
 def areas() -> str:

@@ -609,7 +609,7 @@ class Params:
         if not self.in_si:
             says = "in_si = False: must be True, as a surface file is in SI units: convert by in_units, then replace(in_si=True)"
             raise Error(says)
-        found = text_of(LIBRARY.asperity_params_text, ctypes.byref(self._as_struct()))
+        found = self._as_text()
         if not found:
             raise Error(last_error())
         return found
@@ -755,10 +755,7 @@ class Params:
 
     def _as_text(self) -> str:
         """A surface file, for units and plugins that read it without Python."""
-        struct = self._as_struct()
-        text = ctypes.create_string_buffer(LIBRARY.asperity_params_text(ctypes.byref(struct), None, 0) + 1)
-        LIBRARY.asperity_params_text(ctypes.byref(struct), text, len(text))
-        return text.value.decode()
+        return text_of(LIBRARY.asperity_params_text, ctypes.byref(self._as_struct()))
 
 
 def _of_library() -> list[str]:

@@ -12,7 +12,6 @@ import numpy.typing as npt
 
 from .. import units
 from .._friction_law import FrictionLaw
-from ..errors import Error
 from ..params import Params
 from ..tools import checks
 from ..tools.style import saved, style

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from concurrent.futures import Executor
 from functools import lru_cache
-from typing import Any, Iterator, NamedTuple
+from typing import Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
