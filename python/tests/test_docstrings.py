@@ -49,11 +49,3 @@ def test_every_public_name_says_in_its_first_line_what_it_is() -> None:
         for name, item in inspect.getmembers(owner):
             if not name.startswith("_") and (callable(item) or isinstance(item, property)):
                 assert len((inspect.getdoc(item) or "").split("\n")[0]) > 20, f"{owner.__name__}.{name}"
-
-
-def test_help_begins_with_what_people_use() -> None:
-    said = inspect.getdoc(asperity) or ""
-    first, _, rest = said.partition("What people use:")
-    assert "asperity.friction(" in first and len(first) < 500
-    for name in ("friction(", "Model(params)", ".curve()", "calibrated(", "fit(", "surface.analyse("):
-        assert name in rest, name

@@ -88,18 +88,6 @@ def test_the_band_of_a_prediction_is_that_of_the_spread_between_fits(params: Par
         fits[0].predict([1.0, 0.0])
 
 
-def test_a_prediction_knows_what_the_data_did_not_tell(params: Params) -> None:
-    """Contacts wider than slip_radius_2 are not among the data, but under heavier loads."""
-    wide = params.replace(slip_radius_2=2000.0, slip_stress_2=1 / 500)
-    light = np.geomspace(1e-4, 1e-2, 12)
-    with Model(wide) as model:
-        mu = model.friction_at_load(light)
-    found = fit(light, mu, 0.01 * mu, ("gamma", "slip_radius_2", "slip_stress_2"), params=wide)
-    assert "slip_radius_2" in found.unidentifiable
-    near, far = found.predict([1e-3]), found.predict([1e6])
-    assert math.isfinite(near.error[0]) and math.isinf(far.error[0])
-
-
 @pytest.mark.parametrize("loss", ["huber", "soft_l1", "cauchy"])
 @pytest.mark.parametrize("weighted", [True, False])
 def test_points_far_off_do_not_move_a_robust_fit(params: Params, loss: str, weighted: bool) -> None:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from concurrent.futures import Executor
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Mapping
 
 import numpy as np
 
@@ -15,6 +14,9 @@ from .errors import Error
 from .fits.uncertainty import ALL_ELSE, AS_GIVEN, strength_of, uncertainty
 from .results import ValidityWarning
 from .tools import checks
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
 
 
 class Model(FrictionLaw):

@@ -11,7 +11,6 @@ import math
 import numbers
 import os
 from collections.abc import Mapping
-from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 
@@ -22,7 +21,7 @@ from .. import _header
 from .._friction_law import FrictionLaw
 from ..errors import Error
 from ..params import Params
-from ..tools import blocks as _blocks, checks
+from ..tools import checks
 from ..tools.progress import Progress, teller
 from ..tools.sparkline import is_wide
 from ..tools.style import BLACK, saved, style
@@ -32,6 +31,8 @@ from .names import STRENGTHS, FreeName, free_names, put_all
 from .result import Fit
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from matplotlib.figure import Figure
 
 Array = npt.NDArray[np.float64]
@@ -214,6 +215,8 @@ def uncertainty(
     parts = {name.given: np.abs(slopes[:, i]) * math.sqrt(covariance[i, i]) for i, name in enumerate(names)}
     drawn, refused = None, 0
     if samples:
+        from ..tools.blocks import completed
+
         random = np.random.default_rng(seed)
         varied = tuple(name.given for name in names)
         strengths = (i for i, name in enumerate(names) if measured and name.field == _STRENGTH and before[i, i] > 0)
@@ -246,7 +249,7 @@ def uncertainty(
             parts = [(i, table[i : i + _BLOCK]) for i in range(0, len(rows), _BLOCK)]
             forced = [None if strength is None else part[:, -2] for _, part in parts]
             blocks = [(i, Block(params, varied, part[:, :-2], at, False, force)) for (i, part), force in zip(parts, forced)]
-            by_first = dict(_blocks.completed(forces, blocks, executor))
+            by_first = dict(completed(forces, blocks, executor))
             answers = [one for first, _ in blocks for one in by_first[first]]
             kept = [one.force[: load.size] for one, row in zip(answers, rows) if one is not None and is_kept(one, float(row[-1]))]
             return kept, answers.count(None)

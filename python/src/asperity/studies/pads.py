@@ -14,9 +14,8 @@ Heights at random are in `studies.pad_heights`, the equilibrium of a pad in `stu
 from __future__ import annotations
 
 import math
-from concurrent.futures import Executor
 from functools import lru_cache
-from typing import Iterator, NamedTuple
+from typing import TYPE_CHECKING, Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -24,11 +23,14 @@ import numpy.typing as npt
 from ..errors import Error
 from ..model import Model
 from ..params import Params
-from ..tools import blocks as _blocks, checks
+from ..tools import checks
 from ..tools.progress import Progress, teller
 from .pad_equilibrium import Counts, Mask, OneSummitLaw, descend
 from .pad_heights import TailHeights, counted_from_summits
 from .pad_results import Pads
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
 
 Array = npt.NDArray[np.float64]
 
@@ -112,7 +114,9 @@ def pads(
 
     done = 0
     tell(0.0, "pads")
-    for first, found in _blocks.completed(_unloaded, blocks(), executor):
+    from ..tools.blocks import completed
+
+    for first, found in completed(_unloaded, blocks(), executor):
         for pad, one in enumerate(found, first):
             force[pad, order], contacting[pad, order], apart[pad, order] = one
         done += len(found)
