@@ -258,3 +258,60 @@ impl Part {
         (2.0 * root - (from + to)) / (to - from)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ, WEAK};
+    use super::*;
+    use crate::params::HeightFamily;
+
+    /// Where the lower end and breakpoints lie within panels, from the last contacts to far below, and where all heights pass the
+    /// slip law's second radius.
+    #[test]
+    fn the_table_gives_the_sums_of_a_walk() {
+        let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
+        let weibull = |shape| HeightFamily::Weibull { shape };
+        let families = [
+            HeightFamily::Gaussian,
+            weibull(1.0),
+            weibull(1.1),
+            weibull(1.5),
+            weibull(3.6),
+            weibull(20.0),
+            johnson(1.0, 5.0),
+            johnson(-1.0, 3.6),
+            johnson(0.0, 9.0),
+            table(),
+        ];
+        for heights in &families {
+            let mut surfaces = vec![yielding([0.05, 100.0, 0.0, 1.0], heights.clone(), [0.0, 1.0])];
+            surfaces.extend([WEAK, FOLD, HERTZ].map(|groups| surface(groups, heights.clone(), [0.0, 1.0])));
+            for params in surfaces {
+                let population = of(&params);
+                let walked = population.without_tables();
+                let [_, second] = population.slip.kinks();
+                let kink = -population.contact_of_radius(second, 1.0).expect("a contact").overlap;
+                for above_mean in [kink, -9e4, -1e3, -60.0, -21.0, -10.0, -3.0, -1.4, -0.2, 0.6, 1.3, 2.0, 3.0, 5.0] {
+                    let separation = above_mean - population.heights.origin();
+                    let (a, b) = (population.at_separation(separation), walked.at_separation(separation));
+                    for (name, a, b, tolerance) in [
+                        ("load", a.load_contacting, b.load_contacting, 5e-13),
+                        ("friction", a.friction, b.friction, 5e-13),
+                        ("area", a.area, b.area, 5e-13),
+                        ("contacting", a.contacting, b.contacting, 5e-13),
+                        ("dP/dd", a.load_slope, b.load_slope, 1e-11),
+                        ("dF/dd", a.friction_slope, b.friction_slope, 1e-11),
+                    ] {
+                        let error = (a - b).abs();
+                        // Where all heights are that far below others overlaps are as much less exact.
+                        let tolerance = tolerance + 0.2 * f64::EPSILON * separation.abs();
+                        assert!(
+                            error <= tolerance * b.abs(),
+                            "{name} of {params:?} at {above_mean}: {error:e} of {b:e}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
