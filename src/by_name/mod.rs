@@ -20,7 +20,7 @@ pub use fields::{Field, Number, FIELDS};
 pub use numbers::{Numbers, ARGUMENTS};
 pub use roughness::{Case, Machined};
 pub use surface::{describe, of_points, read, Described};
-pub use toml::LONGEST;
+pub use toml::LONGEST_TEXT;
 pub use write::{is_of_these_surfaces, write, Quoted, Real, Written};
 
 use crate::error::Error;

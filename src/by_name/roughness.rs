@@ -21,8 +21,8 @@ const WIDEST: f64 = 4e-3;
 /// No surface that slides was measured to be steeper along a profile: 63 degrees. Beyond it is the slope in another unit.
 const STEEPEST_GIVEN: f64 = 2.0;
 /// What heights and widths of surfaces that slide usually are [m]: in which unit a number is likely to be.
-const HEIGHTS: RangeInclusive<f64> = 1e-10..=1e-4;
-const WIDTHS: RangeInclusive<f64> = 1e-8..=WIDEST;
+const HEIGHT_RANGE: RangeInclusive<f64> = 1e-10..=1e-4;
+const WIDTH_RANGE: RangeInclusive<f64> = 1e-8..=WIDEST;
 
 /// What a text says of the roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -237,9 +237,12 @@ impl GivenRoughness<'_> {
         {
             return Ok(());
         }
-        for (name, most, likely) in
-            [("Ra", HIGHEST, HEIGHTS), ("Rq", HIGHEST, HEIGHTS), ("Sq", HIGHEST, HEIGHTS), ("RSm", WIDEST, WIDTHS)]
-        {
+        for (name, most, likely) in [
+            ("Ra", HIGHEST, HEIGHT_RANGE),
+            ("Rq", HIGHEST, HEIGHT_RANGE),
+            ("Sq", HIGHEST, HEIGHT_RANGE),
+            ("RSm", WIDEST, WIDTH_RANGE),
+        ] {
             if let Some(value) = (0..count).filter_map(|surface| self.get(name, surface)).find(|&length| length > most)
             {
                 let units = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9)];

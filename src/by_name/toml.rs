@@ -13,7 +13,7 @@ use toml_parser::parser::{parse_document, EventReceiver};
 use toml_parser::{ErrorSink, Expected, ParseError, Source, Span};
 
 /// No surface needs more bytes, not even one with a table of heights.
-pub const LONGEST: usize = 1 << 20;
+pub const LONGEST_TEXT: usize = 1 << 20;
 /// No surface needs so many words and signs.
 const MOST_TOKENS: usize = 1 << 17;
 
@@ -106,7 +106,7 @@ pub trait Keys<'t> {
 /// # Errors
 /// One that is too long, or not UTF-8.
 pub fn text(bytes: &[u8]) -> Result<&str, Error> {
-    if bytes.len() > LONGEST {
+    if bytes.len() > LONGEST_TEXT {
         let says = "longer than 1 MiB: must be a surface file, whose keys docs/solvers.md has";
         return Err(Error::Meaningless(Cow::Borrowed(says)));
     }

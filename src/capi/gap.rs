@@ -8,7 +8,7 @@ use super::status::asperity_status;
 use crate::model::{by_gap, Model};
 
 /// How many gaps are turned into arguments of the table at a time.
-const BLOCK: usize = 128;
+const GAP_BLOCK: usize = 128;
 
 /// Returns the load at a gap, from the compiled law, and writes its slope.
 ///
@@ -64,8 +64,8 @@ pub unsafe extern "C" fn asperity_loads_at_gaps(
             not_null(gap, "gap")?;
         }
         let mut first_invalid = None;
-        for begin in (0..n).step_by(BLOCK) {
-            let count = BLOCK.min(n - begin);
+        for begin in (0..n).step_by(GAP_BLOCK) {
+            let count = GAP_BLOCK.min(n - begin);
             let found = block(model, gap, load, dload_dgap, begin, count);
             first_invalid = first_invalid.or(found.map(|(index, argument)| (begin + index, argument)));
         }
@@ -82,11 +82,11 @@ unsafe fn block(
     begin: usize,
     count: usize,
 ) -> FirstInvalid {
-    let mut argument = [0.0; BLOCK];
+    let mut argument = [0.0; GAP_BLOCK];
     for (i, argument) in argument[..count].iter_mut().enumerate() {
         *argument = -gap.add(begin + i).read_unaligned();
     }
-    let mut slopes = [0.0; BLOCK];
+    let mut slopes = [0.0; GAP_BLOCK];
     let arrays = Arrays {
         n: count,
         load: argument.as_ptr(),

@@ -9,7 +9,7 @@ use crate::model::Model;
 
 /// Contacts that are sorted at a time, and the most models by which they are: of more, each has few contacts in a block, and all are
 /// asked alone.
-const BLOCK: usize = 1024;
+const PAIR_BLOCK: usize = 1024;
 const MOST_MODELS: usize = 64;
 
 /// Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call.
@@ -46,8 +46,9 @@ pub unsafe extern "C" fn asperity_friction_force_at_loads_of(
         let models = Models { first: models, count: models_length };
         models.check()?;
         let mut first_invalid: Option<Invalid> = None;
-        for begin in (0..n).step_by(BLOCK) {
-            let contacts = Contacts { begin, count: BLOCK.min(n - begin), which, load, force, slope: dforce_dload };
+        for begin in (0..n).step_by(PAIR_BLOCK) {
+            let contacts =
+                Contacts { begin, count: PAIR_BLOCK.min(n - begin), which, load, force, slope: dforce_dload };
             let invalid = match models_length <= MOST_MODELS && !dforce_dload.is_null() {
                 true => sorted(&models, &contacts),
                 false => one_by_one(&models, &contacts),
@@ -141,7 +142,7 @@ unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
         // Where the next contact of the model goes; in the end where the next model's begin.
         (begin, *end) = (begin + *end, begin);
     }
-    let (mut load, mut order) = ([0.0; BLOCK], [0_u16; BLOCK]);
+    let (mut load, mut order) = ([0.0; PAIR_BLOCK], [0_u16; PAIR_BLOCK]);
     for i in 0..contacts.count {
         let next = &mut ends[place(i)];
         load[*next] = contacts.load(i);
@@ -149,7 +150,7 @@ unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
         *next += 1;
     }
     let mut invalid = None;
-    let (mut force, mut slope) = ([0.0; BLOCK], [0.0; BLOCK]);
+    let (mut force, mut slope) = ([0.0; PAIR_BLOCK], [0.0; PAIR_BLOCK]);
     let mut begin = 0;
     for (which, &end) in ends[..models.count].iter().enumerate() {
         let arrays = Arrays {
@@ -181,7 +182,7 @@ unsafe fn sorted(models: &Models, contacts: &Contacts) -> Option<Invalid> {
 /// Asks for each contact alone.
 unsafe fn one_by_one(models: &Models, contacts: &Contacts) -> Option<Invalid> {
     // What may be overwritten.
-    let mut loads = [0.0; BLOCK];
+    let mut loads = [0.0; PAIR_BLOCK];
     let mut suspects = 0_u64;
     for (i, kept) in loads[..contacts.count].iter_mut().enumerate() {
         let (which, load) = (contacts.which(i), contacts.load(i));

@@ -38,7 +38,7 @@ fn with_path<T>(path: &CStr, with: impl FnOnce(&Path) -> Result<T, Failure>) -> 
 #[cfg(not(target_family = "wasm"))]
 mod file {
     use super::{Error, Path};
-    use crate::by_name::LONGEST;
+    use crate::by_name::LONGEST_TEXT;
     use std::fs::{metadata, File};
     use std::io::Read;
 
@@ -51,7 +51,7 @@ mod file {
         }
         let file = File::open(path).map_err(|error| refused(&error))?;
         let mut text = Vec::new();
-        file.take(LONGEST as u64 + 1).read_to_end(&mut text).map_err(|error| refused(&error))?;
+        file.take(LONGEST_TEXT as u64 + 1).read_to_end(&mut text).map_err(|error| refused(&error))?;
         Ok(text)
     }
 }

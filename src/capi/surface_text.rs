@@ -5,7 +5,7 @@ use super::params::asperity_params;
 use super::setters::change;
 use super::status::asperity_status;
 use super::tables::{keep, Kept};
-use crate::by_name::{self, is_of_these_surfaces, Draft, LONGEST};
+use crate::by_name::{self, is_of_these_surfaces, Draft, LONGEST_TEXT};
 use crate::error::Error;
 use crate::estimate::Estimate;
 use crate::params::HeightFamily;
@@ -54,7 +54,7 @@ impl asperity_params {
 /// # Safety
 /// The caller says that there are so many.
 pub(super) unsafe fn bytes<'t>(text: *const c_char, length: usize) -> &'t [u8] {
-    std::slice::from_raw_parts(text.cast::<u8>(), length.min(LONGEST + 1))
+    std::slice::from_raw_parts(text.cast::<u8>(), length.min(LONGEST_TEXT + 1))
 }
 
 /// Where the table of heights is, if they are one.

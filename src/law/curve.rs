@@ -21,7 +21,7 @@ const NEARER: [f64; 8] = [5.0, 4.0, 3.0, 2.0, 1.0, 0.0, -2.0, -4.0];
 /// Once so many exact states are spent, and some for each kink, panels are kept where they are not long.
 const MOST_SAMPLES: usize = 2500;
 /// What is nearer to the end of the branch than this, relative to 1 or to the separation, is at it.
-const NEXT_TO_END: f64 = 1e-12;
+const AT_BRANCH_END: f64 = 1e-12;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,7 +93,7 @@ impl Curve {
             let attempt = match curve.attempt(branch, from, stretch, &mut ends) {
                 Ok(attempt) => attempt,
                 // Rounding tells whether the load falls so near to pull-off.
-                Err(Unfollowed { separation }) if steps.end - separation < NEXT_TO_END * (1.0 + separation.abs()) => {
+                Err(Unfollowed { separation }) if steps.end - separation < AT_BRANCH_END * (1.0 + separation.abs()) => {
                     break
                 }
                 Err(unfollowed) => return Err(unfollowed),

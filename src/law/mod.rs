@@ -314,28 +314,28 @@ mod tests {
         Branch::new(crate::population::tests::of(&params)).expect("a branch")
     }
 
-    const LOAD: f64 = 3.0;
-    const UNITS: [f64; 2] = [0.5, 7.0];
+    const LOAD_UNIT: f64 = 3.0;
+    const QUANTITY_UNITS: [f64; 2] = [0.5, 7.0];
     const LENGTHS: Lengths = Lengths { unit: 3e-9, origin: 0.0 };
 
     #[test]
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
+            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
                 assert!(error > 1e-16 && error < 2.0 * tolerance::VALUE, "{quantity:?}: {error:e}");
             }
             let table = law.table(Quantity::Friction);
-            for load in [0.1, 1.0, 55.0, 3e3].map(|load| load * LOAD) {
+            for load in [0.1, 1.0, 55.0, 3e3].map(|load| load * LOAD_UNIT) {
                 let separation = law.separation_of(load).expect("it is covered");
-                let found = branch.log_excess(separation).sums.load() * LOAD;
+                let found = branch.log_excess(separation).sums.load() * LOAD_UNIT;
                 assert!((found / load - 1.0).abs() < 1e-8, "{found}, not {load}");
             }
             let (lightest, heaviest) = table.range();
-            let half = branch.population().at_separation(0.0).load() * LOAD;
-            let pull_off = branch.pull_off_load() * LOAD;
+            let half = branch.population().at_separation(0.0).load() * LOAD_UNIT;
+            let pull_off = branch.pull_off_load() * LOAD_UNIT;
             let nearest = (-pull_off * LIGHTEST_OF_PULL_OFF).max(LIGHTEST_OF_HALF * half);
             let reached = (lightest - pull_off) / nearest;
             assert!(reached <= 1.0 && reached > 0.7, "{reached}");
@@ -359,7 +359,7 @@ mod tests {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD, UNITS, LENGTHS).expect("a law");
+            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS).expect("a law");
             let table = law.table(Quantity::Friction);
             // Hertz' overlap at that radius, in sigma, with R = beta/alpha and sigma = alpha beta.
             let overlap = 8e4 * 8e4 / (beta * beta);
@@ -368,10 +368,10 @@ mod tests {
             for i in 0..200 {
                 let separation = first + (last - first) * (f64::from(i) / 180.0 - 0.05);
                 let point = branch.log_excess(separation);
-                let x = LOAD * point.sums.load() - table.pull_off;
+                let x = LOAD_UNIT * point.sums.load() - table.pull_off;
                 let (force, slope) = table.at_excess(x).expect("the table answers");
-                let exact = UNITS[0] * point.sums.friction;
-                let exact_slope = UNITS[0] * point.sums.friction_slope / (LOAD * point.sums.load_slope);
+                let exact = QUANTITY_UNITS[0] * point.sums.friction;
+                let exact_slope = QUANTITY_UNITS[0] * point.sums.friction_slope / (LOAD_UNIT * point.sums.load_slope);
                 assert!((force / exact - 1.0).abs() < 1e-8, "{separation}: {force:e}, not {exact:e}");
                 misses += usize::from((slope / exact_slope - 1.0).abs() > 1e-6);
             }
@@ -387,7 +387,7 @@ mod tests {
         let reach = Reach::of(&branch);
         let mut samples = Vec::new();
         let curve = Curve::new(&branch, reach, &mut samples).expect("a curve");
-        let scale = Scale { load: LOAD, value: UNITS[0] };
+        let scale = Scale { load: LOAD_UNIT, value: QUANTITY_UNITS[0] };
         for off in [1e-6, -3e-4] {
             let mut compiled = Compiled::new(&branch, &curve, reach, Quantity::Friction, scale);
             let unseen = compiled.error;

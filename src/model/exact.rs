@@ -311,7 +311,7 @@ impl Model {
     fn few(&self, separation: f64, sums: &Sums, contacts: &Statistics) -> [f64; 2] {
         // With fewer contacts, or with more adhesion over the load, nothing was compared; next to an abrupt end of heights a few more are
         // needed: there P P''/P'^2 is 0.6, in a tail about 1.
-        const FEWEST_CONTACTS: f64 = 1.0;
+        const FEWEST_COMPARED: f64 = 1.0;
         const MOST_ADHESIVE: f64 = 3.0;
         const FEWEST_AT_END: f64 = 3.0;
         const LEAST_BEND_AT_END: f64 = 0.8;
@@ -322,7 +322,7 @@ impl Model {
         let n = sums.contacting * self.units.count;
         let (load, hertz, by_separation) = (sums.load(), sums.hertz_load, sums.load_slope);
         let step = DECAY_STEP * hertz / -by_separation;
-        if !(n >= FEWEST_CONTACTS && hertz <= MOST_ADHESIVE * load && step > 0.0 && step.is_finite()) {
+        if !(n >= FEWEST_COMPARED && hertz <= MOST_ADHESIVE * load && step > 0.0 && step.is_finite()) {
             return [f64::NAN; 2];
         }
         let [loose, pressed] = [step, -step].map(|step| self.branch.population().at_separation(separation + step));

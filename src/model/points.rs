@@ -6,6 +6,7 @@
 
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::nan;
+use crate::params::LARGEST_PRESSURE_COEFFICIENT;
 
 /// A friction force measured at a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,8 +64,6 @@ const PRESSURE_NODES: u32 = 17;
 const LEAST_LOG_WEIGHT: f64 = 10.0;
 /// Narrowings of the range of nodes, each to an eighth at most.
 const ROUNDS: usize = 6;
-/// The largest pressure coefficient that parameters may have.
-const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
 /// ln(c F0 + kappa H), and d/d(ln c) of it.
 fn model(seen: &Seen, log_c: f64, kappa: f64) -> (f64, f64) {

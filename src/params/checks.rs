@@ -16,7 +16,7 @@ pub const STEEPEST_SURFACE: f64 = 5.0;
 const HIGHEST_SUMMITS: f64 = 1e4;
 
 /// Larger ones are another quantity; friction forces stay in range.
-const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
+pub const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
 impl Params {
     /// The groups of eqs (7) and (8), heights and radii; every number is checked on the way.

@@ -14,7 +14,7 @@ pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::materials::{Bodies, Interface};
 use crate::numerics::float_bits::infinite;
-pub(crate) use checks::STEEPEST_SURFACE;
+pub(crate) use checks::{LARGEST_PRESSURE_COEFFICIENT, STEEPEST_SURFACE};
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST_QUANTITY;
 use numbers::{magnitude, not_negative, poisson_ratio};

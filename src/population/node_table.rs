@@ -262,7 +262,6 @@ impl Part {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ, WEAK};
-    use super::*;
     use crate::params::HeightFamily;
 
     /// Where the lower end and breakpoints lie within panels, from the last contacts to far below, and where all heights pass the
