@@ -1,4 +1,5 @@
-/* asperity_loads.h: the load that the steps before let expect, of contacts and of pairs, against sums made here. */
+/* asperity_loads.h: the load that the steps before let expect, of contacts and of pairs, against sums made here; the warnings
+ * that were not told before; the friction force of a smooth sign. */
 #include <asperity.h>
 #include <asperity_loads.h>
 
@@ -161,6 +162,18 @@ static void each_warning_is_told_once(void)
     asperity_free(model);
 }
 
+static void a_slip_force_has_the_sign_of_the_slip_rate(void)
+{
+    const double transition = 1e-3, third = 0.5 * log(2.0) * transition; /* tanh(ln(2)/2) = 1/3 */
+    require(close_to(asperity_slip_force(6.0, third, transition), 2.0), "a third of the force at the rate of a third");
+    require(close_to(asperity_slip_force(6.0, -third, transition), -2.0), "against the slip in the other direction too");
+    require(asperity_slip_force(6.0, 0.0, transition) == 0.0, "none at rest");
+    require(close_to(asperity_slip_force(6.0, 1e-9, transition), 6e-6), "in proportion to a creep");
+    require(asperity_slip_force(6.0, 1e9, transition) == 6.0 && asperity_slip_force(6.0, -1e9, transition) == -6.0, "all of it");
+    require(asperity_slip_force(6.0, 3.0 * transition, transition) > 0.995 * 6.0, "0.5 % low at three times the transition");
+    require(asperity_slip_force(0.0, 1.0, transition) == 0.0, "none of an open contact");
+}
+
 int main(void)
 {
     a_line_is_followed_but_not_far();
@@ -169,5 +182,6 @@ int main(void)
     a_pair_that_hops_has_load_0_between();
     none_is_lost_where_places_are_moved();
     each_warning_is_told_once();
+    a_slip_force_has_the_sign_of_the_slip_rate();
     return failures != 0;
 }
