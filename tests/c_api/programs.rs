@@ -35,7 +35,7 @@ fn tables_of_heights_are_copied_and_freed() {
 /// Traps are turned on by functions of the GNU C library.
 #[test]
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
-fn no_call_raises_a_floating_point_trap() {
+fn no_call_raises_a_floating_point_trap_in_any_environment() {
     passes("traps.c");
 }
 
@@ -52,13 +52,6 @@ fn every_call_keeps_to_the_stack_that_is_promised() {
         assert!(calls.contains(&format!(", {name}, (")), "tests/c/stack.c does not call asperity_{name}");
     }
     passes("stack.c");
-}
-
-/// Environments of the host: rounding, flushing to zero, and the traps that `check.h` turns on.
-#[test]
-#[cfg(not(target_env = "msvc"))]
-fn no_environment_of_the_host_does_harm_and_each_is_kept() {
-    passes("environments.c");
 }
 
 /// `asperity_loads.h` is for C99 and C++.
