@@ -1,11 +1,11 @@
-//! The batch calls give the bits of the scalar calls: at any size, in any order, unaligned, in place, from any thread.
+//! The batch calls give the bits of the scalar calls for surfaces of every kind, and raise no flag.
 //!
 //! Batches of fewer than four loads take the scalar path on every processor, longer ones that of its vectors.
 
 use crate::common::neighbours::Neighbours;
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 
 const SEED: u64 = 0x5eed_ba7c;
 
@@ -13,10 +13,9 @@ type BatchCall = unsafe extern "C" fn(*const asperity_model, usize, *const f64, 
 type ScalarCall = unsafe extern "C" fn(*const asperity_model, f64) -> f64;
 
 /// The laws: batch and scalar.
-const LAWS: [(&str, BatchCall, ScalarCall); 3] = [
+const LAWS: [(&str, BatchCall, ScalarCall); 2] = [
     ("coefficient", asperity_friction_at_loads, asperity_friction_at_load),
     ("force", asperity_friction_force_at_loads, asperity_friction_force_at_load),
-    ("sum of contact radii", asperity_contact_radius_sum_at_loads, asperity_contact_radius_sum_at_load),
 ];
 
 /// Models whose tables differ in kind: adhesion or none, rows left out, caps, units.
@@ -208,151 +207,6 @@ fn the_vector_path_gives_the_bits_of_the_scalar_path() {
 }
 
 #[test]
-fn the_order_of_loads_does_not_change_a_bit() {
-    for_every_law(97, |context, handle, batch, pull_off, loads, expected| {
-        let mut random = SplitMix(SEED ^ 3);
-        let n = loads.len();
-        for _ in 0..8 {
-            let mut order: Vec<usize> = (0..n).collect();
-            for i in (1..n).rev() {
-                order.swap(i, random.below(i + 1));
-            }
-            let shuffled: Vec<f64> = order.iter().map(|&i| loads[i]).collect();
-            let (mut value, mut slope) = (vec![0.0; n], vec![0.0; n]);
-            // SAFETY: n elements each.
-            let status = unsafe { batch(handle.0, n, shuffled.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr()) };
-            check_status(status, &shuffled, pull_off, context);
-            assert_same(&value, order.iter().map(|&i| expected[i].0), &shuffled, context);
-            assert_same(&slope, order.iter().map(|&i| expected[i].1), &shuffled, context);
-        }
-    });
-}
-
-#[test]
-fn an_output_may_be_the_input() {
-    for_every_law(61, |context, handle, batch, pull_off, loads, expected| {
-        let n = loads.len();
-        for with_other in [false, true] {
-            let (mut shared, mut other) = (loads.to_vec(), vec![0.0; n]);
-            let (at, other_at) = (shared.as_mut_ptr(), if with_other { other.as_mut_ptr() } else { null_mut() });
-            // SAFETY: n elements each; an output may be the input.
-            let status = unsafe { batch(handle.0, n, at, at, other_at) };
-            check_status(status, loads, pull_off, context);
-            assert_same(&shared, expected.iter().map(|e| e.0), loads, context);
-            if with_other {
-                assert_same(&other, expected.iter().map(|e| e.1), loads, context);
-            }
-
-            let (mut shared, mut other) = (loads.to_vec(), vec![0.0; n]);
-            let (at, other_at) = (shared.as_mut_ptr(), if with_other { other.as_mut_ptr() } else { null_mut() });
-            // SAFETY: n elements each; an output may be the input.
-            let status = unsafe { batch(handle.0, n, at, other_at, at) };
-            check_status(status, loads, pull_off, context);
-            assert_same(&shared, expected.iter().map(|e| e.1), loads, context);
-            if with_other {
-                assert_same(&other, expected.iter().map(|e| e.0), loads, context);
-            }
-        }
-    });
-}
-
-/// An array of floats at an address that is not one of floats.
-struct Unaligned {
-    bytes: Vec<u8>,
-    offset: usize,
-}
-
-impl Unaligned {
-    fn new(values: &[f64], offset: usize) -> Self {
-        let mut bytes = vec![0_u8; 8 * values.len() + 16];
-        let offset = bytes.as_ptr().align_offset(8) + offset;
-        for (i, value) in values.iter().enumerate() {
-            bytes[offset + 8 * i..][..8].copy_from_slice(&value.to_bits().to_ne_bytes());
-        }
-        Self { bytes, offset }
-    }
-
-    fn at(&mut self) -> *mut f64 {
-        self.bytes[self.offset..].as_mut_ptr().cast()
-    }
-
-    fn values(&self, n: usize) -> Vec<f64> {
-        let word = |i: usize| self.bytes[self.offset + 8 * i..][..8].try_into().expect("eight bytes");
-        (0..n).map(|i| f64::from_bits(u64::from_ne_bytes(word(i)))).collect()
-    }
-}
-
-#[test]
-fn arrays_need_no_alignment() {
-    for_every_law(27, |context, handle, batch, pull_off, loads, expected| {
-        for offset in 0..8 {
-            for n in [1, 3, 4, 7, 8, 13, 27] {
-                let (loads, expected) = (&loads[..n], &expected[..n]);
-                let mut load = Unaligned::new(loads, offset);
-                let mut value = Unaligned::new(&vec![0.0; n], (3 * offset + 1) % 8);
-                let mut slope = Unaligned::new(&vec![0.0; n], (5 * offset + 2) % 8);
-                // SAFETY: n elements each.
-                let status = unsafe { batch(handle.0, n, load.at(), value.at(), slope.at()) };
-                check_status(status, loads, pull_off, context);
-                assert_same(&value.values(n), expected.iter().map(|e| e.0), loads, context);
-                assert_same(&slope.values(n), expected.iter().map(|e| e.1), loads, context);
-                // In place as well.
-                // SAFETY: n elements.
-                unsafe { batch(handle.0, n, load.at(), load.at(), null_mut()) };
-                assert_same(&load.values(n), expected.iter().map(|e| e.0), loads, context);
-            }
-        }
-    });
-}
-
-#[test]
-fn any_output_may_be_null() {
-    for_every_law(40, |context, handle, batch, pull_off, loads, expected| {
-        for n in 0..=loads.len() {
-            let (loads, expected) = (&loads[..n], &expected[..n]);
-            let (mut value, mut slope) = (vec![0.0; n], vec![0.0; n]);
-            // SAFETY: n elements each, or NULL.
-            unsafe {
-                check_status(
-                    batch(handle.0, n, loads.as_ptr(), value.as_mut_ptr(), null_mut()),
-                    loads,
-                    pull_off,
-                    context,
-                );
-                check_status(
-                    batch(handle.0, n, loads.as_ptr(), null_mut(), slope.as_mut_ptr()),
-                    loads,
-                    pull_off,
-                    context,
-                );
-                check_status(batch(handle.0, n, loads.as_ptr(), null_mut(), null_mut()), loads, pull_off, context);
-            }
-            assert_same(&value, expected.iter().map(|e| e.0), loads, context);
-            assert_same(&slope, expected.iter().map(|e| e.1), loads, context);
-        }
-    });
-}
-
-#[test]
-fn null_models_and_loads_are_refused_and_nothing_is_written() {
-    let handle = Handle::new(&asperity_params::initial());
-    for (_, batch, scalar) in LAWS {
-        let (load, mut value, mut slope) = ([1.0; 5], [7.0; 5], [7.0; 5]);
-        // SAFETY: five elements each, or NULL.
-        unsafe {
-            assert_eq!(batch(null(), 5, load.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr()), NULL_POINTER);
-            assert!(message().contains("model"), "{}", message());
-            assert_eq!(batch(handle.0, 5, null(), value.as_mut_ptr(), slope.as_mut_ptr()), NULL_POINTER);
-            assert!(message().contains("load"), "{}", message());
-            assert_eq!((value, slope), ([7.0; 5], [7.0; 5]));
-            assert_eq!(batch(handle.0, 0, null(), null_mut(), null_mut()), OK);
-            let alone = scalar(null(), 1.0);
-            assert!(alone.is_nan() && alone.to_bits() >> 51 & 1 == 1, "a quiet NaN, not {:#x}", alone.to_bits());
-        }
-    }
-}
-
-#[test]
 fn a_load_that_is_not_a_number_gives_a_quiet_nan_and_one_below_pull_off_zero() {
     for (name, handle) in models() {
         let pull_off = handle.summary().pull_off_load;
@@ -385,32 +239,6 @@ fn a_load_that_is_not_a_number_gives_a_quiet_nan_and_one_below_pull_off_zero() {
             }
         }
     }
-}
-
-#[test]
-fn threads_that_share_a_model_get_the_same_bits() {
-    for_every_law(203, |context, handle, batch, pull_off, loads, expected| {
-        std::thread::scope(|scope| {
-            for thread in 0..8_usize {
-                scope.spawn(move || {
-                    let n = loads.len();
-                    // Every thread at its own places and sizes.
-                    let size = 1 + 5 * thread;
-                    for start in (0..n).step_by(size) {
-                        let end = n.min(start + size);
-                        let (loads, expected) = (&loads[start..end], &expected[start..end]);
-                        let (mut value, mut slope) = (vec![0.0; end - start], vec![0.0; end - start]);
-                        let (value_at, slope_at) = (value.as_mut_ptr(), slope.as_mut_ptr());
-                        // SAFETY: as many elements each.
-                        let status = unsafe { batch(handle.0, loads.len(), loads.as_ptr(), value_at, slope_at) };
-                        check_status(status, loads, pull_off, context);
-                        assert_same(&value, expected.iter().map(|e| e.0), loads, context);
-                        assert_same(&slope, expected.iter().map(|e| e.1), loads, context);
-                    }
-                });
-            }
-        });
-    });
 }
 
 /// Runs a batch with and without slopes, and the scalar call, over loads; says which flags they raise.

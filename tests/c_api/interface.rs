@@ -154,38 +154,7 @@ macro_rules! output {
         }
     )*};
 }
-output!(asperity_state asperity_summary asperity_table asperity_sensitivities asperity_microslip);
-
-/// All numbers of an output.
-pub trait Values {
-    fn values(&self) -> [f64; 19];
-}
-
-impl Values for asperity_sensitivities {
-    fn values(&self) -> [f64; 19] {
-        [
-            self.composite_modulus,
-            self.effective_shear_modulus,
-            self.work_of_adhesion,
-            self.adhesion_range,
-            self.burgers_vector,
-            self.height_std,
-            self.summit_radius,
-            self.asperity_count,
-            self.weibull_shape,
-            self.radius_amplitude,
-            self.radius_rate,
-            self.slip_radius_1,
-            self.slip_stress_1,
-            self.slip_radius_2,
-            self.slip_stress_2,
-            self.skew,
-            self.kurtosis,
-            self.hardness,
-            self.pressure_coefficient,
-        ]
-    }
-}
+output!(asperity_state asperity_summary asperity_table asperity_microslip);
 
 /// A model, freed when dropped.
 #[derive(Debug)]

@@ -6,16 +6,17 @@
 mod common;
 
 mod batch;
+mod contract;
 mod domains;
 mod estimate;
 mod fuzz;
 mod fuzz_calls;
 mod gap;
 mod interface;
+#[cfg(all(unix, not(miri)))]
+mod letters;
 mod microslip;
 mod pairs;
-mod pointers;
-mod pressure_and_slip;
 #[cfg(not(miri))]
 mod programs;
 mod refusals;

@@ -41,11 +41,6 @@ fn an_input_that_was_never_set_is_named() {
     refused(&params, "composite_modulus: must be set");
     params = asperity_params { asperity_count: params.asperity_count, ..steel() };
     refused(&params, "asperity_count: must be set");
-    // Setting strength and yielding does not need the rest, and does not set it.
-    // SAFETY: initialised parameters.
-    assert_eq!(unsafe { asperity_params_set_elastic_plastic(&mut params, 7.5e9) }, OK);
-    assert_eq!((params.contact_law, params.hardness), (ASPERITY_CONTACT_ELASTIC_PLASTIC, 7.5e9));
-    refused(&params, "asperity_count: must be set");
 }
 
 #[test]
@@ -106,8 +101,9 @@ fn the_measured_coefficient_is_that_of_the_model_and_is_kept() {
     assert_eq!(unsafe { asperity_params_calibrate(&mut params, 20.0, 0.16) }, OK, "{}", message());
     assert_eq!(bytes(&params), bytes(&before));
     // A strength that was measured elsewhere replaces this measurement.
-    // SAFETY: initialised parameters, and a name that ends.
-    assert_eq!(unsafe { asperity_params_set_interface(&mut params, c"graphite layers".as_ptr()) }, OK);
+    let text = "interface = \"graphite layers\"";
+    // SAFETY: initialised parameters, and a text of its length.
+    assert_eq!(unsafe { asperity_params_set_text(&mut params, text.as_ptr().cast(), text.len()) }, OK);
     assert_eq!((params.calibration_load, params.calibration_friction_force), (0.0, 0.0));
 }
 
@@ -150,12 +146,6 @@ fn a_measurement_that_cannot_be_meant_is_refused() {
 fn a_strength_that_nobody_measured_is_told_also_of_one_summit_and_with_other_slip_radii() {
     let uncalibrated = |params: &asperity_params| warnings(params, 1.0) & ASPERITY_WARNING_UNCALIBRATED != 0;
     assert!(uncalibrated(&steel()) && uncalibrated(&asperity_params::initial()));
-    // At all loads of the table, to its ends.
-    let (handle, [mut lightest, mut heaviest]) = (Handle::new(&steel()), [0.0; 2]);
-    let (from, to) = (&mut lightest, &mut heaviest);
-    // SAFETY: a model, and two places.
-    assert_eq!(unsafe { asperity_warning_loads(handle.0, ASPERITY_WARNING_UNCALIBRATED, from, to) }, OK);
-    assert_eq!((lightest, heaviest), (handle.summary().min_table_load, handle.summary().max_table_load));
     let tip = asperity_params { asperity_count: 1.0, nominal_area: 0.0, ..steel() };
     assert!(uncalibrated(&tip));
     assert!(uncalibrated(&asperity_params { slip_radius_1: 20.0, slip_radius_2: 1e5, ..steel() }));
@@ -196,7 +186,7 @@ fn words_that_people_expect_are_answered_with_what_to_give() {
     ] {
         let mut params = steel();
         // SAFETY: initialised parameters, and a name that ends.
-        assert_eq!(unsafe { asperity_params_set_value(&mut params, name.as_ptr(), 1.0) }, INVALID_PARAMETER);
+        assert_eq!(unsafe { asperity_params_set_values(&mut params, 1, &name.as_ptr(), &1.0) }, INVALID_PARAMETER);
         assert!(message().contains(told), "{}", message());
     }
 }

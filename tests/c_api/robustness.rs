@@ -4,7 +4,6 @@ use crate::common::processor_time::{process_time, processor_time, LONGEST_CALL};
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::collections::BTreeMap;
-use std::mem::size_of;
 use std::ptr::null_mut;
 use std::sync::{mpsc, Arc, Mutex};
 use std::time::Duration;
@@ -25,17 +24,11 @@ type SummitCall =
 #[derive(Clone, Copy)]
 struct Library {
     create: unsafe extern "C" fn(*const asperity_params, *mut *mut asperity_model) -> i32,
-    set_params: unsafe extern "C" fn(*mut asperity_model, *const asperity_params) -> i32,
     at_load: unsafe extern "C" fn(*const asperity_model, f64, *mut asperity_state) -> i32,
     at_separation: unsafe extern "C" fn(*const asperity_model, f64, *mut asperity_state) -> i32,
     friction: unsafe extern "C" fn(*const asperity_model, f64) -> f64,
     force: unsafe extern "C" fn(*const asperity_model, f64) -> f64,
     summits: SummitCall,
-    set_dimensionless: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64, f64) -> i32,
-    set_materials: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
-    set_moments: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
-    set_mccool: unsafe extern "C" fn(*mut asperity_params, f64, f64, f64, f64) -> i32,
-    set_skew: unsafe extern "C" fn(*mut asperity_params, f64) -> i32,
 }
 
 /// The library, how long its slowest call took, what it was, and what went wrong.
@@ -52,17 +45,11 @@ impl Watched {
     fn new() -> Self {
         let library = Library {
             create: asperity_create,
-            set_params: asperity_set_params,
             at_load: asperity_state_at_load,
             at_separation: asperity_state_at_gap,
             friction: asperity_friction_at_load,
             force: asperity_friction_force_at_load,
             summits: asperity_summits_at_overlaps,
-            set_dimensionless: asperity_params_set_dimensionless,
-            set_materials: asperity_params_set_materials,
-            set_moments: asperity_params_set_spectral_moments,
-            set_mccool: asperity_params_set_mccool_summits,
-            set_skew: asperity_params_set_skew,
         };
         Self {
             library: std::hint::black_box(library),
@@ -212,20 +199,6 @@ fn is_sound(state: &asperity_state) -> bool {
         && state.attraction_load <= 0.0
 }
 
-/// Parameters whose every number is random bits.
-fn random_bits(random: &mut SplitMix) -> asperity_params {
-    let mut params = asperity_params::initial();
-    if random.chance(0.1) {
-        params.struct_size = random.bits();
-    }
-    params.height_distribution = if random.chance(0.9) { random.below(4) as i32 } else { random.bits() as i32 };
-    params.attraction = if random.chance(0.9) { random.below(2) as i32 } else { random.bits() as i32 };
-    for number in params.numbers() {
-        *number = random.any_float();
-    }
-    params
-}
-
 /// An engineering surface in a random system of units, one of whose numbers may be far off.
 fn random_real(random: &mut SplitMix) -> asperity_params {
     let mut params = asperity_params::initial();
@@ -331,169 +304,6 @@ fn call_with_random_bits(
         if status != OK {
             refused(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
         }
-    }
-}
-
-#[test]
-fn parameters_of_random_bits_are_refused_or_work() {
-    let mut random = SplitMix(SEED);
-    let mut watched = Watched::new();
-    let mut created = 0;
-    for _ in 0..200_000 {
-        let params = random_bits(&mut random);
-        created += u32::from(watched.create(&params).is_ok());
-    }
-    println!("{created} created");
-    watched.finish(SEED);
-}
-
-#[test]
-fn one_parameter_of_random_bits_is_refused_or_works() {
-    let mut random = SplitMix(SEED ^ 1);
-    let mut watched = Watched::new();
-    let mut created = 0;
-    for case in 0..4_000 {
-        let mut params = asperity_params::initial().weibull(3.0).radii(0.2, 0.7);
-        let value = random.any_float();
-        // Skew and kurtosis are not read.
-        let read = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 18];
-        *params.numbers()[read[case % read.len()]] = value;
-        if let Ok(handle) = watched.create(&params) {
-            created += 1;
-            call_with_random_bits(&mut watched, &mut random, &handle, 4, &params);
-        }
-        if created >= 80 {
-            break;
-        }
-    }
-    println!("{created} created");
-    watched.finish(SEED ^ 1);
-}
-
-#[test]
-fn loads_and_separations_of_random_bits_are_refused_or_work() {
-    let mut random = SplitMix(SEED ^ 2);
-    let mut watched = Watched::new();
-    let paper = asperity_params::initial();
-    for params in [
-        paper,
-        asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0),
-        paper.weibull(1.3),
-        paper.weibull(25.0),
-        paper.johnson(0.4, 2.5),
-        paper.johnson(-1.0, 8.0),
-        paper.table(&[0.0, 1.0, 2.5, 4.0, 6.0], &[0.0, 3.0, 2.0, 0.5, 0.0]),
-        paper.cap(f64::INFINITY),
-        paper.cap(1e40),
-        paper.cap(1e-40),
-    ] {
-        let handle = Handle::new(&params);
-        call_with_random_bits(&mut watched, &mut random, &handle, 1_000, &params);
-    }
-    for params in [paper.radii(0.9, 0.5), paper.radii(-1.0, 1.0), paper.weibull(5.0).radii(1.0, 2.0)] {
-        let handle = Handle::new(&params);
-        call_with_random_bits(&mut watched, &mut random, &handle, 60, &params);
-    }
-    watched.finish(SEED ^ 2);
-}
-
-#[test]
-fn setters_given_random_bits_leave_the_parameters_or_set_valid_ones() {
-    let mut random = SplitMix(SEED ^ 3);
-    let mut watched = Watched::new();
-    let documented = [INVALID_PARAMETER, OUT_OF_RANGE];
-    for _ in 0..50_000 {
-        let before = asperity_params::initial();
-        let mut params = before;
-        let x: [f64; 5] = std::array::from_fn(|_| match random.below(3) {
-            0 => random.any_float(),
-            1 => random.between(-1.2, 1.2),
-            _ => random.log_between(1e-6, 1e12),
-        });
-        let which = random.below(5);
-        let what = || format!("setter {which} of {x:?}");
-        reset_message();
-        // SAFETY: an initialised struct.
-        let status = watched.call(&what, |library| unsafe {
-            params = before;
-            match which {
-                0 => (library.set_dimensionless)(&mut params, x[0], x[1], x[2], x[3], x[4]),
-                1 => (library.set_materials)(&mut params, x[0], x[1], x[2], x[3]),
-                2 => (library.set_moments)(&mut params, x[0], x[1], x[2], x[3]),
-                3 => (library.set_mccool)(&mut params, x[0], x[1], x[2], x[3]),
-                _ => (library.set_skew)(&mut params, x[0]),
-            }
-        });
-        if status == OK {
-            let finite = params.numbers().into_iter().all(|x| x.is_finite());
-            assert!(finite, "{}: {params:?}", what());
-        } else {
-            refused(status, &documented, &what);
-            assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
-        }
-    }
-    watched.finish(SEED ^ 3);
-}
-
-/// The bits of what a model answers at some loads.
-fn answers(handle: &Handle) -> Vec<u8> {
-    let summary = handle.summary();
-    let mut answers = bytes(&summary).to_vec();
-    for part in [-0.9, 0.0, 1e-8, 1e-3, 0.1, 2.0] {
-        let load = if part < 0.0 { part * -summary.pull_off_load } else { part * summary.max_table_load };
-        let mut state = asperity_state::empty();
-        // SAFETY: the model lives, the struct has its size set.
-        unsafe {
-            asperity_state_at_load(handle.0, load, &mut state);
-            answers.extend(asperity_friction_at_load(handle.0, load).to_bits().to_ne_bytes());
-            answers.extend(asperity_friction_force_at_load(handle.0, load).to_bits().to_ne_bytes());
-        }
-        answers.extend(bytes(&state));
-    }
-    answers.extend(bytes(&asperity_params::of(handle)));
-    answers
-}
-
-#[test]
-fn a_model_that_refuses_new_parameters_answers_as_before() {
-    let mut random = SplitMix(SEED ^ 4);
-    let mut watched = Watched::new();
-    let handle = Handle::new(&asperity_params::initial().weibull(7.0));
-    let before = answers(&handle);
-    let mut refusals = 0;
-    for case in 0..2_000 {
-        let params = random_bits(&mut random);
-        let what = || format!("set_params {params:?}");
-        reset_message();
-        // SAFETY: the model lives.
-        let status = watched.call(&what, |library| unsafe { (library.set_params)(handle.0, &params) });
-        if status == OK {
-            // SAFETY: as above; back to what it was.
-            let status = unsafe { asperity_set_params(handle.0, &asperity_params::initial().weibull(7.0)) };
-            assert_eq!(status, OK, "{}", message());
-        } else {
-            refused(status, &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED], &what);
-            refusals += 1;
-        }
-        if case % 20 == 0 {
-            assert_eq!(answers(&handle), before, "{}", what());
-        }
-    }
-    assert!(refusals > 1_000 && answers(&handle) == before, "{refusals} refusals");
-    watched.finish(SEED ^ 4);
-}
-
-#[test]
-fn a_model_given_new_parameters_answers_as_a_new_one() {
-    let handle = Handle::new(&asperity_params::initial());
-    for params in [
-        asperity_params::dimensionless(0.02, 300.0, 0.01, 0.8),
-        asperity_params::dimensionless(0.02, 300.0, 0.0, 0.8),
-        asperity_params::initial().weibull(2.0),
-    ] {
-        // SAFETY: the model lives.
-        assert_eq!(unsafe { asperity_set_params(handle.0, &params) }, OK, "{}", message());
-        assert_eq!(answers(&handle), answers(&Handle::new(&params)));
     }
 }
 
@@ -616,49 +426,6 @@ fn realistic_surfaces_in_any_units_are_refused_or_work() {
 #[test]
 fn degenerate_surfaces_are_refused_or_work() {
     check_surfaces(SEED ^ 6, 60, random_corner);
-}
-
-#[test]
-fn a_null_handle_is_refused_everywhere() {
-    let mut state = asperity_state::empty();
-    let mut summary = asperity_summary::empty();
-    let mut params = asperity_params::initial();
-    // SAFETY: NULL is refused.
-    unsafe {
-        assert_eq!(asperity_create(std::ptr::null(), &mut null_mut()), NULL_POINTER);
-        assert_eq!(asperity_create(&params, null_mut()), NULL_POINTER);
-        assert_eq!(asperity_set_params(null_mut(), &params), NULL_POINTER);
-        assert_eq!(asperity_get_params(null_mut(), &mut params), NULL_POINTER);
-        assert_eq!(asperity_state_at_load(null_mut(), 1.0, &mut state), NULL_POINTER);
-        assert_eq!(asperity_state_at_gap(null_mut(), 1.0, &mut state), NULL_POINTER);
-        assert_eq!(asperity_check_loads(null_mut(), 1.0, 2.0, &mut 0), NULL_POINTER);
-        assert_eq!(asperity_summary_of(null_mut(), &mut summary), NULL_POINTER);
-        asperity_free(null_mut());
-    }
-}
-
-#[test]
-fn a_null_output_is_refused_everywhere() {
-    fn refused(status: i32, name: &str) {
-        assert_eq!(status, NULL_POINTER, "{name}");
-        assert_eq!(message(), format!("{name} is NULL: pass a valid pointer"));
-    }
-    let handle = Handle::new(&asperity_params::initial());
-    // SAFETY: NULL is refused.
-    unsafe {
-        refused(asperity_params_init(null_mut(), size_of::<asperity_params>()), "params");
-        refused(asperity_params_set_dimensionless(null_mut(), 0.01, 1000.0, 0.001, 1.0, 0.3), "params");
-        refused(asperity_params_set_materials(null_mut(), 1.0, 0.3, 1.0, 0.3), "params");
-        refused(asperity_params_set_spectral_moments(null_mut(), 1.0, 1.0, 2.0, 1.0), "params");
-        refused(asperity_params_set_skew(null_mut(), 0.0), "params");
-        refused(asperity_get_params(handle.0, null_mut()), "params");
-        refused(asperity_state_at_load(handle.0, 1.0, null_mut()), "state");
-        refused(asperity_state_at_gap(handle.0, 1.0, null_mut()), "state");
-        refused(asperity_check_loads(handle.0, 1.0, 2.0, null_mut()), "warnings");
-        refused(asperity_warning_loads(handle.0, 16, null_mut(), &mut 0.0), "lightest");
-        refused(asperity_summary_of(handle.0, null_mut()), "summary");
-        refused(asperity_sensitivities_at_load(handle.0, 1.0, null_mut()), "sensitivities");
-    }
 }
 
 #[test]

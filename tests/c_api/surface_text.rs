@@ -144,19 +144,11 @@ fn names_of_materials_bring_what_is_known_of_them() {
         assert_same(&surface(&format!("pair = \"Si/Si\"\n[materials]\n{own}\n")), &stiff, own);
     }
     // A name for one body, numbers for the other, which is rigid.
-    let mut data = asperity_material_data { struct_size: size_of::<asperity_material_data>() as u64, ..empty() };
-    // SAFETY: a struct of the size that it says.
-    assert_eq!(unsafe { asperity_material(c"Si".as_ptr(), &mut data) }, OK);
     let mut expected = asperity_params::unset();
     // SAFETY: an initialised struct.
-    let status = unsafe { asperity_params_set_materials(&mut expected, data.young, data.poisson, f64::INFINITY, 0.3) };
+    let status = unsafe { asperity_params_set_materials(&mut expected, 160e9, 0.22, f64::INFINITY, 0.3) };
     assert_eq!(status, OK);
     assert_same(&surface("[materials]\nfirst = \"Si\"\nE2 = inf\nnu2 = 0.3"), &expected, "a rigid body");
-}
-
-fn empty() -> asperity_material_data {
-    // SAFETY: zero bits are a value of every field.
-    unsafe { std::mem::zeroed() }
 }
 
 #[test]
@@ -220,11 +212,11 @@ fn parameters_of_roughness_are_moments() {
     let shaped =
         near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSds = 2e13\nSsk = 0.1\nSku = 3.2", by_density(rq, slope, density));
     assert_eq!((shaped.height_distribution, shaped.skew, shaped.kurtosis), (ASPERITY_HEIGHTS_JOHNSON, 0.1, 3.2));
-    let mut mccool = asperity_params::unset();
-    // SAFETY: an initialised struct.
-    assert_eq!(unsafe { asperity_params_set_mccool_summits(&mut mccool, 4e-18, 2e-3, 8e12, area) }, OK);
     let moments = "[roughness]\nm0 = 4e-18\nm2 = 2e-3\nm4 = 8e12";
-    assert_same(&with(&format!("{moments}\nsummits = \"mccool\"")), &mccool, "McCool's summits");
+    // McCool (1987): all radii are 3 pi^(1/2)/(8 m4^(1/2)).
+    let mccool = with(&format!("{moments}\nsummits = \"mccool\""));
+    assert_near(mccool.summit_radius, 3.0 * pi.sqrt() / (8.0 * 8e12_f64.sqrt()), 1e-15, "McCool's summits");
+    assert_eq!((mccool.radius_amplitude, mccool.bandwidth), (0.0, 8.0));
     assert_same(&with(&format!("{moments}\nsummits = \"moments\"")), &by_moments(4e-18, 2e-3, 8e12), "asperities");
     assert_same(&with(moments), &by_moments(4e-18, 2e-3, 8e12), "asperities by default");
     // Summits per area.
@@ -249,9 +241,11 @@ fn words_and_numbers_choose() {
     assert_eq!(heights("weibull_shape = 5"), heights("height_distribution = \"weibull\"\nweibull_shape = 5"));
     assert_eq!(heights("skew = 0.1\nkurtosis = 3.5"), (ASPERITY_HEIGHTS_JOHNSON, 3.602, 0.1, 3.5));
     assert_eq!(heights("heights = \"johnson\"\nskew = 0.1"), (ASPERITY_HEIGHTS_JOHNSON, 3.602, 0.1, 3.0));
+    let (skew, value) = (c"skew".as_ptr(), -0.5);
     let mut expected = asperity_params::unset();
-    // SAFETY: an initialised struct.
-    assert_eq!(unsafe { asperity_params_set_skew(&mut expected, -0.5) }, OK);
+    // SAFETY: an initialised struct, and a name that ends.
+    assert_eq!(unsafe { asperity_params_set_values(&mut expected, 1, &skew, &value) }, OK);
+    assert_eq!(expected.height_distribution, ASPERITY_HEIGHTS_WEIBULL);
     assert_same(&surface("skew = -0.5"), &expected, "a skew alone");
     assert_same(&surface("heights = \"weibull\"\nskew = -0.5"), &expected, "a skew of Weibull heights");
     let table = surface("table_height = [0, 1, 2.5]\ntable_density = [\n  0.0,  # lowest\n  1,\n  0.5,\n]");
@@ -283,12 +277,12 @@ fn one_measured_point_sets_the_strength_and_is_kept() {
     }
     let film = surface(&format!("interface = \"KCl film on iron in vacuum\"\n{CARBON}"));
     let mut expected = surface(CARBON);
-    // SAFETY: an initialised struct, and a name that ends.
-    unsafe {
-        assert_eq!(asperity_params_set_interface(&mut expected, c"KCl film on iron in vacuum".as_ptr()), OK);
-        assert_same(&film, &expected, "an interface");
-        assert_eq!(asperity_params_calibrate(&mut expected, 1e-3, 0.4), OK);
-    }
+    let strength = film.slip_stress_1;
+    assert!(strength > 0.0 && strength == film.slip_stress_2 && strength != expected.slip_stress_1);
+    assert_eq!(set(&mut expected, b"interface = \"KCl film on iron in vacuum\""), OK);
+    assert_same(&film, &expected, "an interface");
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_calibrate(&mut expected, 1e-3, 0.4) }, OK);
     let point =
         "calibration_load = 1e-3\ncalibration_friction_coefficient = 0.4\ninterface = \"KCl film on iron in vacuum\"\n";
     assert_same(&surface(&format!("{point}{CARBON}")), &expected, "a point on an interface");
@@ -608,10 +602,10 @@ fn summits_per_area_are_set_by_name_too() {
     let (names, values) = ([c"summit_density".as_ptr(), c"nominal_area".as_ptr()], [2e12, 1e-6]);
     // SAFETY: an initialised struct, and names that end.
     unsafe {
-        assert_eq!(asperity_params_set_value(&mut params, names[0], 2e12), INVALID_PARAMETER);
+        assert_eq!(asperity_params_set_values(&mut params, 1, names.as_ptr(), &2e12), INVALID_PARAMETER);
         assert_eq!(asperity_params_set_values(&mut params, 2, names.as_ptr(), values.as_ptr()), OK);
         assert_eq!((params.asperity_count, params.nominal_area), (2e6, 1e-6));
-        assert_eq!(asperity_params_set_value(&mut params, names[0], 3e12), OK);
+        assert_eq!(asperity_params_set_values(&mut params, 1, names.as_ptr(), &3e12), OK);
         assert_eq!(params.asperity_count, 3e12 * 1e-6);
         let both = [c"summit_density".as_ptr(), c"asperity_count".as_ptr()];
         assert_eq!(asperity_params_set_values(&mut params, 2, both.as_ptr(), values.as_ptr()), INVALID_PARAMETER);

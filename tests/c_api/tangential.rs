@@ -93,56 +93,6 @@ fn the_stiffness_is_that_of_the_state_and_of_small_displacements() {
     }
 }
 
-/// The sum of radii and its slope, by a batch of one.
-fn radius_sum(handle: &Handle, load: f64) -> (i32, f64, f64) {
-    let (mut sum, mut slope) = (UNTOUCHED, UNTOUCHED);
-    // SAFETY: the model lives, the places have room.
-    let status = unsafe { asperity_contact_radius_sum_at_loads(handle.0, 1, &load, &mut sum, &mut slope) };
-    // SAFETY: the model lives.
-    assert_eq!(unsafe { asperity_contact_radius_sum_at_load(handle.0, load) }.to_bits(), sum.to_bits(), "{load}");
-    (status, sum, slope)
-}
-
-#[test]
-fn the_sum_of_contact_radii_is_that_of_the_state_and_its_slope_that_of_a_secant() {
-    for handle in handles() {
-        for load in [1e-3, 10.0, 1e5] {
-            let (status, sum, slope) = radius_sum(&handle, load);
-            let state = state_at_load(&handle, load);
-            assert!(status == OK && (sum / state.contact_radius_sum - 1.0).abs() < 4e-9, "{load}: {sum}");
-            let [below, above] = [1.0 - 1e-4, 1.0 + 1e-4].map(|part| state_at_load(&handle, load * part));
-            let secant = (above.contact_radius_sum - below.contact_radius_sum) / (above.load - below.load);
-            assert!((slope / secant - 1.0).abs() < 4e-7, "{load}: {slope}, not {secant}");
-        }
-    }
-}
-
-#[test]
-fn the_sum_of_contact_radii_has_the_conventions_of_the_friction_force_where_nothing_is_tabulated() {
-    for handle in handles() {
-        let summary = handle.summary();
-        let pull_off = summary.pull_off_load;
-        let adheres = pull_off < 0.0;
-        let lightest = radius_sum(&handle, summary.min_table_load).2;
-        let (status, sum, slope) = radius_sum(&handle, 2.0 * pull_off - 1.0);
-        assert_eq!((status, sum, slope), (SEPARATED, 0.0, if adheres { 0.0 } else { lightest }));
-        let (status, sum, slope) = radius_sum(&handle, 0.0);
-        assert!(status == OK && (sum > 0.0) == adheres && slope > 0.0 && slope.is_finite(), "{sum}, {slope}");
-        if adheres {
-            let (status, sum, slope) = radius_sum(&handle, pull_off);
-            assert_eq!((status, slope), (OK, f64::INFINITY));
-            assert!((sum / state_at_load(&handle, pull_off).contact_radius_sum - 1.0).abs() < 1e-14, "{sum}");
-        } else {
-            assert_eq!(slope, lightest);
-        }
-        for (load, expected) in [(f64::NAN, INVALID_LOAD), (f64::INFINITY, INVALID_LOAD), (1e300, OUT_OF_RANGE)] {
-            let (status, sum, slope) = radius_sum(&handle, load);
-            assert!(status == expected && sum.is_nan() && slope.is_nan(), "{load}: {status}, {sum}, {slope}");
-            assert!(message().starts_with("element 0: load = "), "{}", message());
-        }
-    }
-}
-
 #[test]
 fn bad_input_has_a_status_and_a_message_and_touches_no_output() {
     let handle = Handle::new(&asperity_params::initial());
@@ -160,10 +110,6 @@ fn bad_input_has_a_status_and_a_message_and_touches_no_output() {
         let found = unsafe { asperity_tangential_at_load(handle.0, load, displacement, &mut force, &mut slope) };
         assert_eq!((found, force, slope), (status, UNTOUCHED, UNTOUCHED), "{load}, {displacement}");
         assert!(message().contains(says), "{}", message());
-    }
-    // SAFETY: places to write to.
-    unsafe {
-        assert_eq!(asperity_tangential_at_load(null(), 1.0, 1.0, null_mut(), null_mut()), NULL_POINTER);
     }
 }
 

@@ -282,11 +282,7 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
         178..=179 => calls.at_gap(model, bytes.any_float()),
         180..=199 => calls.secant(model, bytes.part()),
         200..=219 => calls.order(model, bytes.load(summary), bytes.load(summary)),
-        220..=239 => {
-            let (area, rate) = (bytes.log_between(1e-12, 1e6), bytes.any_float());
-            calls.by_pressure_and_slip(model, bytes.load(summary), area, rate);
-        }
-        240..=242 => calls.structs(model, bytes.word() >> bytes.below(64)),
+        220..=242 => calls.structs(model, bytes.word() >> bytes.below(64)),
         243..=244 => {
             let text = std::array::from_fn(|_| bytes.byte());
             calls.names(text, std::array::from_fn(|_| bytes.below(24)), std::array::from_fn(|_| bytes.any_float()));
@@ -298,17 +294,14 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
         })),
         250 => {
             let text = std::array::from_fn(|_| bytes.byte());
-            calls.materials(text, bytes.below(40));
+            calls.descriptions(text, bytes.below(7) as i32, bytes.below(40));
         }
         251..=252 => calls.messages(bytes.below(256)),
         253 => {
             let text = bytes.text();
             calls.text(&text, bytes.any_float(), bytes.log_between(1e-12, 1e12));
         }
-        254 => {
-            calls.check_loads(model, bytes.load(summary), bytes.load(summary));
-            calls.warning_loads(model, bytes.load(summary).to_bits());
-        }
+        254 => calls.check_loads(model, bytes.load(summary), bytes.load(summary)),
         255 => {
             let other = bytes.params();
             calls.set_params(model, &other);
