@@ -16,7 +16,6 @@
 #define ASPERITY_SEPARATED 4
 #define ASPERITY_OUT_OF_RANGE 5
 #define ASPERITY_NOT_CONVERGED 6
-#define ASPERITY_OUT_OF_MEMORY 7
 #define ASPERITY_INTERNAL 255
 #define ASPERITY_STRENGTH_DEFAULT 0
 #define ASPERITY_STRENGTH_TABLE 1
@@ -31,6 +30,12 @@
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 #define ASPERITY_SLIP_PARTIAL 0
 #define ASPERITY_SLIP_WHOLE 1
+#define ASPERITY_NAMES_PARAMETERS 0
+#define ASPERITY_NAMES_MATERIALS 1
+#define ASPERITY_NAMES_PAIRS 2
+#define ASPERITY_NAMES_INTERFACES 3
+#define ASPERITY_NAMES_WARNINGS 4
+#define ASPERITY_NAMES_STATUSES 5
 #define ASPERITY_WARNING_PLASTIC 1
 #define ASPERITY_WARNING_CROWDED 2
 #define ASPERITY_WARNING_STEEP 4
@@ -42,6 +47,8 @@
 #define ASPERITY_WARNING_STRONG 256
 #define ASPERITY_WARNING_FEW_WAVES 512
 #define ASPERITY_TABLE_LAYOUT 1
+#define ASPERITY_TABLE_FRICTION 0
+#define ASPERITY_TABLE_LOAD_AT_GAP 1
 typedef struct asperity_model asperity_model;
 typedef int32_t asperity_status;
 
@@ -103,43 +110,6 @@ typedef struct asperity_params {
   double rms_slope; /* 264, 8 */
 } asperity_params; /* 272 */
 
-typedef struct asperity_material_data {
-  uint64_t struct_size; /* 0, 8 */
-  double young; /* 8, 8 */
-  double young_low; /* 16, 8 */
-  double young_high; /* 24, 8 */
-  double poisson; /* 32, 8 */
-  double hardness; /* 40, 8 */
-  double hardness_low; /* 48, 8 */
-  double hardness_high; /* 56, 8 */
-  double burgers_vector; /* 64, 8 */
-  const char *name; /* 72, 8 */
-  const char *reference; /* 80, 8 */
-} asperity_material_data; /* 88 */
-
-typedef struct asperity_pair_data {
-  uint64_t struct_size; /* 0, 8 */
-  double work_of_adhesion; /* 8, 8 */
-  double work_of_adhesion_low; /* 16, 8 */
-  double work_of_adhesion_high; /* 24, 8 */
-  double hamaker; /* 32, 8 */
-  double slip_stress_1; /* 40, 8 */
-  const char *name; /* 48, 8 */
-  const char *reference; /* 56, 8 */
-} asperity_pair_data; /* 64 */
-
-typedef struct asperity_interface_data {
-  uint64_t struct_size; /* 0, 8 */
-  double shear_strength; /* 8, 8 */
-  double pressure_coefficient; /* 16, 8 */
-  double friction_coefficient; /* 24, 8 */
-  double load; /* 32, 8 */
-  const char *name; /* 40, 8 */
-  const char *conditions; /* 48, 8 */
-  const char *source; /* 56, 8 */
-  const char *reference; /* 64, 8 */
-} asperity_interface_data; /* 72 */
-
 typedef struct asperity_microslip {
   uint64_t struct_size; /* 0, 8 */
   double force[2]; /* 8, 16 */
@@ -191,33 +161,11 @@ typedef struct asperity_summary {
   double pull_off_load; /* 56, 8 */
   double pull_off_friction_force; /* 64, 8 */
   double zero_load_friction_force; /* 72, 8 */
-  double min_table_load; /* 80, 8 */
-  double max_table_load; /* 88, 8 */
-  double table_error; /* 96, 8 */
-} asperity_summary; /* 104 */
-
-typedef struct asperity_sensitivities {
-  uint64_t struct_size; /* 0, 8 */
-  double composite_modulus; /* 8, 8 */
-  double effective_shear_modulus; /* 16, 8 */
-  double work_of_adhesion; /* 24, 8 */
-  double adhesion_range; /* 32, 8 */
-  double burgers_vector; /* 40, 8 */
-  double height_std; /* 48, 8 */
-  double summit_radius; /* 56, 8 */
-  double asperity_count; /* 64, 8 */
-  double weibull_shape; /* 72, 8 */
-  double radius_amplitude; /* 80, 8 */
-  double radius_rate; /* 88, 8 */
-  double slip_radius_1; /* 96, 8 */
-  double slip_stress_1; /* 104, 8 */
-  double slip_radius_2; /* 112, 8 */
-  double slip_stress_2; /* 120, 8 */
-  double skew; /* 128, 8 */
-  double kurtosis; /* 136, 8 */
-  double hardness; /* 144, 8 */
-  double pressure_coefficient; /* 152, 8 */
-} asperity_sensitivities; /* 160 */
+  double stiffness_per_radius; /* 80, 8 */
+  double min_table_load; /* 88, 8 */
+  double max_table_load; /* 96, 8 */
+  double table_error; /* 104, 8 */
+} asperity_summary; /* 112 */
 
 typedef struct asperity_table {
   uint64_t struct_size; /* 0, 8 */
@@ -240,75 +188,52 @@ typedef struct asperity_table {
 
 uint32_t asperity_abi_version(void);
 asperity_status asperity_check_loads(const struct asperity_model *, double, double, uint64_t *);
-double asperity_contact_radius_sum_at_load(const struct asperity_model *, double);
-asperity_status asperity_contact_radius_sum_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
+size_t asperity_describe(int32_t, const char *, char *, size_t);
 asperity_status asperity_estimate_at_loads(const char *, size_t, size_t, const double *, struct asperity_estimate *);
 size_t asperity_estimate_text(const char *, size_t, size_t, const double *, char *, size_t);
 void asperity_free(struct asperity_model *);
 double asperity_friction_and_slope_at_load(const struct asperity_model *, double, double *);
 double asperity_friction_at_load(const struct asperity_model *, double);
 asperity_status asperity_friction_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
-double asperity_friction_at_pressure(const struct asperity_model *, double, double, double *);
-asperity_status asperity_friction_at_pressures(const struct asperity_model *, size_t, const double *, double, double *, double *);
 double asperity_friction_force_and_slope_at_load(const struct asperity_model *, double, double *);
 double asperity_friction_force_at_load(const struct asperity_model *, double);
 asperity_status asperity_friction_force_at_loads(const struct asperity_model *, size_t, const double *, double *, double *);
 asperity_status asperity_friction_force_at_loads_of(const struct asperity_model *const *, size_t, size_t, const uint32_t *, const double *, double *, double *);
 asperity_status asperity_get_params(const struct asperity_model *, struct asperity_params *);
-asperity_status asperity_interface(const char *, struct asperity_interface_data *);
-const char *asperity_interface_name(size_t);
 size_t asperity_last_error(char *, size_t);
 double asperity_load_and_slope_at_gap(const struct asperity_model *, double, double *);
-double asperity_load_at_gap(const struct asperity_model *, double);
-asperity_status asperity_load_table_of(const struct asperity_model *, struct asperity_table *);
 asperity_status asperity_loads_at_gaps(const struct asperity_model *, size_t, const double *, double *, double *);
-asperity_status asperity_material(const char *, struct asperity_material_data *);
-const char *asperity_material_name(size_t);
 size_t asperity_microslip_length(const struct asperity_model *);
 asperity_status asperity_microslip_step(const struct asperity_model *, double, const double *, const double *, double *, struct asperity_microslip *);
 asperity_status asperity_microslip_steps(const struct asperity_model *, size_t, const double *, const double *, const double *, double *, double *, double *);
 asperity_status asperity_microslip_turn(double *, double, double);
-asperity_status asperity_pair(const char *, struct asperity_pair_data *);
-const char *asperity_pair_name(size_t);
+const char *asperity_name(int32_t, size_t);
 asperity_status asperity_params_calibrate(struct asperity_params *, double, double);
 asperity_status asperity_params_calibrate_force(struct asperity_params *, double, double);
 asperity_status asperity_params_get_value(const struct asperity_params *, const char *, double *);
 asperity_status asperity_params_init(struct asperity_params *, size_t);
-const char *asperity_params_name(size_t);
 asperity_status asperity_params_read(struct asperity_params *, const char *);
 asperity_status asperity_params_set_dimensionless(struct asperity_params *, double, double, double, double, double);
-asperity_status asperity_params_set_elastic_plastic(struct asperity_params *, double);
 asperity_status asperity_params_set_estimate(struct asperity_params *, const char *, size_t);
-asperity_status asperity_params_set_interface(struct asperity_params *, const char *);
 asperity_status asperity_params_set_materials(struct asperity_params *, double, double, double, double);
-asperity_status asperity_params_set_mccool_summits(struct asperity_params *, double, double, double, double);
 asperity_status asperity_params_set_pair(struct asperity_params *, const char *);
-asperity_status asperity_params_set_skew(struct asperity_params *, double);
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *, double, double, double, double);
 asperity_status asperity_params_set_text(struct asperity_params *, const char *, size_t);
 asperity_status asperity_params_set_units(struct asperity_params *, double, double);
-asperity_status asperity_params_set_value(struct asperity_params *, const char *, double);
 asperity_status asperity_params_set_values(struct asperity_params *, size_t, const char *const *, const double *);
 size_t asperity_params_text(const struct asperity_params *, char *, size_t);
-asperity_status asperity_sensitivities_at_load(const struct asperity_model *, double, struct asperity_sensitivities *);
 asperity_status asperity_set_params(struct asperity_model *, const struct asperity_params *);
-double asperity_shear_stress_at_pressure(const struct asperity_model *, double, double, double *);
-asperity_status asperity_shear_stresses_at_pressures(const struct asperity_model *, size_t, const double *, double, double *, double *);
-double asperity_slip_force(const struct asperity_model *, double, double, double, double *, double *);
-asperity_status asperity_slip_forces(const struct asperity_model *, size_t, const double *, const double *, double, double *, double *, double *);
 asperity_status asperity_state_at_gap(const struct asperity_model *, double, struct asperity_state *);
 asperity_status asperity_state_at_load(const struct asperity_model *, double, struct asperity_state *);
 const char *asperity_status_string(asperity_status);
 asperity_status asperity_summary_of(const struct asperity_model *, struct asperity_summary *);
 asperity_status asperity_summits_at_overlaps(const struct asperity_model *, size_t, const double *, const double *, double *, double *, double *);
-asperity_status asperity_table_of(const struct asperity_model *, struct asperity_table *);
+asperity_status asperity_table_of(const struct asperity_model *, int32_t, struct asperity_table *);
 asperity_status asperity_tangential_at_load(const struct asperity_model *, double, double, double *, double *);
 double asperity_tangential_stiffness_at_load(const struct asperity_model *, double);
 asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_model *, size_t, const double *, double *);
 const char *asperity_version(void);
-asperity_status asperity_warning_loads(const struct asperity_model *, uint64_t, double *, double *);
-const char *asperity_warning_string(uint64_t);
 size_t asperity_warnings_text(uint64_t, char *, size_t);
 
 #endif

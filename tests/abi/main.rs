@@ -181,8 +181,3 @@ fn passes(name: &str) {
 fn a_program_of_this_abi_finds_every_field() {
     passes("every_field.c");
 }
-
-#[test]
-fn a_program_of_this_abi_reads_the_table() {
-    passes("table.c");
-}
