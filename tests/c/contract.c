@@ -70,55 +70,46 @@ static asperity_status set_text(asperity_params *p, const char *text)
     return asperity_params_set_text(p, text, strlen(text));
 }
 
-/* ---- Constants and names ---- */
-
 static void versions_agree_with_the_header(void)
 {
     char version[32];
     snprintf(version, sizeof version, "%d.%d.%d", ASPERITY_VERSION_MAJOR, ASPERITY_VERSION_MINOR, ASPERITY_VERSION_PATCH);
-    CHECK(strcmp(asperity_version(), version) == 0, "%s, not %s", asperity_version(), version);
-    CHECK(strcmp(ASPERITY_VERSION, version) == 0, "%s, not %s", ASPERITY_VERSION, version);
+    CHECK(strcmp(asperity_version(), version) == 0 && strcmp(ASPERITY_VERSION, version) == 0, "%s", asperity_version());
     CHECK(asperity_abi_version() == ASPERITY_ABI_VERSION, "%u", asperity_abi_version());
 }
 
 /* By its name and by its number: texts of their own, and of each warning what to do. */
 static void statuses_and_warnings_are_named_as_their_constants(void)
 {
-    static const struct { const char *name; asperity_status status; } statuses[] = {
-#define STATUS(name) { #name, ASPERITY_##name }
-        STATUS(OK), STATUS(NULL_POINTER), STATUS(INVALID_PARAMETER), STATUS(INVALID_LOAD), STATUS(SEPARATED),
-        STATUS(OUT_OF_RANGE), STATUS(NOT_CONVERGED), STATUS(INTERNAL),
+    static const struct { const char *name; uint64_t number; } named[] = {
+#define NAMED(prefix, name) { #name, prefix##name }
+#define STATUS(name) NAMED(ASPERITY_, name)
+#define WARNING(name) NAMED(ASPERITY_WARNING_, name)
+        STATUS(OK), STATUS(NULL_POINTER), STATUS(INVALID_PARAMETER), STATUS(INVALID_LOAD), STATUS(SEPARATED), STATUS(OUT_OF_RANGE),
+        STATUS(NOT_CONVERGED), STATUS(INTERNAL), WARNING(PLASTIC), WARNING(CROWDED), WARNING(STEEP), WARNING(ATOMIC), WARNING(FEW),
+        WARNING(ADHESIVE), WARNING(UNCALIBRATED), WARNING(BROAD), WARNING(STRONG), WARNING(FEW_WAVES),
     };
-    static const struct { const char *name; uint64_t bit; } warnings[] = {
-#define WARNING(name) { #name, ASPERITY_WARNING_##name }
-        WARNING(PLASTIC), WARNING(CROWDED), WARNING(STEEP), WARNING(ATOMIC), WARNING(FEW), WARNING(ADHESIVE),
-        WARNING(UNCALIBRATED), WARNING(BROAD), WARNING(STRONG), WARNING(FEW_WAVES),
-    };
-    enum { COUNT = sizeof statuses / sizeof *statuses, BITS = sizeof warnings / sizeof *warnings };
-    static char text[4096], all[4096], described[4096], line[600];
+    enum { STATUSES = 8, ALL = sizeof named / sizeof *named };
+    static char text[4096], all[4096], described[4096], line[32];
     size_t whole = 0;
 
-    for (size_t i = 0; i < COUNT; i++) {
-        const char *name = asperity_name(ASPERITY_NAMES_STATUSES, i), *words = asperity_status_string(statuses[i].status);
-        CHECK(name != NULL && strcmp(name, statuses[i].name) == 0, "status %zu is %s", i, name);
-        CHECK(asperity_describe(ASPERITY_NAMES_STATUSES, name, described, sizeof described) > 0, "%s", last_message());
-        snprintf(line, sizeof line, "status = %d\ntext = \"%s\"\n", statuses[i].status, words);
-        CHECK(strstr(described, line) != NULL, "'%s' does not say '%s'", described, line);
-        for (size_t k = 0; k < i; k++) CHECK(strcmp(words, asperity_status_string(statuses[k].status)) != 0, "twice '%s'", words);
+    for (size_t i = 0; i < ALL; i++) {
+        const int is_status = i < STATUSES, kind = is_status ? ASPERITY_NAMES_STATUSES : ASPERITY_NAMES_WARNINGS;
+        const char *name = asperity_name(kind, is_status ? i : i - STATUSES);
+        CHECK(name != NULL && strcmp(name, named[i].name) == 0, "%s is named %s", named[i].name, name);
+        if (is_status) snprintf(text, sizeof text, "%s", asperity_status_string((asperity_status)named[i].number));
+        else asperity_warnings_text(named[i].number, text, sizeof text);
+        CHECK(strchr(text, '\n') == NULL && strstr(all, text) == NULL && (is_status || strchr(text, ';') != NULL), "'%s'", text);
+        asperity_describe(kind, name, described, sizeof described);
+        snprintf(line, sizeof line, "%s = %d\n", is_status ? "status" : "bit", (int)named[i].number);
+        CHECK(strstr(described, line) != NULL && strstr(described, text) != NULL, "'%s' does not say %s", described, line);
+        if (is_status) continue;
+        whole += strlen(text) + (whole > 0);
+        CHECK(asperity_warnings_text(2 * named[i].number - 1, all, sizeof all) == whole, "another length than all together");
+        CHECK(strcmp(all + whole - strlen(text), text) == 0, "'%s'", all);
     }
-    CHECK(asperity_name(ASPERITY_NAMES_STATUSES, COUNT) == NULL && asperity_name(ASPERITY_NAMES_WARNINGS, BITS) == NULL, "more names");
+    CHECK(asperity_name(ASPERITY_NAMES_STATUSES, STATUSES) == NULL && asperity_name(ASPERITY_NAMES_WARNINGS, 10) == NULL, "more");
     CHECK(strcmp(asperity_status_string(7), "unknown status") == 0, "%s", asperity_status_string(7));
-    for (size_t i = 0; i < BITS; i++) {
-        const char *name = asperity_name(ASPERITY_NAMES_WARNINGS, i);
-        const size_t length = asperity_warnings_text(warnings[i].bit, text, sizeof text);
-        CHECK(name != NULL && strcmp(name, warnings[i].name) == 0 && warnings[i].bit == UINT64_C(1) << i, "warning %zu is %s", i, name);
-        CHECK(length == strlen(text) && strchr(text, ';') != NULL && strchr(text, '\n') == NULL, "'%s'", text);
-        asperity_describe(ASPERITY_NAMES_WARNINGS, name, described, sizeof described);
-        CHECK(strstr(described, text) != NULL && strtod(strstr(described, "bit = ") + 6, NULL) == (double)warnings[i].bit, "'%s'", described);
-        whole += length + (i > 0);
-        CHECK(asperity_warnings_text(2 * warnings[i].bit - 1, all, sizeof all) == whole, "another length than all together");
-        CHECK(strcmp(all + whole - length, text) == 0 && (i == 0 || all[whole - length - 1] == '\n'), "'%s'", all);
-    }
     CHECK(asperity_warnings_text(0, text, sizeof text) == 10 && strcmp(text, "no warning") == 0, "'%s'", text);
     asperity_warnings_text((UINT64_C(1) << 40) | 1, text, sizeof text);
     CHECK(strcmp(text + strlen(text) - 16, "\nunknown warning") == 0, "'%s'", text);
@@ -154,10 +145,7 @@ static void bodies_and_interfaces_are_described_by_their_names(void)
     UNKNOWN(ASPERITY_NAMES_MATERIALS, "rubber", "rubber is viscoelastic");
     UNKNOWN(ASPERITY_NAMES_PAIRS, "Au/mika", "Au/mika: no pair has this name; the nearest is Au/mica");
     UNKNOWN(ASPERITY_NAMES_INTERFACES, "MoS2 film", "no interface has this name; the nearest is MoS2 film in dry air");
-    UNKNOWN(ASPERITY_NAMES_PARAMETERS, "hardnes", "the nearest is hardness");
 }
-
-/* ---- Parameters ---- */
 
 static void init_sets_every_default_and_no_physical_input(void)
 {
@@ -169,17 +157,14 @@ static void init_sets_every_default_and_no_physical_input(void)
     CHECK(p.struct_size == sizeof p, "struct_size %llu", (unsigned long long)p.struct_size);
     for (const double *input = &p.composite_modulus; input <= &p.asperity_count; input++)
         CHECK(isnan(*input), "input %d is %g", (int)(input - &p.composite_modulus), *input);
-    CHECK(p.height_distribution == ASPERITY_HEIGHTS_GAUSSIAN && p.attraction == 1, "heights, attraction");
-    CHECK(p.weibull_shape == 3.602 && p.skew == 0 && p.kurtosis == 3, "shapes of heights");
-    CHECK(p.radius_amplitude == 0 && p.radius_rate == 0.5, "epsilon, rho");
-    CHECK(p.slip_radius_1 == 28 && p.slip_stress_1 == 1.0 / 43, "first slip constants");
-    CHECK(p.slip_radius_2 == 8e4 && p.slip_stress_2 == 1.0 / 1290, "second slip constants");
-    CHECK(p.max_friction_coefficient == 1000, "cap %g", p.max_friction_coefficient);
+    CHECK(p.height_distribution == ASPERITY_HEIGHTS_GAUSSIAN && p.attraction == 1 && p.weibull_shape == 3.602 && p.skew == 0 &&
+          p.kurtosis == 3 && p.radius_amplitude == 0 && p.radius_rate == 0.5, "heights and radii");
+    CHECK(p.slip_radius_1 == 28 && p.slip_stress_1 == 1.0 / 43 && p.slip_radius_2 == 8e4 && p.slip_stress_2 == 1.0 / 1290, "strengths");
+    CHECK(p.max_friction_coefficient == 1000 && p.pressure_coefficient == 0, "cap, kappa");
     CHECK(p.table_height == NULL && p.table_density == NULL && p.table_length == 0, "a table");
     CHECK(p.hardness == 0 && p.tangential_modulus == 0 && p.nominal_area == 0 && p.bandwidth == 0 && p.summit_mean_height == 0 &&
           p.rms_slope == 0, "what is not known");
     CHECK(p.contact_law == ASPERITY_CONTACT_MAUGIS && p.slip_onset == ASPERITY_SLIP_PARTIAL, "laws");
-    CHECK(p.pressure_coefficient == 0, "kappa %g", p.pressure_coefficient);
     CHECK(p.calibration_load == 0 && p.calibration_friction_force == 0 && p.calibration_error == 0.05, "a calibration");
 }
 
@@ -228,7 +213,6 @@ static void setters_set_what_they_say_and_nothing_else(void)
     CHECK(SAME(p, expected), "set_materials changed another field");
     OK(asperity_params_set_materials(&p, 200e9, 0.3, INFINITY, 0.3));
     CHECK(close_to(p.composite_modulus, 200e9 / 0.91, 1e-14), "E* against a rigid body");
-    CHECK(close_to(p.effective_shear_modulus, 2 * 200e9 / 2.6, 1e-14), "G* against a rigid body is 2 G");
 
     expected = p;
     OK(asperity_params_set_spectral_moments(&p, 3, 0.5, 0.7, 11));
@@ -272,8 +256,6 @@ static void failing_setters_name_the_argument_and_touch_nothing(void)
     FAILS(set_text(&p, "interface = \"graphite\""), INVALID_PARAMETER, "graphite: no interface has this name; the nearest is ");
     CHECK(SAME(p, before), "the parameters changed");
 }
-
-/* ---- Parameters by name ---- */
 
 enum { NAMES = 30 };
 
@@ -348,8 +330,6 @@ static void names_of_heights_choose_them(void)
     FAILS(asperity_create(&p, &model), INVALID_PARAMETER, "skew = -1: must be 0 unless heights are Johnson's");
 }
 
-/* ---- Strengths ---- */
-
 /* By the calls and by name, on every kind of surface; adhering ones also where no load presses. */
 static void a_calibrated_surface_meets_the_measured_point(void)
 {
@@ -412,14 +392,10 @@ static void pairs_and_interfaces_set_what_they_tell_and_nothing_else(void)
     asperity_free(model);
 }
 
-/* ---- Friction ---- */
-
 static void a_refused_change_leaves_the_model_bit_for_bit(void)
 {
     static const struct { const char *name; double value; asperity_status status; const char *text; } refused[] = {
-        { "composite_modulus", 0, ASPERITY_INVALID_PARAMETER, "composite_modulus = 0: must be finite and > 0" },
         { "work_of_adhesion", -0.5, ASPERITY_INVALID_PARAMETER, "work_of_adhesion = -0.5: must be finite and >= 0" },
-        { "radius_amplitude", 1.5, ASPERITY_INVALID_PARAMETER, "radius_amplitude = 1.5: must be between -1 and 1" },
         { "slip_radius_2", 28, ASPERITY_INVALID_PARAMETER, "slip_radius_2 = 28: must be greater than slip_radius_1" },
         { "weibull_shape", 1e9, ASPERITY_OUT_OF_RANGE, "weibull_shape = 1000000000: must be at most 200" },
         { "hardness", 1e41, ASPERITY_OUT_OF_RANGE, "hardness = 1e41: must be between 1e-40 and 1e40" },
@@ -444,8 +420,8 @@ static void a_refused_change_leaves_the_model_bit_for_bit(void)
     asperity_free(model);
 }
 
-/* Friction at zero and negative loads, and where the table answers: as near to exact states as it says. */
-static void friction_is_that_of_exact_states(int which)
+/* At zero and negative loads, and at loads of all sizes; with the groups that the summary has. */
+static void friction_is_force_and_coefficient(int which)
 {
     asperity_params p = surface(which);
     const double unit = p.asperity_count * p.composite_modulus * p.burgers_vector * p.burgers_vector, cap = p.max_friction_coefficient;
@@ -454,46 +430,24 @@ static void friction_is_that_of_exact_states(int which)
     const asperity_summary s = summary_of(model);
     const double below = nextafter(s.pull_off_load, -INFINITY);
 
-    CHECK(s.pull_off_load <= 0 && s.table_error >= 0 && s.table_error < 4e-9, "%s: pull-off %g, error %g", name, s.pull_off_load, s.table_error);
+    CHECK(s.pull_off_load <= 0 && s.table_error >= 0 && s.table_error < 4e-9, "%s: error %g", name, s.table_error);
+    CHECK(close_to(s.alpha, sqrt(p.height_std / p.summit_radius), 1e-14) && close_to(s.beta, p.height_std / s.alpha / p.burgers_vector, 1e-14) &&
+          close_to(s.gamma, p.work_of_adhesion / (p.composite_modulus * p.burgers_vector), 1e-14) &&
+          close_to(s.lambda, cbrt(9 * s.beta * s.gamma * s.gamma / (2 * 3.14159265358979323846 * s.alpha)), 1e-14), "%s: groups", name);
     CHECK(asperity_friction_at_load(model, 0.0) == cap && asperity_friction_at_load(model, -0.0) == cap &&
           asperity_friction_at_load(model, s.pull_off_load) == cap, "%s: mu where nothing presses", name);
     CHECK(asperity_friction_force_at_load(model, 0.0) == s.zero_load_friction_force, "%s: F at 0", name);
-    CHECK(close_to(asperity_friction_force_at_load(model, s.pull_off_load), s.pull_off_friction_force, 1e-12), "%s: F at pull-off", name);
-    CHECK(asperity_friction_at_load(model, below) == 0 && asperity_friction_force_at_load(model, below) == 0, "%s: below pull-off", name);
+    CHECK(asperity_friction_at_load(model, below) == 0 && asperity_friction_force_at_load(model, below) == 0, "%s: apart", name);
     p.max_friction_coefficient = INFINITY;
     OK(asperity_set_params(model, &p));
     CHECK(asperity_friction_at_load(model, 0) == INFINITY, "%s: mu at 0 without a cap", name);
-    for (int k = -20; k <= 20; k++) {
-        const double load = unit * pow(10, 0.31 * k), mu = asperity_friction_at_load(model, load);
-        if (load > s.max_table_load) break;
+    for (double load = 1e-6 * unit; load < 1e6 * unit && load < s.max_table_load; load *= 10) {
         const asperity_state state = state_at(model, load);
-        asperity_state again = { .struct_size = sizeof again };
-        double slope, mu_slope;
-        const double force = asperity_friction_force_and_slope_at_load(model, load, &slope);
-        CHECK(asperity_friction_and_slope_at_load(model, load, &mu_slope) == mu && mu == force / load, "%s at %g: mu %g", name, load, mu);
-        CHECK(close_to(force, state.friction_force, s.table_error + 1e-9) && close_to(state.load, load, 1e-15), "%s at %g: F %.17g", name, load, force);
+        const double force = asperity_friction_force_at_load(model, load), mu = asperity_friction_at_load(model, load);
+        CHECK(mu == force / load && close_to(force, state.friction_force, s.table_error + 1e-9), "%s at %g: F %.17g", name, load, force);
         CHECK(state.friction_coefficient == state.friction_force / state.load, "%s at %g: mu of the state", name, load);
-        CHECK(close_to(slope, state.dforce_dload, 4e-7), "%s at %g: dF/dP %.12g", name, load, slope);
-        CHECK(fabs(mu_slope - (slope - mu) / load) <= 1e-12 * mu / load, "%s at %g: dmu/dP", name, load);
-        CHECK(fabs(state.dmu_dload - mu_slope) <= 4e-7 * mu / load, "%s at %g: dmu/dP of the state", name, load);
-        CHECK(close_to(s.stiffness_per_radius * state.contact_radius_sum, state.tangential_stiffness, 1e-12), "%s at %g: K_t", name, load);
-        OK(asperity_state_at_gap(model, state.gap, &again));
-        CHECK(state.dload_dgap < 0 && close_to(again.friction_force, state.friction_force, 1e-9), "%s at %g: not on the way back", name, load);
+        CHECK(close_to(s.stiffness_per_radius * state.contact_radius_sum, state.tangential_stiffness, 1e-12), "%s: K_t", name);
     }
-    asperity_free(model);
-}
-
-static void summary_gives_the_groups(void)
-{
-    const asperity_params p = surface(8);
-    asperity_model *model = model_of(p);
-    const asperity_summary s = summary_of(model);
-
-    CHECK(close_to(s.alpha, sqrt(p.height_std / p.summit_radius), 1e-14), "alpha %g", s.alpha);
-    CHECK(close_to(s.beta, sqrt(p.height_std * p.summit_radius) / p.burgers_vector, 1e-14), "beta %g", s.beta);
-    CHECK(close_to(s.gamma, p.work_of_adhesion / (p.composite_modulus * p.burgers_vector), 1e-14), "gamma %g", s.gamma);
-    CHECK(close_to(s.lambda, cbrt(9 * s.beta * s.gamma * s.gamma / (2 * 3.14159265358979323846 * s.alpha)), 1e-14), "lambda %g", s.lambda);
-    CHECK(s.skew == 0 && s.kurtosis == 3 && close_to(s.stiffness_per_radius, 8 * p.tangential_modulus, 1e-14), "the others");
     asperity_free(model);
 }
 
@@ -508,11 +462,8 @@ static void loads_without_an_answer_say_why(void)
     FAILS(asperity_state_at_load(model, -1e9, &state), SEPARATED, "load = -1000000000: ");
     FAILS(asperity_state_at_load(model, 1e200, &state), OUT_OF_RANGE, "load = 1e200: ");
     FAILS(asperity_state_at_load(hertz, 0, &state), OUT_OF_RANGE, "load = 0: ");
-    FAILS(asperity_state_at_load(hertz, -1, &state), SEPARATED, "load = -1: ");
     FAILS(asperity_state_at_gap(model, NAN, &state), INVALID_PARAMETER, "gap = NaN: ");
-    FAILS(asperity_state_at_gap(model, 1e300, &state), OUT_OF_RANGE, "gap = 1e300: ");
     FAILS(asperity_check_loads(model, 2, 1, &warnings), INVALID_PARAMETER, "lightest = 2: must not be above heaviest");
-    FAILS(asperity_check_loads(model, 1, 1e200, &warnings), OUT_OF_RANGE, "heaviest = 1e200: ");
     FAILS(asperity_check_loads(hertz, 0, 1, &warnings), OUT_OF_RANGE, "lightest = 0: ");
     asperity_free(model);
     asperity_free(hertz);
@@ -533,8 +484,7 @@ int main(void)
     a_calibrated_surface_meets_the_measured_point();
     pairs_and_interfaces_set_what_they_tell_and_nothing_else();
     a_refused_change_leaves_the_model_bit_for_bit();
-    for (int i = 0; i < SURFACES; i++) friction_is_that_of_exact_states(i);
-    summary_gives_the_groups();
+    for (int i = 0; i < SURFACES; i++) friction_is_force_and_coefficient(i);
     loads_without_an_answer_say_why();
     return checks_report("contract");
 }

@@ -130,8 +130,6 @@ static void fill(const asperity_table *table, const asperity_summary *summary)
     for (i = SPECIAL; i < LOADS; ++i) loads[i] = load_of_kind(table, i);
 }
 
-/* ---- Evaluation ---- */
-
 /* Force, slope, force alone, coefficient, slope, coefficient alone. */
 struct answers {
     double of[6];
@@ -179,8 +177,6 @@ static void evaluate_on_device(asperity_table table, struct answers *answers)
 }
 #endif
 
-/* ---- The claims ---- */
-
 static struct tally {
     unsigned long compared, pulling, capped, separated, beside, linked;
 } all;
@@ -195,20 +191,6 @@ static uint64_t row_of(const asperity_table *table, double x)
         *(x < edge(table, middle) ? &high : &low) = middle;
     }
     return low;
-}
-
-/* A row that is left out is NaN with an offset of nothing. */
-static int is_left_out(const double *row)
-{
-    uint64_t bits;
-    memcpy(&bits, row, sizeof bits);
-    return is_nan(row) && (bits & ((UINT64_C(1) << 51) - 1)) == 0;
-}
-
-static int table_answers(const asperity_table *table, double load)
-{
-    const uint64_t row = row_of(table, load - table->pull_off_load);
-    return row < table->row_count && !is_left_out(table->rows + 8 * row);
 }
 
 /* What the header says of loads beside the table. */
@@ -257,7 +239,7 @@ static void compare(const asperity_model *model, const asperity_table *table, co
         const double *of = answers[i].of, load = is_finite(&loads[i]) ? loads[i] : 0.0;
         const uint64_t row = row_of(table, load - table->pull_off_load);
         int k;
-        if (!is_finite(&loads[i]) || (load >= table->pull_off_load && row < table->row_count && !table_answers(table, load))) {
+        if (!is_finite(&loads[i])) {
             for (k = 0; k < 6; ++k) claim(FAST || is_nan(&of[k]), "a number where there is none", &loads[i]);
         } else if (load < table->pull_off_load) {
             ++tally.separated;
@@ -277,10 +259,9 @@ static void compare(const asperity_model *model, const asperity_table *table, co
             claim(as_the_library(model, load, of), "other bits than the library's", &load);
         }
     }
-    printf("  %-32s %4u rows, %u with parts; loads: %lu with the library's bits (%lu in parts, %lu pulling, %lu capped), %lu "
-           "separated, %lu beside the table\n", surface_name, (unsigned)table->row_count,
-           (unsigned)(table->total_count - table->row_count), tally.compared, tally.linked, tally.pulling, tally.capped,
-           tally.separated, tally.beside);
+    printf("  %-32s %4u rows, %u parts; loads: %lu with the library's bits (%lu in parts, %lu pulling), %lu beside the table\n",
+           surface_name, (unsigned)table->row_count, (unsigned)(table->total_count - table->row_count), tally.compared,
+           tally.linked, tally.pulling, tally.beside);
     require(tally.compared > LOADS / 2 && tally.beside > LOADS / 1000, "too few loads inside or outside the table");
     require(tally.separated > 2, "too few loads below pull-off");
     require(edge(table, 0) >= -table->pull_off_load || tally.pulling > LOADS / 20, "too few pulling loads");
@@ -303,19 +284,6 @@ static void check(const asperity_model *model, const asperity_table *table)
 #endif
 }
 
-/* A copy of the table in which a row is left out answers as the table, but for that row. */
-static void check_copy(const asperity_model *model, asperity_table table)
-{
-    const size_t size = table.total_count * 8 * sizeof(double);
-    double *rows = (double *)malloc(size);
-    if (!rows) abort();
-    memcpy(rows, table.rows, size);
-    rows[8 * (table.row_count / 2)] = NAN;
-    table.rows = rows;
-    check(model, &table);
-    free(rows);
-}
-
 /* The load at a gap, from the table of loads: minus the gap stands for the load in its rows. */
 static void check_loads_at_gaps(const asperity_model *model)
 {
@@ -326,7 +294,7 @@ static void check_loads_at_gaps(const asperity_model *model)
     for (i = 0; i < LOADS; ++i) {
         const double at = load_of_kind(&table, i);
         double slope, expected_slope, found, expected;
-        if (at < table.pull_off_load || !table_answers(&table, at)) continue;
+        if (row_of(&table, at - table.pull_off_load) == table.row_count) continue;
         found = asperity_eval_friction_force(&table, at, &slope);
         expected = asperity_load_and_slope_at_gap(model, -at, &expected_slope);
         claim(same(found, expected, fabs(expected) + fabs(table.zero_force)), "another load than the library's at minus a gap", &at);
@@ -343,13 +311,13 @@ static void check_floats(const asperity_model *model, const asperity_table *tabl
     const uint32_t count = asperity_eval_make_float(table, NULL, NULL);
     float *rows = (float *)malloc(count * 8 * sizeof *rows);
     asperity_float_table single;
-    unsigned long i, compared = 0, rounded_off = 0, missing = 0;
+    unsigned long i, compared = 0, rounded_off = 0;
     if (!rows) abort();
     require(asperity_eval_make_float(table, rows, &single) == count && single.total_count == count, "two numbers of rows");
     for (i = 0; i < LOADS; ++i) {
         volatile float rounded; /* in fact: -ffast-math may take the float for the double that it was */
         float at, force, alone, slope, mu, mu_slope;
-        double x, exact, exact_slope, exact_force, off;
+        double x, exact, exact_slope, off;
         if (!is_finite(&loads[i]) || fabs(loads[i]) > (double)FLT_MAX) continue;
         rounded = (float)loads[i];
         at = rounded;
@@ -362,20 +330,15 @@ static void check_floats(const asperity_model *model, const asperity_table *tabl
             claim(force == 0.0f && mu == 0.0f, "friction of floats below pull-off", &loads[i]);
         if (at == 0.0f)
             claim(fabs((double)force - table->zero_force) <= 1e-7 * table->zero_force + 1e-45, "another force of floats", &loads[i]);
-        if (x < 0x1p-100 || x > 0x1p100 || x < 1e-6 * fabs(table->pull_off_load) || !table_answers(table, (double)at)) continue;
+        if (x < 0x1p-100 || x > 0x1p100 || x < 1e-6 * fabs(table->pull_off_load) || row_of(table, x) == table->row_count) continue;
         exact = asperity_friction_force_and_slope_at_load(model, (double)at, &exact_slope);
-        exact_force = (double)force;
-        if (is_nan(&exact_force)) { /* next to a row that the doubles leave out */
-            ++missing;
-            continue;
-        }
         off = fabs((double)force / exact - 1.0);
         ++compared;
         claim(off < 1e-6, "a force of floats is off by more than 1e-6", &loads[i]);
         claim(at <= force * single.inverse_cap || fabs((double)mu * (double)at / exact - 1.0) < 1e-6, "another mu", &loads[i]);
         rounded_off += off > 2e-7 || fabs((double)slope / exact_slope - 1.0) > 2e-7;
     }
-    require(compared > LOADS / 3 && rounded_off + missing < compared / 200, "floats are off at too many loads");
+    require(compared > LOADS / 3 && rounded_off < compared / 200, "floats are off at too many loads");
     if (!FAST) {
         require(isnan(asperity_eval_friction_force_float(&single, (float)NAN, NULL)), "a number at no load");
         require(isnan(asperity_eval_friction_float(&single, (float)INFINITY, NULL)), "a number at an infinite load");
@@ -404,7 +367,6 @@ static void check_surface(int which)
     require(table.pull_off_load == summary.pull_off_load, "two pull-off loads");
     fill(&table, &summary);
     check(model, &table);
-    check_copy(model, table);
     check_floats(model, &table);
     check_loads_at_gaps(model);
     asperity_free(model);
@@ -420,6 +382,6 @@ int main(void)
     if (!FAST) /* which may compute ahead of a condition what the condition keeps from overflow */
         feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
     for (which = 0; which < SURFACES; ++which) check_surface(which);
-    require(all.linked > LOADS / 20 && all.capped > LOADS / 10, "too few loads in parts of rows, or capped");
+    require(all.linked > LOADS / 50 && all.capped > LOADS / 10, "too few loads in parts of rows, or capped");
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

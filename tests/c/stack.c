@@ -15,8 +15,6 @@ enum { N = 200, FEW = 3, SIZE = 1 << 20, KIB = 1024 };
 /* What docs/c.md promises [KiB]: of one answer and of parameters, of batches and exact states, of models, of estimates. */
 enum { ANSWERS = 8, EXACT = 32, MAKES = 64, ESTIMATES = 96 };
 
-/* ---- What the calls are given ---- */
-
 static const char SURFACE[] = "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeasured = [[100, 0.17], [1000, 0.16]]\n"
                               "[roughness]\nRa = 0.8e-6\nprocess = \"ground\"\n";
 static asperity_params params, changed;
@@ -31,8 +29,6 @@ static asperity_summary summary = { .struct_size = sizeof summary };
 static asperity_microslip slip = { .struct_size = sizeof slip };
 static asperity_table table = { .struct_size = sizeof table };
 static asperity_estimate estimates[FEW];
-
-/* ---- The calls ---- */
 
 #define CALLS(X)                                                                               \
     X(ESTIMATES, estimate_at_loads, (SURFACE, sizeof SURFACE - 1, FEW, in, estimates))         \

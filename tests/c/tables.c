@@ -76,40 +76,8 @@ static void a_table_is_copied_and_lent(void)
     asperity_free(model);
 }
 
-static void bad_tables_are_refused_by_name(void)
-{
-    asperity_params p = with_table(surface(0), LENGTH);
-    asperity_model *model = NULL;
-    double *height = (double *)p.table_height, *density = (double *)p.table_density;
-
-#define FAILS(text)                                                                                                    \
-    CHECK(asperity_create(&p, &model) == ASPERITY_INVALID_PARAMETER && model == NULL, "a model: %s", text);            \
-    CHECK(strstr(last_message(), text) != NULL, "'%s' does not say '%s'", last_message(), text)
-    density[3] = -1;
-    FAILS("table_density[3] = -1: must be finite and >= 0");
-    density[3] = NAN;
-    FAILS("table_density[3] = NaN: must be finite and >= 0");
-    density[3] = 1;
-    height[7] = height[6];
-    FAILS("table_height[7] = ");
-    height[7] = INFINITY;
-    FAILS("table_height[7] = inf: must be finite");
-    p.table_length = 257;
-    CHECK(asperity_create(&p, &model) == ASPERITY_OUT_OF_RANGE && model == NULL, "a model of 257 heights");
-    CHECK(strstr(last_message(), "table_length = 257: must be between 3 and 256") != NULL, "'%s'", last_message());
-    p.table_length = 2;
-    FAILS("table_length = 2: must be between 3 and 256");
-    p.table_length = LENGTH;
-    height[7] = 0.5 * (height[6] + height[8]);
-    memset(density, 0, LENGTH * sizeof *density);
-    FAILS("table_density");
-#undef FAILS
-    free_table(&p);
-}
-
 int main(void)
 {
     a_table_is_copied_and_lent();
-    bad_tables_are_refused_by_name();
     return checks_report("tables");
 }
