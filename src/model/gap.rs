@@ -5,7 +5,7 @@
 use super::Model;
 use crate::error::Error;
 use crate::law::{Beyond, Table};
-use crate::numerics::float_bits::{finite, nan};
+use crate::numerics::float_bits::{finite, finite_up_to, nan};
 
 impl Model {
     /// The load at a gap on the branch of load control; 0 where the surfaces are apart: from pull-off's gap on, or
@@ -34,7 +34,7 @@ impl Model {
     /// The same where they are known without a computation.
     #[inline(always)]
     pub(crate) fn known_load(&self, approach: f64) -> Option<(f64, f64)> {
-        if !finite(approach) || approach > self.deepest_compression() {
+        if !finite_up_to(approach, self.deepest_compression()) {
             return Some((f64::NAN, f64::NAN));
         }
         self.law.gap().is_open(-approach).then_some((0.0, 0.0))

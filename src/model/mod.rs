@@ -15,7 +15,7 @@ use crate::error::{Error, LOAD};
 use crate::law::tolerance::{self, larger};
 use crate::law::{Beyond, Law, Lengths, Quantity, Table, Unfollowed};
 use crate::numerics::elementary::cbrt;
-use crate::numerics::float_bits::finite;
+use crate::numerics::float_bits::{finite, finite_up_to};
 use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
@@ -257,7 +257,7 @@ impl Model {
     /// Friction force or stiffness and slope where they are known without a computation.
     #[inline(always)]
     pub(crate) fn known_value(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
-        if !finite(load) || load > self.heaviest {
+        if !finite_up_to(load, self.heaviest) {
             return Some((f64::NAN, f64::NAN));
         }
         let (known, pull_off) = (&self.known[quantity as usize], self.law.table(quantity).pull_off);
@@ -272,7 +272,7 @@ impl Model {
     /// Friction coefficient and slope where they are known without a computation.
     #[inline(always)]
     pub(crate) fn known_coefficient(&self, load: f64) -> Option<(f64, f64)> {
-        if !finite(load) || load > self.heaviest {
+        if !finite_up_to(load, self.heaviest) {
             return Some((f64::NAN, f64::NAN));
         }
         match load {

@@ -14,6 +14,12 @@ pub fn finite(x: f64) -> bool {
     x.to_bits() << 1 < 0x7ff << 53
 }
 
+/// Whether a number is finite and at most a bound > 0. By bits also for the bound: the compiler may compare numbers ahead of a test
+/// whether they are finite, and a signalling NaN would raise a floating-point exception there.
+pub fn finite_up_to(x: f64, bound: f64) -> bool {
+    finite(x) && x.to_bits() as i64 <= bound.to_bits() as i64
+}
+
 /// Positive numbers between these are moderate: 2^-500 and 2^500. Products and quotients of two neither overflow nor underflow.
 pub const MODERATE: [f64; 2] = [power_of_two(1023 - 500), power_of_two(1023 + 500)];
 
