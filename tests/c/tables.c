@@ -74,6 +74,11 @@ static void a_table_is_copied_and_lent(void)
     CHECK(asperity_set_params(model, &back) == ASPERITY_INVALID_PARAMETER, "a negative radius");
     CHECK(back.table_height[0] == 2, "the table moved");
     asperity_free(model);
+
+    /* The caller's was freed above: there is none. */
+    CHECK(asperity_create(&p, &model) == ASPERITY_NULL_POINTER && strstr(last_message(), "table_height is NULL"), "%s", last_message());
+    p.table_height = &mu;
+    CHECK(asperity_create(&p, &model) == ASPERITY_NULL_POINTER && strstr(last_message(), "table_density is NULL"), "%s", last_message());
 }
 
 int main(void)
