@@ -1,5 +1,7 @@
 //! The contract of the C interface: what the head of asperity.h says of all functions, asked of each through one description of it.
 
+use crate::common::neighbours::Neighbours;
+use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::ffi::{c_char, c_void, CStr};
 use std::ptr::null_mut;
@@ -182,6 +184,7 @@ const CALLS: &[Call] = calls! {
     asperity_table_of(model: Model, kind: Whole(1), table: Struct(size_of::<asperity_table>()));
 };
 
+const SEED: u64 = 0x5eed_ba7c;
 /// What memory holds that a call must leave as it is.
 const UNTOUCHED: u64 = 0x5eed_5eed_5eed_5eed;
 /// Room for a text [bytes].
@@ -534,77 +537,167 @@ fn no_elements_need_no_arrays() {
     }
 }
 
+/// Models whose tables differ in kind: adhesion or none, rows left out, caps, units, metal that yields.
+fn models() -> Vec<Handle> {
+    let paper = asperity_params::dimensionless(0.01, 1000.0, 0.001, 1.0);
+    let hertz = asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0);
+    let uneven = asperity_params::dimensionless(0.05, 60.0, 0.02, 1.5);
+    // SI at the size of atoms.
+    let mut small_units = paper;
+    let scales = [1e11, 1e11, 10.0, 1e-10, 1e-10, 1e-10, 1e-10, 1e6];
+    small_units.quantities().into_iter().zip(scales).for_each(|(quantity, scale)| *quantity *= scale);
+    let metal = ASPERITY_CONTACT_ELASTIC_PLASTIC;
+    let yielding = asperity_params { contact_law: metal, hardness: 0.01 * hertz.composite_modulus, ..hertz };
+    [
+        paper,
+        hertz,
+        paper.weibull(40.0),
+        paper.weibull(1.2),
+        paper.radii(0.9, 2.0),
+        paper.cap(1.0),
+        paper.cap(f64::INFINITY),
+        small_units,
+        yielding,
+        uneven.weibull(1.1),
+        uneven.weibull(60.0),
+        uneven.radii(-1.0, 3.0),
+        uneven.weibull(20.0).radii(1.0, 5.0),
+    ]
+    .map(|params| Handle::new(&params))
+    .into()
+}
+
+/// Loads or gaps of every kind: in the table, beyond its ends, around pull-off and zero, invalid.
+fn mixed(random: &mut SplitMix, model: &Handle, count: usize) -> Vec<f64> {
+    let summary = model.summary();
+    let (pull_off, sigma) = (summary.pull_off_load, asperity_params::of(model).height_std);
+    let corners = [
+        f64::NAN,
+        f64::from_bits(0x7ff0_0000_0000_0001),
+        f64::from_bits(0xfff4_0000_0000_0000),
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        0.0,
+        -0.0,
+        f64::from_bits(1),
+        -f64::from_bits(1),
+        f64::MIN_POSITIVE,
+        1e-200,
+        pull_off,
+        pull_off.above(),
+        pull_off.below(),
+        2.0 * pull_off - 1e-30,
+        -f64::MAX,
+        summary.min_table_load,
+        summary.min_table_load.below(),
+        summary.max_table_load,
+        summary.max_table_load.below(),
+        2.0 * summary.max_table_load,
+        1e300,
+    ];
+    let (nearest, farthest) = (summary.min_table_load - pull_off, summary.max_table_load - pull_off);
+    let any = |random: &mut SplitMix| match random.below(20) {
+        0..=2 => corners[random.below(corners.len())],
+        3 => -sigma * random.log_between(1e2, 1e11),
+        4..=8 => sigma * random.between(-6.0, 14.0),
+        _ => pull_off + random.log_between(nearest, farthest),
+    };
+    (0..count).map(|_| any(random)).collect()
+}
+
+#[test]
+fn a_batch_of_one_has_the_bits_of_the_call_for_one() {
+    let named = |name: &str| CALLS.iter().find(|call| call.name == name).expect("a function");
+    let mut random = SplitMix(SEED);
+    for model in models() {
+        let loads = mixed(&mut random, &model, 400);
+        for (batch, one) in [
+            ("asperity_friction_at_loads", "asperity_friction_at_load"),
+            ("asperity_friction_at_loads", "asperity_friction_and_slope_at_load"),
+            ("asperity_friction_force_at_loads", "asperity_friction_force_at_load"),
+            ("asperity_friction_force_at_loads", "asperity_friction_force_and_slope_at_load"),
+            ("asperity_friction_force_at_loads_of", "asperity_friction_force_and_slope_at_load"),
+            ("asperity_tangential_stiffness_at_loads", "asperity_tangential_stiffness_at_load"),
+            ("asperity_loads_at_gaps", "asperity_load_and_slope_at_gap"),
+        ] {
+            let (batch, one) = (named(batch), named(one));
+            let read = batch.at(|is| matches!(is, In(1, _))).next().expect("an array");
+            let outputs = |call: &Call| call.at(|is| is == MayOut(1)).collect::<Vec<_>>();
+            for load in &loads {
+                let (mut of_batch, mut of_one) = (batch.prepare(&model, 1), one.prepare(&model, 1));
+                of_batch.places[read][0] = load.to_bits();
+                of_one.words[1].bits = load.to_bits();
+                batch.run(&of_batch);
+                let told = one.run(&of_one);
+                let (values, slopes) = (outputs(batch), outputs(one));
+                let (value, context) = (of_batch.places[values[0]][0], (one.name, load));
+                assert_eq!(Told::Number(value), told, "{context:?}");
+                for slope in slopes {
+                    assert_eq!(of_batch.places[values[1]][0], of_one.places[slope][0], "{context:?}");
+                }
+            }
+        }
+    }
+}
+
 /// Arrays of any length at odd addresses, and outputs in place of what is read, give the bits that each element gives alone.
 #[test]
 fn elements_of_a_batch_have_the_bits_that_they_have_alone() {
-    let model = Handle::new(&soonest_made());
-    let pull_off = model.summary().pull_off_load;
-    let some = [
-        1e-3,
-        0.0,
-        -0.0,
-        0.5 * pull_off,
-        2.0 * pull_off,
-        f64::NAN,
-        1e-200,
-        0.2,
-        1e5,
-        f64::INFINITY,
-        pull_off,
-        1e300,
-        3e-2,
-    ];
+    let mut random = SplitMix(SEED ^ 1);
     let is_batch = |call: &&Call| call.is_batch() && call.at(|is| matches!(is, Text(_) | Names(_))).next().is_none();
-    for call in CALLS.iter().filter(is_batch) {
-        let read = call.at(|is| matches!(is, In(1, _))).next().expect("an array");
-        let outputs: Vec<(usize, usize)> = call
-            .at(|is| matches!(is, MayOut(_)))
-            .map(|i| match call.arguments[i].1 {
-                MayOut(width) => (i, width),
-                _ => unreachable!(),
-            })
-            .collect();
-        let answer = |loads: &[f64], odd: usize, in_place: Option<usize>| -> Vec<Vec<u64>> {
-            let mut prepared = call.prepare(&model, loads.len());
-            for (to, load) in prepared.places[read].iter_mut().zip(loads) {
-                *to = load.to_bits();
-            }
-            // The same memory, so many bytes further.
-            let mut moved: Vec<Vec<u8>> = Vec::new();
-            for (word, place) in prepared.words.iter_mut().zip(&prepared.places).filter(|(_, place)| !place.is_empty())
-            {
-                let bytes = std::iter::repeat_n(0, odd).chain(place.iter().flat_map(|word| word.to_ne_bytes()));
-                moved.push(bytes.collect());
-                word.pointer = moved.last_mut().expect("it").as_mut_ptr().wrapping_add(odd).cast();
-            }
-            if let Some(i) = in_place {
-                prepared.words[i].pointer = prepared.words[read].pointer;
-            }
-            call.run(&prepared);
-            let count = |width: usize| width * loads.len();
-            let written = |&(i, width): &(usize, usize)| {
-                let at: *const u64 = prepared.words[i].pointer.cast_const().cast();
-                // SAFETY: so many numbers lie there.
-                (0..count(width)).map(|k| unsafe { at.add(k).read_unaligned() }).collect()
+    for model in models() {
+        for call in CALLS.iter().filter(is_batch) {
+            let read = call.at(|is| matches!(is, In(1, _))).next().expect("an array");
+            let outputs: Vec<(usize, usize)> = call
+                .at(|is| matches!(is, MayOut(_)))
+                .map(|i| match call.arguments[i].1 {
+                    MayOut(width) => (i, width),
+                    _ => unreachable!(),
+                })
+                .collect();
+            let answer = |loads: &[f64], odd: usize, in_place: Option<usize>| -> Vec<Vec<u64>> {
+                let mut prepared = call.prepare(&model, loads.len());
+                for (to, load) in prepared.places[read].iter_mut().zip(loads) {
+                    *to = load.to_bits();
+                }
+                // The same memory, so many bytes further.
+                let mut moved: Vec<Vec<u8>> = Vec::new();
+                for (word, place) in
+                    prepared.words.iter_mut().zip(&prepared.places).filter(|(_, place)| !place.is_empty())
+                {
+                    let bytes = std::iter::repeat_n(0, odd).chain(place.iter().flat_map(|word| word.to_ne_bytes()));
+                    moved.push(bytes.collect());
+                    word.pointer = moved.last_mut().expect("it").as_mut_ptr().wrapping_add(odd).cast();
+                }
+                if let Some(i) = in_place {
+                    prepared.words[i].pointer = prepared.words[read].pointer;
+                }
+                call.run(&prepared);
+                let count = |width: usize| width * loads.len();
+                let written = |&(i, width): &(usize, usize)| {
+                    let at: *const u64 = prepared.words[i].pointer.cast_const().cast();
+                    // SAFETY: so many numbers lie there.
+                    (0..count(width)).map(|k| unsafe { at.add(k).read_unaligned() }).collect()
+                };
+                outputs.iter().map(written).collect()
             };
-            outputs.iter().map(written).collect()
-        };
-        for n in (1..=9).chain([17, 135]) {
-            let loads: Vec<f64> = (0..n).map(|k| some[(k * 5 + n) % some.len()]).collect();
-            let alone: Vec<Vec<Vec<u64>>> = loads.iter().map(|load| answer(&[*load], 0, None)).collect();
-            let places =
-                [None].into_iter().chain(outputs.iter().filter(|(_, width)| *width == 1).map(|(i, _)| Some(*i)));
-            for (odd, in_place) in places.flat_map(|place| [(0, place), (1, place), (8, place)]) {
-                let found = answer(&loads, odd, in_place);
-                for (o, (i, width)) in outputs.iter().enumerate() {
-                    for k in 0..n {
-                        let (here, there) = (&found[o][k * width..(k + 1) * width], &alone[k][o]);
-                        let name = call.arguments[*i].0;
-                        assert_eq!(
-                            here, there,
-                            "{}: {name} of load {:e}, {k} of {n}, {odd}, {in_place:?}",
-                            call.name, loads[k]
-                        );
+            for n in (1..=9).chain([17, 135]) {
+                let loads = mixed(&mut random, &model, n);
+                let alone: Vec<Vec<Vec<u64>>> = loads.iter().map(|load| answer(&[*load], 0, None)).collect();
+                let places =
+                    [None].into_iter().chain(outputs.iter().filter(|(_, width)| *width == 1).map(|(i, _)| Some(*i)));
+                for (odd, in_place) in places.flat_map(|place| [(0, place), (1, place), (8, place)]) {
+                    let found = answer(&loads, odd, in_place);
+                    for (o, (i, width)) in outputs.iter().enumerate() {
+                        for k in 0..n {
+                            let (here, there) = (&found[o][k * width..(k + 1) * width], &alone[k][o]);
+                            let name = call.arguments[*i].0;
+                            assert_eq!(
+                                here, there,
+                                "{}: {name} of load {:e}, {k} of {n}, {odd}, {in_place:?}",
+                                call.name, loads[k]
+                            );
+                        }
                     }
                 }
             }

@@ -129,42 +129,6 @@ fn nothing_is_written_where_something_is_refused() {
         assert!(message().starts_with(says), "{}\nnot\n{says}", message());
         assert!(estimates.iter().all(|one| one.low == -7.0), "{text}");
     }
-    let (load, mut one) = (10.0, blank());
-    let (text, length) = (GROUND.as_ptr().cast(), GROUND.len());
-    // SAFETY: NULL is refused.
-    unsafe {
-        assert_eq!(asperity_estimate_at_loads(null(), 3, 1, &load, &mut one), NULL_POINTER);
-        assert_eq!(asperity_estimate_at_loads(text, length, 1, null(), &mut one), NULL_POINTER);
-        assert_eq!(asperity_estimate_at_loads(text, length, 1, &load, null_mut()), NULL_POINTER);
-        assert_eq!(asperity_estimate_text(null(), 3, 1, &load, null_mut(), 0), 0);
-    }
-    for size in [0, 8, 17, 1 << 20, u64::MAX] {
-        one.struct_size = size;
-        // SAFETY: an element of another size is refused.
-        assert_eq!(
-            unsafe { asperity_estimate_at_loads(text, length, 1, &load, &mut one) },
-            INVALID_PARAMETER,
-            "{size}"
-        );
-        assert!(message().starts_with(&format!("struct_size = {size}: must be set to sizeof")), "{}", message());
-    }
-}
-
-/// Elements of a caller who knows fewer fields, or more.
-#[test]
-fn elements_are_as_far_apart_as_the_caller_says() {
-    let expected = found(GROUND, &[10.0, 20.0]);
-    let (text, length, loads) = (GROUND.as_ptr().cast(), GROUND.len(), [10.0, 20.0]);
-    for words in [3, 20] {
-        let mut memory = vec![-1.0_f64; 2 * words + 1];
-        memory[0] = f64::from_bits(8 * words as u64);
-        // SAFETY: two elements of so many bytes.
-        let status = unsafe { asperity_estimate_at_loads(text, length, 2, loads.as_ptr(), memory.as_mut_ptr().cast()) };
-        assert_eq!((status, memory[2 * words]), (OK, -1.0), "{}", message());
-        for (i, one) in expected.iter().enumerate() {
-            assert_eq!(memory[words * i + 1..words * i + 3], [one.load, one.friction_coefficient], "{words}");
-        }
-    }
 }
 
 #[test]

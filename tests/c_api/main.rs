@@ -5,7 +5,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod batch;
 mod contract;
 mod domains;
 mod estimate;

@@ -1,7 +1,7 @@
 //! Tangential stiffness and microslip, and summits that yield, through the C functions.
 
 use crate::interface::*;
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 
 const UNTOUCHED: f64 = 77.0;
 
@@ -25,42 +25,6 @@ fn state_at_load(handle: &Handle, load: f64) -> asperity_state {
     // SAFETY: the model lives, the struct has its size set.
     assert_eq!(unsafe { asperity_state_at_load(handle.0, load, &mut state) }, OK, "{}", message());
     state
-}
-
-#[test]
-fn a_batch_has_the_bits_of_single_calls() {
-    for handle in handles() {
-        let mut loads: Vec<f64> = (0..500).map(|i| 1e-30 * 10_f64.powf(0.08 * f64::from(i))).collect();
-        for (i, special) in [0.0, -0.0, -1.0, -1e-12, f64::NAN, f64::INFINITY, 1e300, 1e-300].into_iter().enumerate() {
-            loads[31 * i + 5] = special;
-        }
-        let single: Vec<u64> =
-            // SAFETY: the model lives.
-            loads.iter().map(|&load| unsafe { asperity_tangential_stiffness_at_load(handle.0, load) }.to_bits()).collect();
-        for size in [1, 3, 4, 17, 128, loads.len()] {
-            let mut found = vec![UNTOUCHED; loads.len()];
-            // SAFETY: arrays of at least as many elements.
-            let status =
-                unsafe { asperity_tangential_stiffness_at_loads(handle.0, size, loads.as_ptr(), found.as_mut_ptr()) };
-            assert!(found[size..].iter().all(|&x| x == UNTOUCHED));
-            let found: Vec<u64> = found[..size].iter().map(|x| x.to_bits()).collect();
-            assert_eq!(found, single[..size], "{size}");
-            assert_eq!(status == OK, size < 68, "{size}: {status}");
-        }
-        // In place, and not wanted.
-        let mut both = loads.clone();
-        let (n, place) = (both.len(), both.as_mut_ptr());
-        // SAFETY: an array of n elements, or none.
-        unsafe {
-            asperity_tangential_stiffness_at_loads(handle.0, n, place, place);
-            assert_eq!(asperity_tangential_stiffness_at_loads(handle.0, 5, loads.as_ptr(), null_mut()), OK);
-            assert_eq!(asperity_tangential_stiffness_at_loads(handle.0, 0, null(), null_mut()), OK);
-            assert_eq!(asperity_tangential_stiffness_at_loads(handle.0, 1, null(), place), NULL_POINTER);
-            assert_eq!(asperity_tangential_stiffness_at_loads(null(), 1, place, place), NULL_POINTER);
-            assert!(asperity_tangential_stiffness_at_load(null(), 1.0).is_nan());
-        }
-        assert_eq!(both.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), single);
-    }
 }
 
 #[test]
