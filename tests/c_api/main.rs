@@ -19,6 +19,6 @@ mod pairs;
 #[cfg(not(miri))]
 mod programs;
 mod refusals;
-mod robustness;
 mod surface_text;
+mod surfaces;
 mod tangential;

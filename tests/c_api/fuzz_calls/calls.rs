@@ -6,9 +6,9 @@ use crate::common::neighbours::Neighbours;
 use crate::common::processor_time::{processor_time, LONGEST_CALL};
 use crate::interface::*;
 use std::collections::BTreeMap;
-use std::ffi::{c_char, CStr};
+use std::ffi::c_char;
 use std::hint::black_box;
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 use std::time::Duration;
 
 /// Heavier loads, in `composite_modulus burgers_vector^2 asperity_count`, may be out of range.
@@ -462,8 +462,15 @@ impl<'a> Calls<'a> {
             assert!(expected != OUT_OF_RANGE || at_zero || !model.is_within_range(load), "{}: {}", what(), message());
             return;
         }
-        check_state(&state, &what);
+        assert!(is_sound(&state), "{}", what());
         assert!(state.load == load && load >= s.pull_off_load, "{}", what());
+        let mut again = asperity_state::empty();
+        let again_at: *mut asperity_state = &mut again;
+        assert_eq!(call!(self, model.params, asperity_state_at_gap(at, state.gap, again_at)), OK, "{}", what());
+        // Contacts that push and contacts that pull cancel in a load: its resolution is that of their loads.
+        let largest = load.abs().max(-s.pull_off_load).max(again.attraction_load.abs());
+        let off = (again.load - load).abs();
+        assert!(off <= 1e-9 * largest || largest < 1e-290, "{}: at its gap the load is {:e}", what(), again.load);
         let force = self.force(model, load);
         let difference = (force / state.friction_force - 1.0).abs();
         // Beyond the table the law goes on as a power.
@@ -520,7 +527,7 @@ impl<'a> Calls<'a> {
         let status = call!(self, model.params, asperity_state_at_gap(at, separation, state_at));
         let what = || format!("state at separation {separation:e}: {state:?}; {:?}", model.params);
         if status == OK {
-            check_state(&state, &what);
+            assert!(is_sound(&state), "{}", what());
             return;
         }
         self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE], &what);
@@ -601,69 +608,6 @@ impl<'a> Calls<'a> {
                 "F falls by {fall:e}, from {less:e} at {lighter:e} to {more:e} at {heavier:e}; {:?}",
                 model.params
             );
-        }
-    }
-
-    /// Structs of any size the caller says, and parameters copied out.
-    pub fn structs(&mut self, model: &Model, size: u64) {
-        let (at, p): (Shared, _) = (model.handle.0, model.params);
-        let words = 64;
-        let valid = size >= 16 && size % 8 == 0 && size <= 8 * words as u64;
-        let filled = [0x5eed_5eed_u64; 64];
-        type Fill = unsafe fn(Shared, *mut u64) -> i32;
-        // SAFETY: the functions read the size, and write no more than it says.
-        let fills: [(&'static str, Fill, usize); 3] = [
-            (
-                "asperity_summary_of",
-                |at, out| unsafe { asperity_summary_of(at, out.cast()) },
-                size_of::<asperity_summary>(),
-            ),
-            (
-                "asperity_table_of",
-                |at, out| unsafe { asperity_table_of(at, 0, out.cast()) },
-                size_of::<asperity_table>(),
-            ),
-            (
-                "asperity_table_of, gaps",
-                |at, out| unsafe { asperity_table_of(at, 1, out.cast()) },
-                size_of::<asperity_table>(),
-            ),
-        ];
-        for (name, fill, whole) in fills {
-            let mut out = filled;
-            // A size beyond the room given here must not be claimed, unless it is one that is refused.
-            out[0] = if size > 8 * words as u64 && size % 8 == 0 { size | 1 } else { size };
-            let before = out;
-            reset_message();
-            let fill = black_box(fill);
-            let out_at = out.as_mut_ptr();
-            // SAFETY: room for the size that is claimed.
-            let status = self.watch(name, || format!("{name}, size {size}"), || unsafe { fill(at, out_at) });
-            let what = || format!("{name} into {} bytes; {p:?}", before[0]);
-            if status == OK {
-                let written = (size as usize).min(whole) / 8;
-                assert!(valid && out[written..] == filled[written..], "{}: wrote too much", what());
-                assert_ne!(out[1], filled[1], "{}: wrote nothing", what());
-            } else {
-                self.documented(status, &[INVALID_PARAMETER], &what);
-                assert!(!valid && out == before, "{}: {}", what(), message());
-            }
-        }
-        let mut out = [BEFORE.to_bits(); 64];
-        let claimed = if size > 8 * words as u64 { size | 1 } else { size };
-        out[0] = claimed;
-        let out_at: *mut asperity_params = out.as_mut_ptr().cast();
-        reset_message();
-        let status = call!(self, p, asperity_get_params(at, out_at));
-        let what = || format!("asperity_get_params into {claimed} bytes; {p:?}");
-        if status == OK {
-            let written = claimed as usize / 8;
-            let expected = echo(&p);
-            let same = (1..written.min(TABLE_AT)).all(|word| out[word] == words_of(&expected)[word]);
-            assert!(same && out[written..].iter().all(|&word| word == BEFORE.to_bits()), "{}: {out:x?}", what());
-        } else {
-            self.documented(status, &[INVALID_PARAMETER], &what);
-            assert!(out[1..].iter().all(|&word| word == BEFORE.to_bits()), "{}: refused, yet written", what());
         }
     }
 
@@ -817,34 +761,6 @@ impl<'a> Calls<'a> {
         }
     }
 
-    pub fn messages(&mut self, length: usize) {
-        for code in [-1, 0, 1, 2, 3, 4, 5, 6, 7, 255, length as i32] {
-            // SAFETY: a constant string.
-            let text = unsafe { CStr::from_ptr(asperity_status_string(code)) };
-            assert!(!text.is_empty(), "status {code}");
-        }
-        for warning in [0, 1, 2, 3, 4, 8, 16, 32, 64, 128, 256, length as u64] {
-            let none: *mut c_char = null_mut();
-            let needed: usize = call!(self, length, asperity_warnings_text(warning, none, 0_usize));
-            assert!(needed > 0, "warning {warning}");
-        }
-        let whole = message();
-        let mut buffer = [0x55_u8; 257];
-        let at: *mut c_char = buffer.as_mut_ptr().cast();
-        let needed: usize = call!(self, length, asperity_last_error(at, length));
-        assert_eq!(needed, whole.len());
-        if length > 0 {
-            let end = needed.min(length - 1);
-            assert_eq!((&buffer[..end], buffer[end]), (&whole.as_bytes()[..end], 0));
-        }
-        assert!(buffer[length..].iter().all(|&byte| byte == 0x55), "wrote past {length} bytes");
-        let (none, nowhere): (*mut c_char, *mut f64) = (null_mut(), null_mut());
-        assert_eq!(call!(self, length, asperity_last_error(none, length)), needed);
-        let no_model: Shared = null();
-        let answer: f64 = call!(self, length, asperity_friction_and_slope_at_load(no_model, 1.0, nowhere));
-        assert!(is_quiet_nan(answer), "{answer:e} without a model");
-    }
-
     /// Other parameters for a model: where they are refused, it answers bit for bit as before; where they are taken, as
     /// a new one does.
     pub fn set_params(&mut self, model: &Model, params: &asperity_params) {
@@ -875,33 +791,26 @@ fn refusals(params: &asperity_params) -> &'static [i32] {
     }
 }
 
-/// What `asperity_get_params` gives for parameters that were taken: what is not read has its default.
-fn echo(params: &asperity_params) -> asperity_params {
-    let mut echo = *params;
-    let default = asperity_params::initial();
-    if params.height_distribution != ASPERITY_HEIGHTS_WEIBULL {
-        echo.weibull_shape = default.weibull_shape;
-    }
-    if params.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
-        (echo.skew, echo.kurtosis) = (default.skew, default.kurtosis);
-    }
-    echo
-}
-
-fn words_of(params: &asperity_params) -> Vec<u64> {
-    bytes(params).chunks(8).map(|word| u64::from_ne_bytes(word.try_into().expect("8 bytes"))).collect()
-}
-
-/// Every number of a state is one, finite where it must be, with its sign.
-fn check_state(state: &asperity_state, what: &dyn Fn() -> String) {
+/// Every number that a caller could want is one: finite where it must be, with its sign.
+fn is_sound(state: &asperity_state) -> bool {
     let finite = [state.load, state.gap, state.friction_force, state.real_area, state.contacting];
     let rates = [state.friction_coefficient, state.dforce_dload, state.dmu_dload, state.dload_dgap];
     let positive = [state.friction_force, state.real_area, state.contacting, state.attracted];
-    let sound = finite.iter().all(|&x| is_finite(x))
+    let radii = [state.mean_contact_radius, state.max_contact_radius];
+    let contacts = [state.fraction_in_contact, state.mean_asperity_pressure, state.plasticity_index];
+    let fractions =
+        [state.fraction_below_slip_radius_1, state.fraction_between_slip_radii, state.fraction_above_slip_radius_2];
+    let whole: f64 = fractions.iter().sum();
+    let touching = (whole - 1.0).abs() < 1e-9 && radii[0] > 0.0 && radii[1] >= radii[0];
+    let apart = whole == 0.0 && radii == [0.0; 2];
+    (if state.contacting > 0.0 { touching } else { apart })
+        && radii.iter().chain(&contacts).chain(&fractions).all(|x| x.is_finite())
+        && fractions.iter().all(|&x| x >= 0.0)
+        && state.warnings < 2 * ASPERITY_WARNING_FEW_WAVES
+        && finite.iter().all(|x| x.is_finite())
         && !rates.iter().any(|x| x.is_nan())
         && positive.iter().all(|&x| x >= 0.0)
-        && state.attraction_load <= 0.0;
-    assert!(sound, "{}", what());
+        && state.attraction_load <= 0.0
 }
 
 /// The bits of what a model answers at some loads.

@@ -6,7 +6,7 @@
 
 #![allow(unsafe_code)]
 
-mod calls;
+pub mod calls;
 
 use crate::common::neighbours::Neighbours;
 use crate::interface::*;
@@ -281,8 +281,7 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
         175..=177 => calls.at_gap(model, bytes.separation(model.params.height_std)),
         178..=179 => calls.at_gap(model, bytes.any_float()),
         180..=199 => calls.secant(model, bytes.part()),
-        200..=219 => calls.order(model, bytes.load(summary), bytes.load(summary)),
-        220..=242 => calls.structs(model, bytes.word() >> bytes.below(64)),
+        200..=242 => calls.order(model, bytes.load(summary), bytes.load(summary)),
         243..=244 => {
             let text = std::array::from_fn(|_| bytes.byte());
             calls.names(text, std::array::from_fn(|_| bytes.below(24)), std::array::from_fn(|_| bytes.any_float()));
@@ -296,8 +295,7 @@ fn step(bytes: &mut Bytes, calls: &mut Calls, model: &calls::Model) {
             let text = std::array::from_fn(|_| bytes.byte());
             calls.descriptions(text, bytes.below(7) as i32, bytes.below(40));
         }
-        251..=252 => calls.messages(bytes.below(256)),
-        253 => {
+        251..=253 => {
             let text = bytes.text();
             calls.text(&text, bytes.any_float(), bytes.log_between(1e-12, 1e12));
         }
