@@ -4,10 +4,10 @@ use super::about::STATUSES;
 use super::boundary::{self, Failure};
 use super::given;
 use super::names;
-use super::validity::WARNINGS;
 use crate::by_name::{Draft, Quoted, Real, Written, FIELDS};
 use crate::materials::names::{text, Instead, Unknown};
 use crate::materials::{no_interface, no_material, Interface, Material, NoPair, Pair, INTERFACES, MATERIALS, PAIRS};
+use crate::model::validity::WARNING_TEXTS;
 use std::ffi::{c_char, CStr};
 use std::fmt::{Display, Write};
 
@@ -36,7 +36,7 @@ pub extern "C" fn asperity_name(kind: i32, index: usize) -> *const c_char {
         ASPERITY_NAMES_MATERIALS => MATERIALS.get(index).map(|material| material.name),
         ASPERITY_NAMES_PAIRS => PAIRS.get(index).map(|pair| pair.name),
         ASPERITY_NAMES_INTERFACES => INTERFACES.get(index).map(|interface| interface.name),
-        ASPERITY_NAMES_WARNINGS => WARNINGS.get(index).map(|(name, ..)| *name),
+        ASPERITY_NAMES_WARNINGS => WARNING_TEXTS.get(index).map(|(name, ..)| *name),
         ASPERITY_NAMES_STATUSES => STATUSES.get(index).map(|(name, ..)| *name),
         _ => None,
     };
@@ -74,7 +74,7 @@ pub unsafe extern "C" fn asperity_describe(
             ASPERITY_NAMES_INTERFACES => {
                 Ok(interface(Interface::find(name).ok_or_else(|| unknown(&no_interface(name)))?))
             }
-            ASPERITY_NAMES_WARNINGS => constant(&WARNINGS, "warning", "bit", name),
+            ASPERITY_NAMES_WARNINGS => constant(&WARNING_TEXTS, "warning", "bit", name),
             ASPERITY_NAMES_STATUSES => constant(&STATUSES, "status", "status", name),
             _ => Err(Failure::invalid(format_args!("kind = {kind}: must be one of ASPERITY_NAMES_, 0 to 5"))),
         }
@@ -172,108 +172,4 @@ fn constant(
         unknown(&Unknown { name, thing, instead: Instead::of(name, names, "asperity.h lists them") })
     })?;
     Ok(Lines::of(found).line(key, number).words("text", says).0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::capi::last_error::asperity_last_error;
-
-    /// What is known, or why nothing is.
-    fn described(kind: i32, name: &CStr) -> Result<String, String> {
-        let mut buffer = [0_u8; 4096];
-        // SAFETY: buffers of the lengths that are given.
-        let length = unsafe { asperity_describe(kind, name.as_ptr(), buffer.as_mut_ptr().cast(), buffer.len()) };
-        let said = |length: usize, buffer: &[u8]| String::from_utf8_lossy(&buffer[..length]).into_owned();
-        if length > 0 {
-            // SAFETY: NULL asks for the length.
-            assert_eq!(unsafe { asperity_describe(kind, name.as_ptr(), std::ptr::null_mut(), 0) }, length);
-            return Ok(said(length, &buffer));
-        }
-        // SAFETY: as above.
-        let length = unsafe { asperity_last_error(buffer.as_mut_ptr().cast(), buffer.len()) };
-        Err(said(length, &buffer))
-    }
-
-    #[test]
-    fn every_name_is_described_in_lines_of_a_key_and_a_value() {
-        let count = |kind: i32| {
-            let names = (0..).map(|index| asperity_name(kind, index)).take_while(|name| !name.is_null());
-            names
-                .map(|name| {
-                    // SAFETY: a constant string.
-                    let name = unsafe { CStr::from_ptr(name) };
-                    let text = described(kind, name).expect("a description");
-                    assert!(
-                        text.starts_with(&format!("name = \"{}\"\n", crate::materials::names::text(name))),
-                        "{text}"
-                    );
-                    assert!(
-                        text.lines().skip(1).all(|line| line.contains(" = ") && !line.contains("= 0.0 ")),
-                        "{text}"
-                    );
-                })
-                .count()
-        };
-        let counts: [usize; 7] = std::array::from_fn(|kind| count(kind as i32));
-        assert_eq!(counts, [FIELDS.len(), MATERIALS.len(), PAIRS.len(), INTERFACES.len(), 10, 8, 0]);
-        for (kind, name, text) in [
-            (ASPERITY_NAMES_PARAMETERS, c"hardness", "name = \"hardness\"\nunit = \"stress\"\ndefault = 0.0\n"),
-            (ASPERITY_NAMES_PARAMETERS, c"height_std", "name = \"height_std\"\nunit = \"length\"\n"),
-            (ASPERITY_NAMES_PARAMETERS, c"attraction", "name = \"attraction\"\nunit = \"1\"\ndefault = true\n"),
-            (
-                ASPERITY_NAMES_PARAMETERS,
-                c"slip_onset",
-                "name = \"slip_onset\"\nunit = \"1\"\ndefault = \"partial\"\nchoices = [\"partial\", \"whole\"]\n",
-            ),
-            (
-                ASPERITY_NAMES_WARNINGS,
-                c"ATOMIC",
-                "name = \"ATOMIC\"\nbit = 8\ntext = \"contacts are too small for continuum mechanics: their mean radius is below \
-                 burgers_vector; use heavier loads, or take the summits of a height map that is filtered at the size of the \
-                 contacts\"\n",
-            ),
-            (
-                ASPERITY_NAMES_STATUSES,
-                c"INTERNAL",
-                "name = \"INTERNAL\"\nstatus = 255\ntext = \"internal error: a bug in asperity\"\n",
-            ),
-        ] {
-            assert_eq!(described(kind, name).as_deref(), Ok(text));
-        }
-        for (kind, name, lines) in [
-            (ASPERITY_NAMES_MATERIALS, c"gold", "name = \"Au\"\nyoung = 78000000000.0  # [Pa]\nyoung_low = "),
-            (ASPERITY_NAMES_PAIRS, c"Au/mica", "name = \"mica/Au\"\nwork_of_adhesion = 0.172  # [J/m^2]\n"),
-            (
-                ASPERITY_NAMES_INTERFACES,
-                c"DLC in air",
-                "name = \"DLC in air\"\nfriction_coefficient = 0.2  # [-]\nconditions = \"",
-            ),
-        ] {
-            let text = described(kind, name).expect("a description");
-            assert!(text.starts_with(lines), "{text}");
-        }
-    }
-
-    #[test]
-    fn a_name_that_is_none_is_refused_with_the_nearest() {
-        for (kind, name, says) in [
-            (ASPERITY_NAMES_PARAMETERS, c"hardnes", "hardnes: no parameter has this name; the nearest is hardness"),
-            (ASPERITY_NAMES_PARAMETERS, c"E1", "E1: is not kept"),
-            (ASPERITY_NAMES_MATERIALS, c"stel", "stel: no material has this name; the nearest is steel"),
-            (ASPERITY_NAMES_PAIRS, c"Pb/Pb", "work_of_adhesion: none is known for Pb/Pb"),
-            (ASPERITY_NAMES_INTERFACES, c"", "\"\": no interface has this name"),
-            (ASPERITY_NAMES_WARNINGS, c"PLASTICS", "PLASTICS: no warning has this name; the nearest is PLASTIC"),
-            (ASPERITY_NAMES_STATUSES, c"FINE", "FINE: no status has this name; asperity.h lists them"),
-            (-1, c"steel", "kind = -1: must be one of ASPERITY_NAMES_"),
-        ] {
-            let said = described(kind, name).expect_err("a refusal");
-            assert!(said.starts_with(says), "{said}");
-        }
-    }
-
-    #[test]
-    fn words_are_quoted_as_toml_has_them() {
-        assert_eq!(Quoted("a \"b\" \\ c").to_string(), r#""a \"b\" \\ c""#);
-    }
 }

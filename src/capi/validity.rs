@@ -5,7 +5,7 @@ use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use super::text::write_text;
 use crate::model::validity;
-use std::ffi::{c_char, CStr};
+use std::ffi::c_char;
 
 /// Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
 /// hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn asperity_check_loads(
 /// @return the length of the text, "no warning" for 0
 #[no_mangle]
 pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_char, length: usize) -> usize {
-    let known = WARNINGS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(.., says)| *says);
+    let known = validity::WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(.., says)| *says);
     let rest = match warnings & !validity::EVERY_WARNING {
         0 if warnings != 0 => None,
         0 => Some(c"no warning"),
@@ -104,78 +104,3 @@ pub unsafe extern "C" fn asperity_warnings_text(warnings: u64, buffer: *mut c_ch
     let lines = known.chain(rest).enumerate();
     write_text(buffer, length, lines.flat_map(|(i, line)| [if i > 0 { &b"\n"[..] } else { b"" }, line.to_bytes()]))
 }
-
-/// The warnings in the order of their bits: names, bits, and what each means.
-pub(super) static WARNINGS: [(&CStr, u64, &CStr); validity::WARNINGS] = [
-    (
-        c"PLASTIC",
-        ASPERITY_WARNING_PLASTIC,
-        c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
-          1; use the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, \
-          or lighter loads if only the pressure is too high",
-    ),
-    (
-        c"CROWDED",
-        ASPERITY_WARNING_CROWDED,
-        c"summits do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
-          given, more than 10 % of the summits touch; areas are rough here, and stiffness no longer grows with neighbours from \
-          about half of nominal_area on; use lighter loads, or check height_std, asperity_count and nominal_area, which \
-          are usually too small",
-    ),
-    (
-        c"STEEP",
-        ASPERITY_WARNING_STEEP,
-        c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
-          above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
-          summit_radius: a height map that is noisy gives too steep a surface and too small a radius",
-    ),
-    (
-        c"ATOMIC",
-        ASPERITY_WARNING_ATOMIC,
-        c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
-          loads, or take the summits of a height map that is filtered at the size of the contacts",
-    ),
-    (
-        c"FEW",
-        ASPERITY_WARNING_FEW,
-        c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
-          friction_scatter, and their mean friction exceeds that of the model by friction_bias (in an estimate \
-          specimen_scatter, and their mean is specimen_force); use heavier loads or a larger area (asperity_count)",
-    ),
-    (
-        c"ADHESIVE",
-        ASPERITY_WARNING_ADHESIVE,
-        c"adhesion presses the surfaces together with more than the load, where models of independent summits are \
-          quantitatively wrong; use heavier loads, or check work_of_adhesion, height_std and summit_radius: input \
-          that is too smooth or too clean is the usual cause",
-    ),
-    (
-        c"UNCALIBRATED",
-        ASPERITY_WARNING_UNCALIBRATED,
-        c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
-          with the default it was up to 14 times too low or 26 times too high; measure friction once and calibrate \
-          with it, or set slip stresses and pressure_coefficient to measured values",
-    ),
-    (
-        c"BROAD",
-        ASPERITY_WARNING_BROAD,
-        c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on \
-          summits: at a bandwidth of 27 they give 7 to 24 % less friction and 30 to 43 % less real area than boundary \
-          elements; give the mean squares of height and slope instead (m0 and m2, or Sq and Sdq), or calibrate at the \
-          load of use",
-    ),
-    (
-        c"STRONG",
-        ASPERITY_WARNING_STRONG,
-        c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
-          sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
-          lower slip stresses",
-    ),
-    (
-        c"FEW_WAVES",
-        ASPERITY_WARNING_FEW_WAVES,
-        c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
-          load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
-          surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights",
-    ),
-];

@@ -5,7 +5,7 @@ use super::{Answer, Estimate, Rests};
 use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
 use crate::model::points::MeasuredPoint;
-use crate::model::validity::WARNINGS;
+use crate::model::validity::WARNING_TEXTS;
 use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
 use std::fmt::{Display, Formatter, Result, Write};
@@ -40,9 +40,6 @@ const HARDER: [f64; 2] = [0.5, 2.0];
 const MOST_OVER_ONE_SUMMIT: f64 = 2.0;
 /// More points are told by their number.
 const MOST_POINTS_TOLD: usize = 3;
-/// In the order of their bits.
-const NAMES: [&str; WARNINGS] =
-    ["PLASTIC", "CROWDED", "STEEP", "ATOMIC", "FEW", "ADHESIVE", "UNCALIBRATED", "BROAD", "STRONG", "FEW_WAVES"];
 
 /// Writes it, made of a text, a line for each load and for each thing to know.
 pub fn write(estimate: &Estimate, bytes: &[u8], answers: &[Answer], warnings: u64, out: &mut dyn Write) -> Result {
@@ -70,7 +67,7 @@ pub fn write(estimate: &Estimate, bytes: &[u8], answers: &[Answer], warnings: u6
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
     }
     if warnings != 0 {
-        let names = NAMES.iter().enumerate().filter(|(bit, _)| warnings >> bit & 1 == 1).map(|(_, name)| *name);
+        let names = WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(name, ..)| text(name));
         writeln!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "))?;
     }
     write_remedies(estimate, answers, out)
