@@ -195,42 +195,6 @@ mod tests {
     use crate::model::by_gap;
     use crate::params::Params;
 
-    /// Loads of every kind: in rows and in parts of rows, capped, zero, pulling, below pull-off, lighter and heavier than
-    /// the table's, and no numbers.
-    fn loads(model: &Model) -> Vec<f64> {
-        let summary = model.summary();
-        let (pull_off, heaviest) = (summary.pull_off_load, summary.max_table_load);
-        let mut loads: Vec<f64> = (0..1000).map(|i| heaviest * 1e-40_f64.powf(f64::from(i) / 1000.0)).collect();
-        let table = model.table(Quantity::Friction);
-        for row in (0..table.row_count).filter(|&row| table.rows[row].is_link()) {
-            let (begin, end) = (table.begin_of(row), table.begin_of(row + 1));
-            loads.extend((0..200).map(|i| pull_off + begin + (end - begin) * f64::from(i) / 200.0));
-            loads.extend(table.rows[row].0[2..].iter().map(|t| pull_off + begin + t * (end - begin) * 4.0));
-        }
-        // Beyond both ends, in turn with ordinary ones, to numbers that overflow or underflow.
-        let lightest = summary.min_table_load - pull_off;
-        for i in 0..1100 {
-            let binades = f64::from(i) * 0.97;
-            let beyond = [heaviest * binades.exp2(), pull_off + lightest * (-binades).exp2()];
-            loads.extend([beyond[0], beyond[usize::from(i % 3 == 0)], beyond[1], heaviest * 1e-9]);
-        }
-        let others = [
-            [f64::NAN, f64::INFINITY, f64::from_bits(0x7ff << 52 | 1), 0.0],
-            [-0.0, 2.0 * heaviest, 1e300, f64::MAX],
-            [-f64::MAX, 5e-324, -5e-324, 1e-120],
-            [pull_off, 1.5 * pull_off, 0.5 * pull_off, pull_off * (1.0 - 1e-12)],
-        ]
-        .concat();
-        // Each of these next to others, and many of one kind.
-        for (i, &other) in others.iter().cycle().take(80).enumerate() {
-            loads[11 * i + 3] = other;
-        }
-        for other in &others[3..5] {
-            loads.extend([*other; 40]);
-        }
-        loads
-    }
-
     /// Scalar and batch calls would have the same bits too if both asked the wrong law.
     #[test]
     fn each_quantity_is_that_of_the_model_within_its_table_and_beyond() {
@@ -279,39 +243,6 @@ mod tests {
                 let gap = -sigma * 1e-12 / part;
                 let is_known = Asked::Load.table(&model).at_load(-gap).is_some();
                 assert!(is_known || model.load_beyond().is_moderate(-gap), "at {gap:e}");
-            }
-        }
-    }
-
-    #[test]
-    fn vectors_have_the_bits_of_the_scalar_call_for_loads_of_every_kind() {
-        let mut skewed = Params::paper();
-        skewed.set_skew(0.8).expect("a skew");
-        for params in [Params::paper(), Params { work_of_adhesion: 0.0, ..Params::paper() }, skewed] {
-            let model = Model::new(&params).expect("a model");
-            let mut loads = loads(&model);
-            // As minus the gap: among the heights, in compression, at the ends of the table.
-            let sigma = params.height_std;
-            loads.extend((0..500).map(|i| sigma * (f64::from(i) / 50.0 - 6.0)));
-            loads.extend([1e5, 1e9, 1e12, 1e60].map(|depth| depth * sigma));
-            let table = model.load_table();
-            loads.extend([0, 1, table.row_count - 1, table.row_count].map(|row| table.pull_off + table.begin_of(row)));
-            let (mut value, mut slope) = (vec![0.0; loads.len()], vec![0.0; loads.len()]);
-            let (load, values, slopes) = (loads.as_ptr(), value.as_mut_ptr(), slope.as_mut_ptr());
-            let arrays = Arrays { n: loads.len(), load, value: values, slope: slopes };
-            for quantity in [Asked::Coefficient, Asked::Force, Asked::Stiffness, Asked::Load] {
-                for arrays in [arrays, Arrays { slope: std::ptr::null_mut(), ..arrays }] {
-                    // SAFETY: the arrays have so many elements.
-                    let first_invalid = unsafe { fill(&model, quantity, arrays) };
-                    assert_eq!(first_invalid.map(|(index, _)| index), Some(3), "{quantity:?}");
-                    for (i, &load) in loads.iter().enumerate() {
-                        let expected = quantity.at(&model, load);
-                        let found = (value[i].to_bits(), slope[i].to_bits());
-                        let is_same = found == (expected.0.to_bits(), expected.1.to_bits());
-                        let both = (value[i], slope[i]);
-                        assert!(is_same, "{quantity:?} at {load:e}: {both:?}, not {expected:?}");
-                    }
-                }
             }
         }
     }
