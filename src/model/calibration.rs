@@ -242,10 +242,4 @@ mod tests {
         assert!(matches!(of(0.0, 0.0), Err(Error::Uncalibrated { reason: Reason::NoStress, .. })));
         assert!(matches!(of(0.0, 0.02), Err(Error::InvalidParameter { .. })) && of(0.02, 0.02).is_ok());
     }
-
-    #[test]
-    fn coefficients_are_taken_up_to_twenty() {
-        assert_eq!(Params::measured_force(3.0, SEIZED_COEFFICIENT), Ok(60.0));
-        assert!(Params::measured_force(3.0, 20.000_000_1).is_err() && Params::measured_force(3.0, 0.0).is_err());
-    }
 }

@@ -421,23 +421,6 @@ impl Params {
             0.5 * composite * shear / (composite + shear)
         }
     }
-
-    /// The same surfaces in other units.
-    #[cfg(test)]
-    pub(crate) fn in_units(&self, stress: f64, length: f64) -> Self {
-        Self {
-            composite_modulus: self.composite_modulus * stress,
-            effective_shear_modulus: self.effective_shear_modulus * stress,
-            hardness: self.hardness * stress,
-            work_of_adhesion: self.work_of_adhesion * (stress * length),
-            adhesion_range: self.adhesion_range * length,
-            burgers_vector: self.burgers_vector * length,
-            height_std: self.height_std * length,
-            summit_radius: self.summit_radius * length,
-            summit_mean_height: self.summit_mean_height * length,
-            ..self.clone()
-        }
-    }
 }
 
 #[cfg(test)]
@@ -462,47 +445,6 @@ mod tests {
         assert_eq!(allowed(f64::NAN), [false; 3]);
     }
 
-    #[test]
-    fn moduli_are_those_of_two_bodies_in_series() {
-        let moduli = |young_1: f64, nu_1: f64, young_2: f64, nu_2: f64| {
-            let mut params = Params::paper();
-            params.set_materials(young_1, nu_1, young_2, nu_2).expect("materials");
-            (params.composite_modulus, params.effective_shear_modulus)
-        };
-        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
-        // 1/E* = 0.91/200 + 0.96/70, 1/G* = 1.3/200 + 1.2/70.
-        let (composite, shear) = moduli(200.0, 0.3, 70.0, 0.2);
-        assert!(near(composite, 1.0 / (0.00455 + 0.96 / 70.0)) && near(shear, 1.0 / (0.0065 + 1.2 / 70.0)));
-        assert_eq!(moduli(70.0, 0.2, 200.0, 0.3), (composite, shear));
-        // On a rigid body that of the other alone.
-        let (composite, shear) = moduli(200.0, 0.3, f64::INFINITY, 0.1);
-        assert!(near(composite, 200.0 / 0.91) && near(shear, 200.0 / 1.3));
-        assert_eq!(moduli(f64::INFINITY, 0.1, 200.0, 0.3), (composite, shear));
-        let both = Params::paper().set_materials(f64::INFINITY, 0.3, f64::INFINITY, 0.3);
-        assert!(matches!(both, Err(Error::InvalidParameter { name: "E2", .. })), "{both:?}");
-    }
-
-    #[test]
-    fn summits_of_an_area_are_their_density_times_it() {
-        let moments = SpectralMoments { m0: 2.0, m2: 0.01, m4: 3e-4 };
-        type Set = fn(&mut Params, SpectralMoments, f64) -> Result<(), Error>;
-        let ways: [(Set, Summits, f64); 2] = [
-            (Params::set_spectral_moments, moments.asperities(), 0.0),
-            (Params::set_mccool_summits, moments.mccool_summits(), moments.bandwidth()),
-        ];
-        // One after the other, as each sets all that the other does.
-        let mut params = Params::paper();
-        for (set, summits, bandwidth) in ways.into_iter().cycle().take(3) {
-            set(&mut params, moments, 250.0).expect("summits");
-            assert_eq!((params.height_std, params.summit_radius), (summits.height_std, summits.radius));
-            assert_eq!(params.asperity_count, 250.0 * summits.density);
-            assert_eq!((params.radius_amplitude, params.radius_rate), (summits.radius_amplitude, summits.radius_rate));
-            assert_eq!((params.summit_mean_height, params.rms_slope), (summits.mean_height, moments.rms_slope()));
-            assert_eq!((params.bandwidth, params.nominal_area), (bandwidth, 250.0));
-            params.surface().expect("a surface");
-        }
-    }
-
     /// Each of m4 = 0 and m4 of the least bandwidth is taken, by the setter that it is for.
     #[test]
     fn m4_may_be_unknown_but_for_mccools_summits() {
@@ -517,17 +459,5 @@ mod tests {
         }
         let unknown = params.set_mccool_summits(moments(0.0), 250.0);
         assert!(matches!(unknown, Err(Error::InvalidParameter { name: "m4", .. })), "{unknown:?}");
-    }
-
-    /// Whatever the bandwidth of the surface, its asperities are as close as those of a narrow spectrum.
-    #[test]
-    fn asperities_of_moments_are_never_those_of_a_broad_spectrum() {
-        for bandwidth in [0.0, 1.5, 5.0, 100.0, 1e4] {
-            let mut params = Params { work_of_adhesion: 0.0, ..Params::paper() };
-            let moments = SpectralMoments { m0: 1e4, m2: 0.01, m4: bandwidth * 1e-8 };
-            params.set_spectral_moments(moments, 1e9).expect("asperities");
-            assert!((1.0..5.0).contains(&params.known_bandwidth()), "{bandwidth}: {}", params.known_bandwidth());
-            params.surface().unwrap_or_else(|error| panic!("{bandwidth}: {error}"));
-        }
     }
 }

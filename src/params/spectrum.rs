@@ -158,33 +158,6 @@ mod tests {
         assert!((mean - summits.mean_height).abs() < 1e-9, "{mean}");
     }
 
-    /// Lengths along the surface and lengths of height each in units of their own.
-    #[test]
-    fn asperities_follow_from_dimensions() {
-        let one = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.0 };
-        let (height, along) = (3e-9_f64, 40e-9_f64);
-        let other = SpectralMoments { m0: height * height, m2: 0.5 * (height / along).powi(2), m4: 0.0 };
-        let (one, other) = (one.asperities(), other.asperities());
-        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-14, "{a} {b}");
-        near(other.height_std, one.height_std * height);
-        near(other.mean_height, one.mean_height * height);
-        near(other.radius, one.radius * along * along / height);
-        near(other.density, one.density / (along * along));
-        assert_eq!((other.radius_amplitude, other.radius_rate), (one.radius_amplitude, one.radius_rate));
-    }
-
-    /// The bandwidth matters little, and the usual one is taken where none is known.
-    #[test]
-    fn asperities_hardly_depend_on_the_bandwidth() {
-        let of = |bandwidth: f64| SpectralMoments { m0: 2.0, m2: 0.1, m4: bandwidth * 0.005 }.asperities();
-        assert!((of(0.0).radius / of(FITTED.bandwidth).radius - 1.0).abs() < 1e-14);
-        for bandwidth in [1.5, 5.0, 1e3] {
-            let asperities = of(bandwidth);
-            assert!((asperities.radius / of(0.0).radius - 1.0).abs() < 0.3, "{bandwidth}");
-            assert_eq!(Summits { radius: of(0.0).radius, ..asperities }, of(0.0));
-        }
-    }
-
     /// Waves of one length in all directions: height is curvature, but for its sign and scale.
     #[test]
     fn one_wavelength_has_the_least_bandwidth() {
