@@ -87,11 +87,7 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     load: f64,
     dmu_dload: *mut f64,
 ) -> f64 {
-    boundary::contained_value(|| {
-        let (mu, slope) = at(model, Asked::Coefficient, load);
-        write(dmu_dload, 0, slope);
-        mu
-    })
+    with_slope(model, Asked::Coefficient, load, dmu_dload, |slope| slope)
 }
 
 /// Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
@@ -108,16 +104,23 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     load: f64,
     dforce_dload: *mut f64,
 ) -> f64 {
-    boundary::contained_value(|| {
-        let (force, slope) = at(model, Asked::Force, load);
-        write(dforce_dload, 0, slope);
-        force
-    })
+    with_slope(model, Asked::Force, load, dforce_dload, |slope| slope)
 }
 
-/// A quantity at its argument and its slope by that, of a model of a caller; NaN without one.
-pub(super) unsafe fn at(model: *const asperity_model, quantity: Asked, load: f64) -> (f64, f64) {
-    model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, load))
+/// A quantity at its argument, of a model of a caller, NaN without one; its slope by that is written as it is told.
+#[inline(always)]
+pub(super) unsafe fn with_slope(
+    model: *const asperity_model,
+    quantity: Asked,
+    argument: f64,
+    out: *mut f64,
+    told: fn(f64) -> f64,
+) -> f64 {
+    boundary::contained_value(|| {
+        let (value, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, argument));
+        write(out, 0, told(slope));
+        value
+    })
 }
 
 pub(super) unsafe fn evaluate(

@@ -2,7 +2,7 @@
 
 use super::batch::{self, Arrays, Asked, FirstInvalid};
 use super::boundary::{self, not_null, write};
-use super::evaluate::at;
+use super::evaluate::with_slope;
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use crate::model::{by_gap, Model};
@@ -34,11 +34,7 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
     if dload_dgap.is_null() {
         return model::value_at(model, Asked::Load, -gap);
     }
-    boundary::contained_value(|| {
-        let (load, slope) = at(model, Asked::Load, -gap);
-        write(dload_dgap, 0, by_gap(slope));
-        load
-    })
+    with_slope(model, Asked::Load, -gap, dload_dgap, by_gap)
 }
 
 /// Loads at many gaps, and their slopes.

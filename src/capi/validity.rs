@@ -40,19 +40,6 @@ pub const ASPERITY_WARNING_STRONG: u64 = 256;
 /// `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known.
 pub const ASPERITY_WARNING_FEW_WAVES: u64 = 512;
 
-const _: () = {
-    assert!(ASPERITY_WARNING_PLASTIC == validity::WARNING_PLASTIC);
-    assert!(ASPERITY_WARNING_CROWDED == validity::WARNING_CROWDED);
-    assert!(ASPERITY_WARNING_STEEP == validity::WARNING_STEEP);
-    assert!(ASPERITY_WARNING_ATOMIC == validity::WARNING_ATOMIC);
-    assert!(ASPERITY_WARNING_FEW == validity::WARNING_FEW);
-    assert!(ASPERITY_WARNING_ADHESIVE == validity::WARNING_ADHESIVE);
-    assert!(ASPERITY_WARNING_UNCALIBRATED == validity::WARNING_UNCALIBRATED);
-    assert!(ASPERITY_WARNING_BROAD == validity::WARNING_BROAD);
-    assert!(ASPERITY_WARNING_STRONG == validity::WARNING_STRONG);
-    assert!(ASPERITY_WARNING_FEW_WAVES == validity::WARNING_FEW_WAVES);
-};
-
 /// Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
 ///
 /// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.

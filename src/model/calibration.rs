@@ -204,6 +204,10 @@ mod tests {
         assert!(!found.tells_pressure && found.misfit > 2.0 && params.pressure_coefficient == 0.01, "{found:?}");
         let error = 1e-3 * 0.4_f64.sqrt() * found.misfit;
         assert!((params.calibration_error / error - 1.0).abs() < 1e-9, "{params:?}");
+        let wild = [1.0, 1e-4].map(|part| MeasuredPoint { force: part * points[1].force, error: 0.9, ..points[1] });
+        params.pressure_coefficient = 0.0;
+        params.calibrate_points(&wild, false, None).expect("a strength");
+        assert_eq!(params.calibration_error, 1.0);
     }
 
     /// One that is beyond its bound by 1 in its logarithm, and one by 3.

@@ -46,8 +46,7 @@ pub struct State {
     pub attracted: f64,
     /// Load of the summits that attract without contact, <= 0 [force].
     pub attraction_load: f64,
-    /// Mean radius of the contacts [length]; 0 if nothing touches; likewise for the fields below, except
-    /// `plasticity_index`.
+    /// Mean radius of the contacts [length]; 0 if nothing touches, as the next fields except `plasticity_index`.
     pub mean_contact_radius: f64,
     /// Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
     /// 1/(n + 1) of the contacts exceed. At least the mean radius, and equal to it for n <= 1.
@@ -74,8 +73,7 @@ pub struct State {
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub fraction_flowing: f64,
-    /// Sum of the radii of all contacts over psi, by which neighbours make it larger [length]: the constriction conductance is 2 k
-    /// times it. psi is 1 where the nominal area is not known.
+    /// Sum of the radii of all contacts over psi, by which neighbours make it larger [length]: see `Summary::stiffness_per_radius`.
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
