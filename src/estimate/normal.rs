@@ -18,18 +18,3 @@ pub fn reach(probability: f64) -> f64 {
     }
     0.5 * (low + high)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::reach;
-    use crate::estimate::known::REACH_95;
-
-    #[test]
-    fn reaches_are_those_of_tables() {
-        for (probability, expected) in [(0.95, REACH_95), (0.5, 0.674_489_750_196_081_7), (0.99, 2.575_829_303_548_901)]
-        {
-            assert!((reach(probability) - expected).abs() < 1e-13, "{probability}: {}", reach(probability));
-        }
-        assert!(reach(1e-300) < 1e-15 && reach(1.0 - f64::EPSILON / 2.0) < 40.0);
-    }
-}

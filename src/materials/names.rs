@@ -114,6 +114,7 @@ mod tests {
         let names = ["summit_radius", "work_of_adhesion", "nu1", "Pt", "steel"];
         for (name, expected) in [
             ("sumit_radius", Instead::Nearest("summit_radius")),
+            ("summmit_radius", Instead::Nearest("summit_radius")),
             ("STEEL", Instead::Nearest("steel")),
             ("Stell", Instead::Nearest("steel")),
             ("adhesion", Instead::Nearest("work_of_adhesion")),
@@ -124,21 +125,6 @@ mod tests {
             ("", Instead::Says("none")),
         ] {
             assert_eq!(Instead::of(name.as_bytes(), names.into_iter(), "none"), expected, "{name}");
-        }
-    }
-
-    #[test]
-    fn names_are_as_far_apart_as_their_edits() {
-        for (from, to, expected) in [
-            ("", "", 0),
-            ("", "skew", 4),
-            ("skew", "", 4),
-            ("SKEW", "skew", 0),
-            ("kitten", "sitting", 3),
-            ("flaw", "lawn", 2),
-            ("nu3", "nu1", 1),
-        ] {
-            assert_eq!(edits(from.as_bytes(), to.as_bytes()), expected, "{from} {to}");
         }
     }
 }

@@ -422,14 +422,10 @@ mod tests {
     use crate::numerics::neighbours::Neighbours;
     use crate::params::Params;
 
-    fn default_case() -> Model {
-        Model::new(&Params::paper()).expect("a model")
-    }
-
     /// E* b^2 is 2.857, sigma 10.
     #[test]
     fn loads_and_separations_are_taken_up_to_the_limits_and_no_further() {
-        let model = default_case();
+        let model = Model::new(&Params::paper()).expect("a model");
         let load = HEAVIEST_LOAD * model.units.load;
         let separation = FARTHEST_SEPARATION * model.units.length;
         for (outcome, refused) in [
@@ -449,7 +445,7 @@ mod tests {
     /// There the slope of the load is rounding, of either sign.
     #[test]
     fn force_rises_without_limit_towards_pull_off_and_never_falls() {
-        let model = default_case();
+        let model = Model::new(&Params::paper()).expect("a model");
         let pull_off = model.branch.farthest();
         for step in 0..300 {
             let separation = pull_off - f64::from(step * step) * f64::EPSILON;
