@@ -13,8 +13,10 @@ mod interface;
 mod neighbours;
 #[path = "../../tests/common/processor_time.rs"]
 mod processor_time;
+#[path = "../../tests/common/splitmix.rs"]
+mod splitmix;
 mod common {
-    pub(crate) use crate::{neighbours, processor_time};
+    pub(crate) use crate::{neighbours, processor_time, splitmix};
 }
 
 /// AddressSanitizer and counters of coverage take some three times as long.

@@ -32,8 +32,6 @@ pub trait TestParams: Sized {
     fn cap(self, cap: f64) -> Self;
     /// Those with a unit, and the number of summits.
     fn quantities(&mut self) -> [&mut f64; 8];
-    /// All numbers: the quantities, and the others.
-    fn numbers(&mut self) -> [&mut f64; 28];
 }
 
 impl TestParams for asperity_params {
@@ -101,39 +99,6 @@ impl TestParams for asperity_params {
             &mut self.height_std,
             &mut self.summit_radius,
             &mut self.asperity_count,
-        ]
-    }
-
-    fn numbers(&mut self) -> [&mut f64; 28] {
-        [
-            &mut self.composite_modulus,
-            &mut self.effective_shear_modulus,
-            &mut self.work_of_adhesion,
-            &mut self.adhesion_range,
-            &mut self.burgers_vector,
-            &mut self.height_std,
-            &mut self.summit_radius,
-            &mut self.asperity_count,
-            &mut self.weibull_shape,
-            &mut self.radius_amplitude,
-            &mut self.radius_rate,
-            &mut self.slip_radius_1,
-            &mut self.slip_stress_1,
-            &mut self.slip_radius_2,
-            &mut self.slip_stress_2,
-            &mut self.max_friction_coefficient,
-            &mut self.skew,
-            &mut self.kurtosis,
-            &mut self.hardness,
-            &mut self.tangential_modulus,
-            &mut self.nominal_area,
-            &mut self.pressure_coefficient,
-            &mut self.bandwidth,
-            &mut self.calibration_load,
-            &mut self.calibration_friction_force,
-            &mut self.calibration_error,
-            &mut self.summit_mean_height,
-            &mut self.rms_slope,
         ]
     }
 }

@@ -91,6 +91,7 @@ fn check_surfaces(seed: u64, count: usize, draw: fn(&mut SplitMix) -> asperity_p
         }
         for load in loads {
             calls.exact(&model, load);
+            calls.round_trip(&model, load);
         }
         for _ in 0..2 {
             let any = random.any_float();

@@ -1,9 +1,11 @@
 //! Each function of the C interface, called with its oracles: a documented status with a message, outputs untouched
 //! where it is refused, no floating-point flag raised, no call without end, answers that agree with each other.
 
+use super::table::*;
 use super::TABLE_AT;
 use crate::common::neighbours::Neighbours;
 use crate::common::processor_time::{processor_time, LONGEST_CALL};
+use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::collections::BTreeMap;
 use std::ffi::c_char;
@@ -187,6 +189,8 @@ impl<'a> Calls<'a> {
         if status == OK {
             assert!(!model.is_null() && model != untouched, "{params:?}: no model");
             let model = Model::new(Handle(model), *params);
+            let [kept, expected] = [&asperity_params::of(&model.handle), &echo(params)].map(words_of);
+            assert_eq!(kept[1..TABLE_AT], expected[1..TABLE_AT], "{params:?}");
             self.check_summary(&model);
             if model.summary.pull_off_load < 0.0 {
                 self.beyond_pull_off(&model);
@@ -464,13 +468,6 @@ impl<'a> Calls<'a> {
         }
         assert!(is_sound(&state), "{}", what());
         assert!(state.load == load && load >= s.pull_off_load, "{}", what());
-        let mut again = asperity_state::empty();
-        let again_at: *mut asperity_state = &mut again;
-        assert_eq!(call!(self, model.params, asperity_state_at_gap(at, state.gap, again_at)), OK, "{}", what());
-        // Contacts that push and contacts that pull cancel in a load: its resolution is that of their loads.
-        let largest = load.abs().max(-s.pull_off_load).max(again.attraction_load.abs());
-        let off = (again.load - load).abs();
-        assert!(off <= 1e-9 * largest || largest < 1e-290, "{}: at its gap the load is {:e}", what(), again.load);
         let force = self.force(model, load);
         let difference = (force / state.friction_force - 1.0).abs();
         // Beyond the table the law goes on as a power.
@@ -485,6 +482,31 @@ impl<'a> Calls<'a> {
         if s.table_error > 0.0 && difference > 2e-13 + model.resolution(load) {
             self.tally.table_ratio = self.tally.table_ratio.max(difference / s.table_error);
         }
+    }
+
+    /// A load is found again at its gap. Far lighter ones than those of the table change more within the last bit of a gap.
+    pub fn round_trip(&mut self, model: &Model, load: f64) {
+        let (at, p, s): (Shared, _, _) = (model.handle.0, model.params, model.summary);
+        let mut state = asperity_state::empty();
+        let state_at: *mut asperity_state = &mut state;
+        assert_eq!(call!(self, p, asperity_state_at_load(at, load, state_at)), OK, "{load:e}: {}; {p:?}", message());
+        let (gap, force) = (state.gap, state.friction_force);
+        assert_eq!(call!(self, p, asperity_state_at_gap(at, gap, state_at)), OK, "{load:e}: {}; {p:?}", message());
+        // Contacts that push and contacts that pull cancel in a load: its resolution is that of their loads.
+        let largest = load.abs().max(-s.pull_off_load).max(state.attraction_load.abs());
+        let off = (state.load - load).abs();
+        assert!(off <= 1e-9 * largest, "load {load:e} at its gap {gap:e} is {:e}; {p:?}", state.load);
+        // Beyond the table the law goes on as a power, good to some digits where loads are heavy, to none below it.
+        let tolerance = match load {
+            _ if load >= s.max_table_load => 0.5,
+            _ if load < s.min_table_load && load > s.pull_off_load => f64::INFINITY,
+            _ => 1e-8,
+        };
+        let found = self.force(model, load);
+        assert!(
+            found >= 0.0 && (found - force).abs() <= tolerance * force,
+            "load {load:e}: {found:e}, exactly {force:e}; {p:?}"
+        );
     }
 
     /// The warnings of all loads from one to another, against those of the states at both.
@@ -611,28 +633,59 @@ impl<'a> Calls<'a> {
         }
     }
 
-    pub fn setters(&mut self, x: [f64; 5]) {
-        let before = asperity_params::initial();
-        for which in 0..5 {
-            let mut params = before;
-            let at: *mut asperity_params = &mut params;
-            reset_message();
-            let status = match which {
-                0 => call!(self, x, asperity_params_set_dimensionless(at, x[0], x[1], x[2], x[3], x[4])),
-                1 => call!(self, x, asperity_params_set_materials(at, x[0], x[1], x[2], x[3])),
-                2 => call!(self, x, asperity_params_set_spectral_moments(at, x[0], x[1], x[2], x[3])),
-                3 => call!(self, x, asperity_params_calibrate_force(at, x[0], x[1])),
-                _ => call!(self, x, asperity_params_calibrate(at, x[0], x[1])),
-            };
-            if status == OK {
-                let finite = params.numbers().into_iter().all(|x| is_finite(*x));
-                assert!(finite, "setter {which} of {x:?}: {params:?}");
-            } else {
-                let what = || format!("setter {which} of {x:?}");
-                self.documented(status, &[INVALID_PARAMETER, OUT_OF_RANGE, INVALID_LOAD, SEPARATED], &what);
-                assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet the parameters are changed", what());
+    /// A function of the table with any arguments.
+    pub fn any(&mut self, model: &Model, seed: u64) {
+        let mut random = SplitMix(seed);
+        let call = &CALLS[random.below(CALLS.len())];
+        let n = if call.is_batch() { random.below(4) } else { 1 };
+        // What others would miss, and files.
+        let is_left_out = |is| matches!(is, ChangedModel | FreedModel);
+        if call.at(is_left_out).next().is_some() || call.name == "asperity_params_read" {
+            return;
+        }
+        let mut prepared = call.prepare(&model.handle, n);
+        let (mut texts, mut text_length) = (Vec::new(), 0);
+        for (i, &(_, is)) in call.arguments.iter().enumerate() {
+            if let Text(says) = is {
+                // Ends as before, whatever else it says.
+                let mut text = says.to_bytes_with_nul().to_vec();
+                text_length = says.count_bytes();
+                for _ in 0..random.below(4) {
+                    text[random.below(text_length)] = random.bits() as u8;
+                }
+                prepared.words[i].pointer = text.as_mut_ptr().cast();
+                texts.push(text);
+            }
+            if random.chance(0.6) {
+                continue;
+            }
+            let (word, place) = (&mut prepared.words[i], &mut prepared.places[i]);
+            match is {
+                Number(_) => word.bits = random.any_float().to_bits(),
+                In(..) | MayIn(_) if n > 0 => place[random.below(n)] = random.any_float().to_bits(),
+                // The models are as many as they are said to be.
+                Whole(_) if call.at(|is| is == Models).next().is_none() => {
+                    word.bits = random.bits() >> random.below(64)
+                }
+                Struct(_) | Params | ChangedParams => {
+                    place.resize(ROOM / 8, UNTOUCHED);
+                    let size = random.bits() >> random.below(64);
+                    // No more is claimed than there is room for, unless it is a size that is refused.
+                    place[0] = if size > ROOM as u64 / 8 { size | 1 } else { size };
+                    word.pointer = place.as_mut_ptr().cast();
+                }
+                Length => word.bits = random.below(text_length + 1) as u64,
+                Room => word.bits = random.below(ROOM + 1) as u64,
+                MayOut(_) | Out(_) | NewModel | Buffer | Model if random.chance(0.3) => word.pointer = null_mut(),
+                _ => {}
             }
         }
+        let before = prepared.places.clone();
+        reset_message();
+        let told = self.watch_many(call.name, 10, || format!("{} {prepared:?}", call.name), || call.run(&prepared));
+        let what = format!("{}, seed {seed:#x}: {told:?}: {}", call.name, message());
+        check(call, &prepared, &before, told, &what);
+        free_what_was_made(call, &prepared);
     }
 
     /// Numbers by name: what is set reads back as it was given, what is refused changes nothing.
@@ -732,35 +785,6 @@ impl<'a> Calls<'a> {
         assert_eq!(taken, of_estimate == OK, "{}: refused, yet changed", what());
     }
 
-    /// What has a name is described by it; any bytes are a name that is refused or found.
-    pub fn descriptions(&mut self, mut text: [u8; 65], kind: i32, which: usize) {
-        text[64] = 0;
-        for name in [asperity_name(kind, which), text.as_ptr().cast()] {
-            if name.is_null() {
-                continue;
-            }
-            let what = || format!("{kind}, {which} or {text:?}");
-            let mut buffer = [0x55_u8; 2048];
-            let (buffer_at, none): (*mut c_char, *mut c_char) = (buffer.as_mut_ptr().cast(), null_mut());
-            reset_message();
-            let needed: usize = call!(self, which, asperity_describe(kind, name, none, 0_usize));
-            let length: usize = call!(self, which, asperity_describe(kind, name, buffer_at, 2048_usize));
-            let is_whole = buffer[length] == 0
-                && !buffer[..length].contains(&0)
-                && buffer[length + 1..].iter().all(|&b| b == 0x55);
-            assert!(length == needed && is_whole, "{}: {length} of {needed}", what());
-            assert_eq!(length == 0, message() != NULL_MESSAGE, "{}: {}", what(), message());
-            let before = asperity_params::initial();
-            let mut params = before;
-            let params_at: *mut asperity_params = &mut params;
-            let status = call!(self, which, asperity_params_set_pair(params_at, name));
-            if status != OK {
-                self.documented(status, &[INVALID_PARAMETER], &what);
-                assert_eq!(bytes(&params), bytes(&before), "{}: refused, yet changed", what());
-            }
-        }
-    }
-
     /// Other parameters for a model: where they are refused, it answers bit for bit as before; where they are taken, as
     /// a new one does.
     pub fn set_params(&mut self, model: &Model, params: &asperity_params) {
@@ -789,6 +813,23 @@ fn refusals(params: &asperity_params) -> &'static [i32] {
     } else {
         &[INVALID_PARAMETER, OUT_OF_RANGE, NOT_CONVERGED]
     }
+}
+
+/// What `asperity_get_params` gives for parameters that were taken: what is not read has its default.
+fn echo(params: &asperity_params) -> asperity_params {
+    let mut echo = *params;
+    let default = asperity_params::initial();
+    if params.height_distribution != ASPERITY_HEIGHTS_WEIBULL {
+        echo.weibull_shape = default.weibull_shape;
+    }
+    if params.height_distribution != ASPERITY_HEIGHTS_JOHNSON {
+        (echo.skew, echo.kurtosis) = (default.skew, default.kurtosis);
+    }
+    echo
+}
+
+fn words_of(params: &asperity_params) -> Vec<u64> {
+    bytes(params).chunks(8).map(|word| u64::from_ne_bytes(word.try_into().expect("8 bytes"))).collect()
 }
 
 /// Every number that a caller could want is one: finite where it must be, with its sign.
