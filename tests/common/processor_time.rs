@@ -9,31 +9,16 @@ use std::time::Duration;
 pub const LONGEST_CALL: Duration = Duration::from_secs(10);
 
 /// Used so far by this thread.
-pub fn processor_time() -> Duration {
-    #[cfg(all(unix, not(miri)))]
-    return read(libc::CLOCK_THREAD_CPUTIME_ID);
-    #[cfg(any(not(unix), miri))]
-    clock()
-}
-
-/// Used so far by all threads together.
-pub fn process_time() -> Duration {
-    #[cfg(all(unix, not(miri)))]
-    return read(libc::CLOCK_PROCESS_CPUTIME_ID);
-    #[cfg(any(not(unix), miri))]
-    clock()
-}
-
 #[cfg(all(unix, not(miri)))]
-fn read(clock: libc::clockid_t) -> Duration {
+pub fn processor_time() -> Duration {
     let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
     // SAFETY: a struct to write to.
-    assert_eq!(unsafe { libc::clock_gettime(clock, &mut time) }, 0);
+    assert_eq!(unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &mut time) }, 0);
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }
 
 /// Elsewhere the time on the clock.
 #[cfg(any(not(unix), miri))]
-fn clock() -> Duration {
+pub fn processor_time() -> Duration {
     std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default()
 }
