@@ -110,8 +110,7 @@ hosts:
 site:
 	docs/site/build.sh
 
-# Two pictures are of measurements, which come with them: docs/performance.svg is drawn by make bench, docs/domain.svg by make
-# domain.
+# docs/performance.svg is of measurements, and drawn by make bench with them.
 figures: library
 	python=$$(python/environment.sh)/bin/python && \
 	    $$python docs/gallery && \

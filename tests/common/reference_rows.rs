@@ -1,5 +1,6 @@
 //! The rows of `reference/*.json`: sums at separations, computed without the library.
 
+use serde::de::DeserializeOwned;
 use serde::Deserialize;
 
 /// A surface with its rows.
@@ -48,7 +49,7 @@ pub struct Row {
 }
 
 /// The surfaces of a file.
-pub fn read(file: &str) -> Vec<Case> {
+pub fn read<C: DeserializeOwned>(file: &str) -> Vec<C> {
     let path = format!("{}/tests/reference/{file}", env!("CARGO_MANIFEST_DIR"));
     serde_json::from_str(&std::fs::read_to_string(path).expect(file)).expect(file)
 }

@@ -5,7 +5,7 @@
 #
 #   make fuzz            10^7 calls of random bytes, with oracles         FUZZ_CALLS, FUZZ_SEED
 #   make fuzz-coverage   libFuzzer with AddressSanitizer                  FUZZ_SECONDS; needs cargo-fuzz
-#   make domain          20,000 surfaces against a second evaluation      DOMAIN_SETS; rewrites docs/domain.svg
+#   make domain          20,000 surfaces against a second evaluation      DOMAIN_SETS
 #   make memory          sanitizers, valgrind
 #   make races           ThreadSanitizer in the Rust code                 needs a nightly Rust with rust-src
 #   make miri            every C function in Miri, by two rules of aliasing,
@@ -55,7 +55,6 @@ domain:
 	mkdir -p $(TARGET)/domain
 	ASPERITY_DOMAIN_SETS=$(DOMAIN_SETS) ASPERITY_DOMAIN_MAP=$(TARGET)/domain \
 	    $(LOW) $(CARGO) test --release --locked --test numerics -- --nocapture domain::
-	cp $(TARGET)/domain/domain.svg docs/domain.svg
 
 memory:
 	$(LOW) tests/harden/memory.sh long

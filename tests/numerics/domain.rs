@@ -2,15 +2,15 @@
 //! code with the library (`common/second_evaluation/`), or refused with a reason; no call takes longer than a second of
 //! processor time where the map is drawn, or than ten elsewhere.
 //!
-//! `cargo test` takes 500 surfaces of a Sobol sequence, `make domain` 20,000 and writes the map of `docs/dev/reliability.md`:
-//! ASPERITY_DOMAIN_SETS says how many, ASPERITY_DOMAIN_MAP where the tables and the picture go. A quarter as many have
+//! `cargo test` takes 500 surfaces of a Sobol sequence, `make domain` 20,000 and writes a table of what came of them:
+//! ASPERITY_DOMAIN_SETS says how many, ASPERITY_DOMAIN_MAP where the tables go. A quarter as many have
 //! heights of Johnson's system or of a table.
 
 use super::domain_map::{Answer, Map, Outcome};
 use super::found_by_sweeps;
 use crate::common::number_from_environment;
 use crate::common::processor_time::{self, processor_time};
-use crate::common::reference_rows::read;
+use crate::common::reference_rows::{read, Case};
 use crate::common::second_evaluation::heights::{Heights, Johnson, Table};
 use crate::common::second_evaluation::{Sums, Surface};
 use crate::common::sobol::Sobol;
@@ -310,7 +310,7 @@ fn fall_beyond(surface: &Surface, end: f64) -> f64 {
     }
 }
 
-/// Examines so many surfaces of a Sobol sequence; writes the table and the picture.
+/// Examines so many surfaces of a Sobol sequence; writes the table.
 fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surface) {
     let mut map = Map::default();
     let mut sobol = Sobol::new(dimensions);
@@ -337,8 +337,6 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
     if let Some(folder) = std::env::var_os("ASPERITY_DOMAIN_MAP") {
         let folder = std::path::Path::new(&folder);
         std::fs::write(folder.join(format!("{name}.md")), &report).expect("the table is written");
-        std::fs::write(folder.join(format!("{name}.svg")), map.picture(ACCURACY, PROMISED))
-            .expect("the picture is written");
     }
     let (part, worst) = map.table_errors(ACCURACY);
     println!("{name}: table_error above {ACCURACY:e} for {:.2} % of the surfaces, at most {worst:.1e}", 100.0 * part);
@@ -397,18 +395,11 @@ fn heights_that_do_not_follow_from_the_parameter_are_soon_given_up() {
         heights: HeightFamily::Johnson { skew: 0.6373291015625, kurtosis: 15.514825441259024 },
         radius_amplitude: -1.0,
         radius_rate: 0.7709730275903536,
-        ..params_of(&Surface {
-            alpha: 2.919248031942366e-3,
-            beta: 651575.6467097461,
-            gamma: 3.539691835305961e-2,
-            b_over_h: 3.074166822795491,
-            heights: Heights::Gaussian,
-            epsilon: 0.0,
-            rho: 1.0,
-            attraction: true,
-            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-            pressure: 0.0,
-        })
+        ..params_of(&Surface::new(
+            [2.919248031942366e-3, 651575.6467097461, 3.539691835305961e-2, 3.074166822795491],
+            Heights::Gaussian,
+            [0.0, 1.0],
+        ))
     };
     let took = |params: &Params| {
         let start = processor_time();
@@ -427,18 +418,11 @@ fn heights_that_do_not_follow_from_the_parameter_are_soon_given_up() {
 #[test]
 fn attraction_is_summed_where_the_circle_is_smallest() {
     for (shape, separations) in [(101.44666481939431, 2.0..3.5), (20.0, 5.0..6.5)] {
-        let surface = Surface {
-            alpha: 0.04796994696123086,
-            beta: 1.3656210428339097,
-            gamma: 2.4e-6,
-            b_over_h: 1.1715684852837,
-            heights: Heights::weibull(shape),
-            epsilon: 0.0,
-            rho: 1.0,
-            attraction: true,
-            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-            pressure: 0.0,
-        };
+        let surface = Surface::new(
+            [0.04796994696123086, 1.3656210428339097, 2.4e-6, 1.1715684852837],
+            Heights::weibull(shape),
+            [0.0, 1.0],
+        );
         let params = params_of(&surface);
         let model = Model::new(&params).expect("a model");
         for step in 0..30 {
@@ -456,7 +440,7 @@ fn attraction_is_summed_where_the_circle_is_smallest() {
 #[test]
 fn the_second_evaluation_agrees_with_the_80_bit_rows() {
     let (mut rows, mut worst, mut failures) = (0, 0.0_f64, Vec::new());
-    for case in ["cases.json", "wide.json", "heights.json"].into_iter().flat_map(read) {
+    for case in ["cases.json", "wide.json", "heights.json"].into_iter().flat_map(read::<Case>) {
         let p = &case.params;
         let heights = match (p.weibull_shape, &p.table_height, &p.table_density) {
             // Johnson's curves are here those of gamma and delta.

@@ -1,4 +1,4 @@
-//! What came of each surface of the box: counts, worst errors, the slowest call, as a table and as a picture.
+//! What came of each surface of the box: counts, worst errors, the slowest call, as a table.
 
 use crate::common::second_evaluation::heights::Heights;
 use crate::common::second_evaluation::Surface;
@@ -29,10 +29,6 @@ impl Answer {
             *worst = (if error.is_nan() { f64::INFINITY } else { error }, load);
         }
     }
-
-    fn worst(&self) -> f64 {
-        self.errors.values().map(|worst| worst.0).fold(0.0, f64::max)
-    }
 }
 
 pub enum Outcome {
@@ -43,16 +39,6 @@ pub enum Outcome {
         after: Duration,
         founded: bool,
     },
-}
-
-/// Cells of the picture along an axis.
-const CELLS: usize = 28;
-
-#[derive(Clone, Copy, Default)]
-struct Cell {
-    answered: bool,
-    error: f64,
-    slowest: f64,
 }
 
 #[derive(Default)]
@@ -165,184 +151,6 @@ impl Map {
         }
         text
     }
-
-    /// Worst error, refused surfaces, slowest call over alpha and beta, each with its scale and the limit on it.
-    pub fn picture(&self, accuracy: f64, longest: Duration) -> String {
-        let mut cells = vec![[Cell::default(); CELLS]; CELLS];
-        let (mut refused, mut needless) = (Vec::new(), 0);
-        for (surface, outcome) in &self.sets {
-            let (x, y) = (part_of(surface.alpha, ALPHA), part_of(surface.beta, BETA));
-            let index = |part: f64| ((CELLS as f64 * part) as usize).min(CELLS - 1);
-            let cell = &mut cells[index(y)][index(x)];
-            match outcome {
-                Outcome::Answered(answer) => {
-                    cell.answered = true;
-                    cell.error = cell.error.max(answer.worst());
-                    cell.slowest = cell.slowest.max(answer.slowest.as_secs_f64());
-                }
-                Outcome::Refused { founded, .. } => {
-                    refused.push((x, y));
-                    needless += u32::from(!founded);
-                }
-            }
-        }
-        let limit = longest.as_secs_f64();
-        let errors = Scale { from: 1e-16, to: accuracy * 10.0, limit: accuracy, unit: "" };
-        let times = Scale { from: 1e-3, to: limit * 10.0, limit, unit: " s" };
-        let (width, height) = (2.0 * MARGIN + SIDE, 3.0 * HEIGHT);
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"DejaVu Sans, sans-serif\" \
-             font-size=\"11\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n"
-        );
-        // One panel below the other: a telephone shows them with readable letters.
-        begin_panel(&mut svg, 0.0, "Largest relative error of any quantity [–]");
-        draw_cells(&mut svg, &cells, |cell| errors.colour(cell.error));
-        errors.draw(&mut svg);
-        end_panel(&mut svg);
-        begin_panel(&mut svg, 1.0, "Surfaces refused");
-        for (x, y) in &refused {
-            let (x, y) = (MARGIN + SIDE * x, TOP + SIDE * (1.0 - y));
-            let _ = writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"{OVER}\"/>");
-        }
-        let count = format!("{} of {}, {needless} of them without need", refused.len(), self.sets.len());
-        write_text(&mut svg, MARGIN, TOP + SIDE + 50.0, "start", &count);
-        end_panel(&mut svg);
-        begin_panel(&mut svg, 2.0, "Slowest call");
-        draw_cells(&mut svg, &cells, |cell| times.colour(cell.slowest));
-        times.draw(&mut svg);
-        end_panel(&mut svg);
-        svg.push_str("</svg>\n");
-        svg
-    }
-}
-
-// ---- The picture ----
-
-const ALPHA: (f64, f64) = (1e-4, 1.0);
-const BETA: (f64, f64) = (1.0, 1e7);
-const SIDE: f64 = 224.0;
-const MARGIN: f64 = 48.0;
-const TOP: f64 = 34.0;
-const HEIGHT: f64 = 356.0;
-/// Of what exceeds its limit, or is refused.
-const OVER: &str = "#d55e00";
-/// From small to large: light to dark in grey too, and apart for those who do not see all colours.
-const COLOURS: [[f64; 3]; 5] =
-    [[253.0, 231.0, 37.0], [94.0, 201.0, 98.0], [33.0, 145.0, 140.0], [59.0, 82.0, 139.0], [68.0, 1.0, 84.0]];
-
-/// Where a value lies between two others on a logarithmic axis, 0 to 1.
-fn part_of(x: f64, (from, to): (f64, f64)) -> f64 {
-    ((x / from).ln() / (to / from).ln()).clamp(0.0, 1.0)
-}
-
-/// A logarithmic scale of colours.
-struct Scale {
-    from: f64,
-    to: f64,
-    limit: f64,
-    unit: &'static str,
-}
-
-impl Scale {
-    fn colour(&self, x: f64) -> String {
-        if x > self.limit {
-            return OVER.to_string();
-        }
-        let at = part_of(x, (self.from, self.limit)) * (COLOURS.len() - 1) as f64;
-        let index = (at as usize).min(COLOURS.len() - 2);
-        let mix = |i: usize| COLOURS[index][i] + (COLOURS[index + 1][i] - COLOURS[index][i]) * (at - index as f64);
-        format!("#{:02x}{:02x}{:02x}", mix(0) as u8, mix(1) as u8, mix(2) as u8)
-    }
-
-    /// The scale below a panel, with a tick at every decade or second one, and the limit.
-    fn draw(&self, svg: &mut String) {
-        const STEPS: usize = 112;
-        let (top, width) = (TOP + SIDE + 40.0, SIDE / STEPS as f64);
-        for step in 0..STEPS {
-            let x = self.from * (self.to / self.from).powf((step as f64 + 0.5) / STEPS as f64);
-            let _ = writeln!(
-                svg,
-                "<rect x=\"{:.1}\" y=\"{top}\" width=\"{:.1}\" height=\"10\" fill=\"{}\"/>",
-                MARGIN + width * step as f64,
-                width + 0.3,
-                self.colour(x)
-            );
-        }
-        let (first, last) = (self.from.log10().round() as i32, self.to.log10().round() as i32);
-        for decade in (first..=last).step_by(if last - first > 5 { 2 } else { 1 }) {
-            let x = MARGIN + SIDE * part_of(10f64.powi(decade), (self.from, self.to));
-            write_text(svg, x, top + 22.0, "middle", &format!("{}{}", power_of_ten(decade), self.unit));
-        }
-        let x = MARGIN + SIDE * part_of(self.limit, (self.from, self.to));
-        let _ = writeln!(
-            svg,
-            "<line x1=\"{x:.1}\" x2=\"{x:.1}\" y1=\"{}\" y2=\"{}\" stroke=\"black\" stroke-width=\"1.5\"/>",
-            top - 3.0,
-            top + 13.0
-        );
-        let promise = format!("promised: at most {}{}", power_of_ten(self.limit.log10().round() as i32), self.unit);
-        write_text(svg, MARGIN + SIDE, top + 38.0, "end", &promise);
-    }
-}
-
-fn power_of_ten(exponent: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    match exponent {
-        0 => "1".to_string(),
-        1 => "10".to_string(),
-        _ => {
-            let digits = exponent.unsigned_abs().to_string();
-            let raised: String = digits.bytes().map(|digit| DIGITS[usize::from(digit - b'0')]).collect();
-            format!("10{}{raised}", if exponent < 0 { "⁻" } else { "" })
-        }
-    }
-}
-
-fn write_text(svg: &mut String, x: f64, y: f64, anchor: &str, text: &str) {
-    let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{text}</text>");
-}
-
-fn draw_cells(svg: &mut String, cells: &[[Cell; CELLS]], colour: impl Fn(&Cell) -> String) {
-    let size = SIDE / CELLS as f64;
-    for (row, cells) in cells.iter().enumerate() {
-        for (column, cell) in cells.iter().enumerate().filter(|(_, cell)| cell.answered) {
-            let (x, y) = (MARGIN + size * column as f64, TOP + SIDE - size * (row + 1) as f64);
-            let _ = writeln!(
-                svg,
-                "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{size}\" height=\"{size}\" fill=\"{}\"/>",
-                colour(cell)
-            );
-        }
-    }
-}
-
-/// What is drawn until the end of a panel lies below the panels before it.
-fn begin_panel(svg: &mut String, panel: f64, title: &str) {
-    let _ = writeln!(svg, "<g transform=\"translate(0 {})\">", panel * HEIGHT);
-    let _ = writeln!(svg, "<text x=\"{MARGIN}\" y=\"{}\" font-weight=\"bold\">{title}</text>", TOP - 12.0);
-}
-
-/// The axes of a panel, over what it shows.
-fn end_panel(svg: &mut String) {
-    let _ = writeln!(
-        svg,
-        "<rect x=\"{MARGIN}\" y=\"{TOP}\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"none\" stroke=\"#333\"/>"
-    );
-    for decade in (-4..=0).step_by(2) {
-        let x = MARGIN + SIDE * part_of(10f64.powi(decade), ALPHA);
-        write_text(svg, x, TOP + SIDE + 14.0, "middle", &power_of_ten(decade));
-    }
-    write_text(svg, MARGIN + SIDE / 2.0, TOP + SIDE + 28.0, "middle", "α = (σ/R)^½ [–]");
-    for decade in (0..=6).step_by(2) {
-        let y = TOP + SIDE * (1.0 - part_of(10f64.powi(decade), BETA));
-        write_text(svg, MARGIN - 5.0, y + 4.0, "end", &power_of_ten(decade));
-    }
-    let (x, y) = (12.0, TOP + SIDE / 2.0);
-    let _ = writeln!(
-        svg,
-        "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\" transform=\"rotate(-90 {x} {y})\">β = (Rσ)^½/b [–]</text>"
-    );
-    svg.push_str("</g>\n");
 }
 
 /// A surface as a person reads it, with all digits.

@@ -2,7 +2,7 @@
 
 use crate::common::neighbours::Neighbours;
 use crate::common::processor_time::{processor_time, LONGEST_CALL};
-use crate::common::surfaces::dimensionless;
+use crate::common::surfaces::{dimensionless, johnson, table};
 use asperity::{HeightFamily, Model, Params};
 
 fn surface(alpha: f64, beta: f64, gamma: f64, b_over_h: f64, shape: f64) -> Params {
@@ -11,6 +11,12 @@ fn surface(alpha: f64, beta: f64, gamma: f64, b_over_h: f64, shape: f64) -> Para
         attraction: false,
         ..dimensionless(alpha, beta, gamma, b_over_h)
     }
+}
+
+/// With attraction, heights, and radii that vary: amplitude and rate.
+fn varying([alpha, beta, gamma, b_over_h]: [f64; 4], heights: HeightFamily, radii: [f64; 2]) -> Params {
+    let [radius_amplitude, radius_rate] = radii;
+    Params { heights, radius_amplitude, radius_rate, ..dimensionless(alpha, beta, gamma, b_over_h) }
 }
 
 /// The search for the pull-off point stepped from a falling load to where all contacts are broken.
@@ -46,10 +52,7 @@ fn a_load_next_to_pull_off_is_that_of_its_separation() {
 #[test]
 fn the_tip_of_the_highest_summit_carries_the_lightest_loads() {
     let (height, density) = ([-2.0, -1.0, 1.0, 2.0], [1e-3, 2.0, 2.0, 1e-3]);
-    let params = Params {
-        heights: HeightFamily::Tabulated { height: height.to_vec().into(), density: density.to_vec().into() },
-        ..surface(0.0954, 20.76, 0.0, 5.75, 1.0)
-    };
+    let params = Params { heights: table(&height, &density), ..surface(0.0954, 20.76, 0.0, 5.75, 1.0) };
     let model = Model::new(&params).expect("a model");
     let unit = params.composite_modulus * params.burgers_vector.powi(2) * params.asperity_count;
     // Where the density is even, load goes with the overlap to the power of 5/2, area to that of 2. Below the table the power
@@ -69,7 +72,7 @@ fn the_slope_at_the_tip_is_that_of_a_secant() {
     let height: Vec<f64> = (-4..=4).map(|i| 0.5 * f64::from(i)).collect();
     let density = vec![1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 9.0, 10.0, 11.0];
     let mut params = surface(1.8608628e-3, 1.1696864e6, 0.0, 0.0617684, 1.0);
-    params.heights = HeightFamily::Tabulated { height: height.into(), density: density.into() };
+    params.heights = table(&height, &density);
     let model = Model::new(&params).expect("a model");
     let middle = model.state_at_load(1e-8 * model.summary().max_table_load).expect("a state");
     let mut kinks = 0;
@@ -122,12 +125,9 @@ fn a_model_whose_radii_vanish_slowly_is_made_in_time() {
 /// one had nowhere to go.
 #[test]
 fn a_panel_that_reaches_pull_off_but_for_a_rounding_ends_there() {
-    let params = Params {
-        heights: HeightFamily::Johnson { skew: 0.04912994274799331, kurtosis: 2.9070851720296362 },
-        attraction: true,
-        ..surface(2.329096594957861e-3, 13.638469154519356, 4.6276934687543594e-7, 6.857850478831809e-2, 1.0)
-    };
-    let model = Model::new(&params).expect("a model");
+    let groups = [2.329096594957861e-3, 13.638469154519356, 4.6276934687543594e-7, 6.857850478831809e-2];
+    let heights = johnson(0.04912994274799331, 2.9070851720296362);
+    let model = Model::new(&varying(groups, heights, [0.0, 0.5])).expect("a model");
     assert!(model.summary().pull_off_load < 0.0, "{:?}", model.summary());
 }
 
@@ -140,15 +140,13 @@ fn a_kink_that_is_pull_off_but_for_a_rounding_is_pull_off() {
     let density = [1.291737295659562, 0.04486363317469843, 1.1174710905852423, 1.64098619502017, 0.08188832716777573];
     let densities_above =
         [2.5786260480154564, 1.0802024468880105, 0.0330638326119372, 2.3702676917735004, 0.35769355011204895];
-    let params = Params {
-        heights: HeightFamily::Tabulated {
-            height: [&height[..], &above, &[5.9960727995793315]].concat().into(),
-            density: [&density[..], &densities_above, &[2.5862327845063233]].concat().into(),
-        },
-        radius_amplitude: 0.1855468754656613,
-        radius_rate: 2.99951323003386e-2,
-        ..surface(2.5141467600485447e-2, 11.744221120720635, 8.515889855282423e-3, 0.19602471573611835, 1.0)
-    };
+    let heights = table(
+        &[&height[..], &above, &[5.9960727995793315]].concat(),
+        &[&density[..], &densities_above, &[2.5862327845063233]].concat(),
+    );
+    let groups = [2.5141467600485447e-2, 11.744221120720635, 8.515889855282423e-3, 0.19602471573611835];
+    let radii = [0.1855468754656613, 2.99951323003386e-2];
+    let params = Params { attraction: false, ..varying(groups, heights, radii) };
     let model = Model::new(&params).expect("a model");
     assert!(model.summary().pull_off_load < 0.0, "{:?}", model.summary());
 }
@@ -157,36 +155,14 @@ fn a_kink_that_is_pull_off_but_for_a_rounding_is_pull_off() {
 /// neighbours, too: panels were cut there without end, for tens of seconds.
 #[test]
 fn sums_do_not_stop_where_contact_radii_are_steep() {
-    let surfaces = [
-        (
-            surface(
-                8.381849222214722e-4,
-                5152715.137756967,
-                2.1029807018159652e-4,
-                0.12704386771093445,
-                13.725755182418508,
-            ),
-            -4.882807843387127e-4,
-            1.8110672237718294e-2,
-        ),
-        (
-            surface(8.381849222214722e-4, 5152715.137756967, 2.1029807018159652e-4, 0.12704386771093445, 1.0),
-            -4.882807843387127e-4,
-            1.8110672237718294e-2,
-        ),
-        (
-            surface(1.6125735486823817e-4, 4489745.052009353, 3.579252348691782e-5, 0.23586978144945048, 0.0),
-            0.8989257817156613,
-            2.8797221476349354e-2,
-        ),
-    ];
-    for (i, (mut params, amplitude, rate)) in surfaces.into_iter().enumerate() {
-        match i {
-            1 => params.heights = HeightFamily::Johnson { skew: 0.30102992992860056, kurtosis: 3.152413671326139 },
-            2 => params.heights = HeightFamily::Gaussian,
-            _ => {}
-        }
-        (params.attraction, params.radius_amplitude, params.radius_rate) = (true, amplitude, rate);
+    let groups = [8.381849222214722e-4, 5152715.137756967, 2.1029807018159652e-4, 0.12704386771093445];
+    let radii = [-4.882807843387127e-4, 1.8110672237718294e-2];
+    let others = [1.6125735486823817e-4, 4489745.052009353, 3.579252348691782e-5, 0.23586978144945048];
+    for params in [
+        varying(groups, HeightFamily::Weibull { shape: 13.725755182418508 }, radii),
+        varying(groups, johnson(0.30102992992860056, 3.152413671326139), radii),
+        varying(others, HeightFamily::Gaussian, [0.8989257817156613, 2.8797221476349354e-2]),
+    ] {
         let start = processor_time();
         let model = Model::new(&params).expect("a model");
         let took = processor_time() - start;
@@ -202,11 +178,7 @@ fn sums_do_not_stop_where_contact_radii_are_steep() {
 /// The search for a light load stepped beyond a pull-off load that is no number, and took that for its end.
 #[test]
 fn light_loads_are_found_above_a_pull_off_load_that_is_none() {
-    let params = Params {
-        heights: HeightFamily::Gaussian,
-        attraction: true,
-        ..surface(0.05752103079734467, 38213.283425671885, 0.07542541357579806, 0.3962289, 1.0)
-    };
+    let params = dimensionless(0.05752103079734467, 38213.283425671885, 0.07542541357579806, 0.3962289);
     let model = Model::new(&params).expect("a model");
     assert_eq!(model.summary().pull_off_load, 0.0);
     let mut last = 0.0;
@@ -221,13 +193,9 @@ fn light_loads_are_found_above_a_pull_off_load_that_is_none() {
 /// What is left of the heights may be the last bit of one: there is nothing to cut there.
 #[test]
 fn the_last_bit_of_the_heights_is_no_panel_to_cut() {
-    let params = Params {
-        heights: HeightFamily::Johnson { skew: 2.07757989367654, kurtosis: 7.987927220128025 },
-        attraction: true,
-        radius_amplitude: 0.3710937504656613,
-        radius_rate: 6.222219292529092,
-        ..surface(9.222395660932716e-4, 48152.316878953374, 6.0884284861439574e-5, 1.550888465802803, 1.0)
-    };
+    let groups = [9.222395660932716e-4, 48152.316878953374, 6.0884284861439574e-5, 1.550888465802803];
+    let heights = johnson(2.07757989367654, 7.987927220128025);
+    let params = varying(groups, heights, [0.3710937504656613, 6.222219292529092]);
     let model = Model::new(&params).expect("a model");
     let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
     for i in 0..=80 {
@@ -239,31 +207,14 @@ fn the_last_bit_of_the_heights_is_no_panel_to_cut() {
 /// Panels that were cut next to where the contact radius passes one of the slip law's were cut there again, and again.
 #[test]
 fn sums_do_not_stop_where_contact_radii_pass_the_slip_law() {
-    let johnson = |skew, kurtosis| HeightFamily::Johnson { skew, kurtosis };
-    let surfaces = [
-        (
-            3.7180266679e-4,
-            2.92952275558e6,
-            6.15880606360e-6,
-            1.33984238048,
-            johnson(-0.197878277, 3.051877402),
-            -0.42968750,
-            0.507081919,
-        ),
-        (
-            4.91367299119e-3,
-            1.79838558711e6,
-            2.38206235570e-4,
-            0.277654520261,
-            johnson(-0.166818896, 2.362414729),
-            -0.05859375,
-            0.642121465,
-        ),
+    let [first, second] = [
+        [3.7180266679e-4, 2.92952275558e6, 6.15880606360e-6, 1.33984238048],
+        [4.91367299119e-3, 1.79838558711e6, 2.38206235570e-4, 0.277654520261],
     ];
-    for (alpha, beta, gamma, b_over_h, heights, amplitude, rate) in surfaces {
-        let mut params = surface(alpha, beta, gamma, b_over_h, 1.0);
-        (params.heights, params.attraction) = (heights, true);
-        (params.radius_amplitude, params.radius_rate) = (amplitude, rate);
+    for params in [
+        varying(first, johnson(-0.197878277, 3.051877402), [-0.42968750, 0.507081919]),
+        varying(second, johnson(-0.166818896, 2.362414729), [-0.05859375, 0.642121465]),
+    ] {
         let model = Model::new(&params).expect("a model");
         let end = model.state_at_load(model.summary().pull_off_load).expect("a state").gap;
         let load = |steps: i32| {
@@ -399,7 +350,7 @@ fn surfaces_that_part_with_their_last_contact_have_friction_until_then() {
         burgers_vector: 3.542802347940057e-3,
         height_std: 648.4468570965734,
         summit_radius: 11319.252529521586,
-        heights: HeightFamily::Tabulated { height: height.into(), density: density.into() },
+        heights: table(&height, &density),
         radius_amplitude: -1.0,
         radius_rate: 71.70931294931086,
         ..Params::paper()

@@ -93,9 +93,6 @@ pub fn surfaces() -> Vec<Surface> {
         ([2.8756778670488536e-2, 1.718091888888489e5, 1.9511774466711823e-1, 4.533057544911567e0],
          Heights::weibull(85.57692478317134), [-0.9592285151593387, 5.981284142477296e-1], true),
     ];
-    let slip = [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0];
-    let surfaces = found.map(|([alpha, beta, gamma, b_over_h], heights, [epsilon, rho], attraction)| {
-        Surface { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction, slip, pressure: 0.0 }
-    });
+    let surfaces = found.map(|(groups, heights, radii, attraction)| Surface { attraction, ..Surface::new(groups, heights, radii) });
     surfaces.into()
 }

@@ -47,18 +47,7 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
     for (epsilon, separations) in
         [(0.5, [-1.0, 0.0, 0.04, 0.08, 0.12, 1.0]), (-0.5, [1.0, 0.14, 0.1, 0.08, 0.04, -1.0])]
     {
-        let surface = Surface {
-            alpha: 0.01,
-            beta: 1000.0,
-            gamma: 1.398e-3,
-            b_over_h: 1.0,
-            heights: Heights::Gaussian,
-            epsilon,
-            rho: 1.0,
-            attraction: true,
-            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-            pressure: 0.0,
-        };
+        let surface = Surface::new([0.01, 1000.0, 1.398e-3, 1.0], Heights::Gaussian, [epsilon, 1.0]);
         let shares = agree(&surface, &separations);
         assert!(shares[0] < -1e-6 && shares[2] < 0.0 && shares[5] == 0.0, "{shares:?}");
     }
@@ -68,18 +57,7 @@ fn attraction_ends_where_summits_are_too_round_for_it() {
 #[test]
 fn the_lower_end_of_weibull_heights_attracts() {
     for (shape, epsilon) in [(1.3, 0.0), (1.3, 0.6), (2.2, -0.6)] {
-        let surface = Surface {
-            alpha: 0.01,
-            beta: 1000.0,
-            gamma: 1e-3,
-            b_over_h: 0.03,
-            heights: Heights::weibull(shape),
-            epsilon,
-            rho: 0.7,
-            attraction: true,
-            slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-            pressure: 0.0,
-        };
+        let surface = Surface::new([0.01, 1000.0, 1e-3, 0.03], Heights::weibull(shape), [epsilon, 0.7]);
         let shares = agree(&surface, &[-1.2, 0.0, 1.0, 2.0, 2.3]);
         assert!(shares.iter().all(|&share| share < -1e-9), "{shares:?}");
     }
@@ -88,36 +66,22 @@ fn the_lower_end_of_weibull_heights_attracts() {
 /// Where radii vary much within adhesion's range, break-away is nearer in height than in overlap.
 #[test]
 fn contacts_of_small_summits_next_to_break_away_are_summed_well() {
-    let surface = Surface {
-        alpha: 5.301090698879846e-4,
-        beta: 39.65771044724285,
-        gamma: 4.490305961462481e-2,
-        b_over_h: 5.188126247013423e-2,
-        heights: Heights::Gaussian,
-        epsilon: 0.9938964848406613,
-        rho: 1.537979986789622,
-        attraction: true,
-        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-        pressure: 0.0,
-    };
+    let surface = Surface::new(
+        [5.301090698879846e-4, 39.65771044724285, 4.490305961462481e-2, 5.188126247013423e-2],
+        Heights::Gaussian,
+        [0.9938964848406613, 1.537979986789622],
+    );
     agree(&surface, &[100.0, 122.0, 209.0, 230.0, 253.9]);
 }
 
 /// Within one panel the contact radius passes one of the slip law's, turns back below it and passes it again.
 #[test]
 fn friction_of_contacts_whose_radius_turns_twice_is_summed_well() {
-    let surface = Surface {
-        alpha: 2.879722146863008e-4,
-        beta: 127.6761034470962,
-        gamma: 6.260717080148791e-7,
-        b_over_h: 5.710840547041712e-2,
-        heights: Heights::weibull(2.3229816161803893),
-        epsilon: -0.6434326167218387,
-        rho: 20.844920576974864,
-        attraction: true,
-        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-        pressure: 0.0,
-    };
+    let surface = Surface::new(
+        [2.879722146863008e-4, 127.6761034470962, 6.260717080148791e-7, 5.710840547041712e-2],
+        Heights::weibull(2.3229816161803893),
+        [-0.6434326167218387, 20.844920576974864],
+    );
     let separations: Vec<f64> = (-20..=20).map(|i| -0.0391 + 0.004 * f64::from(i)).collect();
     agree(&surface, &separations);
 }
@@ -130,7 +94,7 @@ fn contacts_whose_radii_fall_with_height_are_summed_well() {
         vec![0.8895449647088878, 2.773862606380649, 3.1757086378524355, 4.09115422933819, 4.356416397143227],
         vec![0.0, 0.12988249738358382, 0.5576502740440499, 0.04875718654561095, 0.0],
     );
-    for ([alpha, beta, gamma, b_over_h], heights, [epsilon, rho], separations) in [
+    for (groups, heights, radii, separations) in [
         (
             [2.0305663643510564e-3, 9.36344249608463e4, 2.0507051057689425e-2, 5.229843984166102],
             Heights::Gaussian,
@@ -150,28 +114,14 @@ fn contacts_whose_radii_fall_with_height_are_summed_well() {
             [-3.5925, -3.5921, -3.5919, -3.5],
         ),
     ] {
-        let slip = [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0];
-        let (attraction, pressure) = (true, 0.0);
-        let surface = Surface { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction, slip, pressure };
-        agree(&surface, &separations);
+        agree(&Surface::new(groups, heights, radii), &separations);
     }
 }
 
 /// Some 2 % of the way before taller summits part first, and beyond.
 #[test]
 fn radii_so_steep_that_taller_summits_part_first_are_refused() {
-    let surface = |rho: f64| Surface {
-        alpha: 0.002,
-        beta: 300.0,
-        gamma: 0.001,
-        b_over_h: 1.0,
-        heights: Heights::Gaussian,
-        epsilon: -0.95,
-        rho,
-        attraction: true,
-        slip: [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0],
-        pressure: 0.0,
-    };
+    let surface = |rho: f64| Surface::new([0.002, 300.0, 0.001, 1.0], Heights::Gaussian, [-0.95, rho]);
     let (mut gentle, mut steep) = (0.1, 5.0);
     for _ in 0..40 {
         let middle = 0.5 * (gentle + steep);

@@ -161,6 +161,12 @@ fn at_overlap(w: f64, kappa: f64, end: Ring) -> Ring {
 }
 
 impl Surface {
+    /// alpha, beta, gamma and b/h; heights; epsilon and rho; with the slip law of the paper, and attraction.
+    pub fn new([alpha, beta, gamma, b_over_h]: [f64; 4], heights: Heights, [epsilon, rho]: [f64; 2]) -> Self {
+        let slip = [28.0, 1.0 / 43.0, 8e4, 1.0 / 1290.0];
+        Self { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction: true, slip, pressure: 0.0 }
+    }
+
     /// h/sigma.
     fn reach(&self) -> f64 {
         1.0 / (self.alpha * self.beta * self.b_over_h)
