@@ -43,19 +43,6 @@ fn check_table(rows: &[[f64; 7]]) {
 fn check_figure(path: &Path, rows: &[[f64; 7]]) {
     let figure = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     assert!(figure.starts_with("<svg ") && figure.trim_end().ends_with("</svg>"), "{}", path.display());
-    // Without the marks between words.
-    let words: String = figure.split('<').map(|part| part.split_once('>').map_or(part, |(_, words)| words)).collect();
-    let words = words.replace("&#956;", "μ");
-    for label in [
-        "normal load P [N]",
-        "friction coefficient μ = F/P",
-        "contact physics, 95 % band",
-        "constant μ = 0.300",
-        "given: 0.300 at 0.01 N",
-        "fewer than 20contacts:specimens differ",
-    ] {
-        assert!(words.contains(label), "the figure does not say '{label}'");
-    }
     let law =
         figure.split("<path class=\"law\" d=\"M").nth(1).and_then(|rest| rest.split('"').next()).expect("a curve");
     let number = |text: &str| -> f64 { text.parse().expect("a number") };

@@ -21,7 +21,7 @@ fn summit(lambda: f64, alpha: f64, range_by_spread: f64, burgers_by_range: f64) 
 
 #[test]
 fn the_law_of_extreme_summits_is_that_of_exact_states() {
-    let (mut made, mut worst) = (0, [0.0_f64; 3]);
+    let mut made = 0;
     for exponent in -6..=6 {
         let lambda = 10_f64.powi(exponent);
         for alpha in [1e-5, 1e-3, 0.1, 1.0] {
@@ -50,8 +50,7 @@ fn the_law_of_extreme_summits_is_that_of_exact_states() {
                             // A gap has few digits of what carries loads near zero.
                             1e-2 * (model.load_at_gap(exact.gap) - load) / load.abs().max(1e-3 * scale),
                         ];
-                        for (worst, error) in worst.iter_mut().zip(errors) {
-                            *worst = worst.max(error.abs());
+                        for error in errors {
                             assert!(error.abs() < 1e-8, "{errors:?} at {load:e} of {params:?}");
                         }
                     }
@@ -59,7 +58,5 @@ fn the_law_of_extreme_summits_is_that_of_exact_states() {
             }
         }
     }
-    let [force, stiffness, load] = worst;
-    println!("{made} surfaces: force {force:.1e}, stiffness {stiffness:.1e}, load of a gap {:.1e}", 100.0 * load);
     assert!(made > 200, "{made} surfaces");
 }

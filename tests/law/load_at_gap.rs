@@ -194,28 +194,20 @@ fn beyond_the_table_and_out_of_range() {
     }
 }
 
-/// Far above the mean height such surfaces touch still: lengths were measured from there, and next to the mean none was resolved.
-#[test]
-fn heights_with_long_tails_are_resolved_next_to_their_mean() {
-    for (skew, kurtosis) in [(0.0, 8.0), (0.25, 17.0), (2.0, 40.0), (0.0, 90.0)] {
-        let params = Params { heights: johnson(skew, kurtosis), ..Params::paper() };
-        let model = model(&params);
-        for separation in [3.0, 1.0, 0.0, -1.0, -10.0, -30.0, -3000.0, -1e5].map(|d| d * params.height_std) {
-            let (load, slope) = model.load_and_slope_at_gap(separation);
-            let exact = model.state_at_gap(separation).expect("a state");
-            // The last are beyond the table.
-            let allowed = if separation < -1e3 * params.height_std { [0.01, 0.01] } else { [1e-8, 1e-6] };
-            let off = [load / exact.load - 1.0, slope / exact.dload_dgap - 1.0].map(f64::abs);
-            assert!(off[0] < allowed[0] && off[1] < allowed[1], "{skew}, {kurtosis} at {separation}: {off:?}");
-        }
-    }
-}
-
 /// However long or short their tails, from next to where they part to beyond the heaviest load that is compiled, and wherever gaps count
 /// from: 0 of either sign lies anywhere between.
 #[test]
 fn at_every_gap_the_load_is_that_of_the_exact_state_or_goes_on_without_a_jump() {
-    let tails = [(-1.9908, 18.8205), (0.9763, 9.40737), (-0.3347, 14.2123), (0.0, 5.0), (3.0, 60.0), (0.0, 95.0)];
+    let tails = [
+        (-1.9908, 18.8205),
+        (0.9763, 9.40737),
+        (-0.3347, 14.2123),
+        (0.0, 5.0),
+        (3.0, 60.0),
+        (0.0, 95.0),
+        (0.25, 17.0),
+        (2.0, 40.0),
+    ];
     let others = [HeightFamily::Weibull { shape: 1.05 }, HeightFamily::Weibull { shape: 30.0 }];
     let heights = tails.map(|(skew, kurtosis)| johnson(skew, kurtosis)).into_iter().chain(others);
     let (mut failures, mut models) = (Failures::default(), 0);
