@@ -133,15 +133,6 @@ with_cmake fetch-content -DFETCHCONTENT_SOURCE_DIR_ASPERITY="$root"
 check fetch-content shared
 
 # ---- Documentation ----
-# The program in README.md.
-sed -n '/^```c$/,/^```$/{/^```/d;p}' README.md >"$work/readme.c"
-# shellcheck disable=SC2046
-quietly cc -std=c11 -Wall -Wextra -Wpedantic -Werror "$work/readme.c" $(pkg-config --cflags --libs asperity) \
-    -Wl,-rpath,"$prefix/lib" -o "$work/readme"
-said=$("$work/readme")
-[ "$said" = "$(sed -n '/^```text$/,/^```$/{/^```/d;p}' README.md)" ] || fail "README.md does not say that its program prints '$said'"
-echo "README.md: its program prints what stands below it"
-
 # follow PAGE: does what the page says, in a copy of the source tree and with a home of its own. All pages share the two.
 follow() {
     local folder=$work/guides

@@ -22,19 +22,6 @@ SURFACE: dict[str, Any] = dict(
 EXPONENT = -math.log(1290 / 43) / math.log(1e3)
 
 
-def test_friction_of_exponential_heights_is_constant_over_12_decades() -> None:
-    """Weibull heights of shape 1 are exponential: friction is Amontons' as long as the lowest summits do not touch."""
-    model = Model(Params.si(**SURFACE, work_of_adhesion=0.0, height_distribution="weibull", weibull_shape=1.0))
-    heaviest = model.state_at_gap(0.0)
-    loads = heaviest.load * np.geomspace(1e-12, 1, 49)
-    states = [model.state_at_load(float(load)) for load in loads]
-    ratios = np.array([(s.friction_force / s.load, s.real_area / s.load, s.contacting / s.load) for s in states])
-    assert ratios == pytest.approx(np.broadcast_to(ratios[-1], ratios.shape), rel=1e-11)
-    # Of a load per summit in closed form: (4/3) E* R^(1/2) Gamma(5/2) sigma^(3/2) for each contact.
-    per_contact = 4 / 3 * math.gamma(2.5) * 0.01**1.5
-    assert heaviest.load / heaviest.contacting == pytest.approx(per_contact, rel=1e-12)
-
-
 @pytest.mark.parametrize(
     "slip_radii, expected", [((1e3, 1e6), -1 / 3), ((10, 1e4), (2 + EXPONENT) / 3 - 1), ((1, 10), -1 / 3)],
     ids=["below a_1", "between", "above a_2"],
