@@ -1,8 +1,8 @@
 //! Radii, regimes and pressures of the contacts in a state: against closed forms of Hertzian contact, and against sums
 //! over many heights of a contact that is solved here, by bisection, from the equations of docs/model.md.
 
-use crate::common::assert_near;
 use crate::common::surfaces::model;
+use crate::common::{assert_near, simpson};
 use asperity::{HeightFamily, Params, State, WARNING_PLASTIC};
 use statrs::function::erf::{erfc, erfc_inv};
 use statrs::function::gamma::gamma;
@@ -42,19 +42,11 @@ fn hertzian_contacts_are_those_of_closed_forms() {
         let tallest = SQRT_2 * erfc_inv(2.0 * fraction / (number + 1.0));
         assert_near(state.max_contact_radius, length * (tallest - d).sqrt(), 1e-9, &what);
         // z = d + s^2
-        let mean = simpson(9.0_f64.max(9.0 - d).sqrt(), |s| {
+        let mean = simpson(0.0, 9.0_f64.max(9.0 - d).sqrt(), |s| {
             2.0 * s * s * length * (-0.5 * (d + s * s).powi(2)).exp() / (2.0 * PI).sqrt()
         }) / fraction;
         assert_near(state.mean_contact_radius, mean, 1e-9, &what);
     }
-}
-
-/// The integral from 0.
-fn simpson(to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    const PANELS: u32 = 20_000;
-    let step = to / f64::from(PANELS);
-    let weight = |i: u32| if i == 0 || i == PANELS { 1.0 } else { 2.0 * f64::from(1 + i % 2) };
-    (0..=PANELS).map(|i| weight(i) * f(f64::from(i) * step)).sum::<f64>() * step / 3.0
 }
 
 /// One summit in contact after Maugis, as docs/model.md has it, in sigma, b and E* b^2.

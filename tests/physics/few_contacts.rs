@@ -7,6 +7,8 @@
 use crate::common::splitmix::SplitMix;
 use crate::common::surfaces::{dimensionless, model, table};
 use asperity::{ContactLawKind, HeightFamily, Model, Params};
+use statrs::function::erf::erfc_inv;
+use std::f64::consts::SQRT_2;
 use std::fmt::Write;
 
 /// Summits on each surface, and surfaces.
@@ -55,27 +57,8 @@ fn surfaces() -> Vec<(&'static str, Params, Quantile)> {
     .collect()
 }
 
-/// Of Gaussian heights, by Newton's method for the logarithm.
 fn normal(taller: f64) -> f64 {
-    let newton = |z: f64| {
-        let (density, above) = (gaussian(z), fraction_above(z));
-        z + (above / taller).ln() * above / density
-    };
-    (0..7).fold(0.0, |z, _| newton(z))
-}
-
-fn gaussian(z: f64) -> f64 {
-    (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt()
-}
-
-/// The fraction of Gaussian heights above one: the series about 0 or Laplace's continued fraction.
-fn fraction_above(z: f64) -> f64 {
-    let density = gaussian(z);
-    if z > 3.0 {
-        return density / (1..=20).rev().fold(z, |rest, k| z + f64::from(k) / rest);
-    }
-    let terms = std::iter::successors(Some((1.0, z)), |&(k, term)| Some((k + 2.0, term * z * z / (k + 2.0))));
-    0.5 - density * terms.take(40).map(|(_, term)| term).sum::<f64>()
+    SQRT_2 * erfc_inv(2.0 * taller)
 }
 
 /// Of Weibull heights of shape 8, of which these are mean and standard deviation.

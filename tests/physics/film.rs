@@ -4,8 +4,8 @@
 //! `reference/film.json`: 8 surfaces, computed without the library. Units: E* b^2 for load, G* b^2 for friction, sigma for
 //! separation, one summit.
 
-use crate::common::assert_near;
 use crate::common::surfaces::{dimensionless, johnson, model, table};
+use crate::common::{assert_near, reference_rows};
 use asperity::{CalibrationFailure, ContactLawKind, Error, HeightFamily, Params, SlipConstants};
 use serde::Deserialize;
 
@@ -61,8 +61,7 @@ impl CaseParams {
 }
 
 fn cases() -> Vec<Case> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/film.json");
-    serde_json::from_str(&std::fs::read_to_string(path).expect(path)).expect(path)
+    reference_rows::read("film.json")
 }
 
 #[test]

@@ -179,11 +179,6 @@ fn oblique_loading_is_that_of_the_exact_foundation() {
             let mut both = Both::at_rest(params, model, curve, 1e-3 * load);
             both.go(load, [path * length_at(model, load), 0.0], steps);
             let error = both.error() / (FRICTION * load);
-            println!(
-                "{name}: path {path} F/K in {steps} steps: {:.4} off {:.4}",
-                both.force[0][0] / both.force[1][0],
-                error
-            );
             assert!(error < most, "{name}: {path} in {steps} steps: {error}");
         }
     });
@@ -199,7 +194,6 @@ fn load_that_falls_takes_its_force_along_and_does_not_bring_it_back() {
             let down = both.error() / (FRICTION * load);
             both.go(load, [0.0; 2], 40);
             let back = both.error() / (FRICTION * load);
-            println!("{name}: {path} F/K, load to {part}: {down:.4}, and back {back:.4}");
             assert!(down < 0.02 && back < 0.02, "{name}: {path}, {part}: {down}, {back}");
         }
     });
@@ -216,10 +210,6 @@ fn cycles_of_displacement_and_load_take_the_work_that_they_should() {
             }
             let unit = 0.5 * model.tangential_stiffness_at_load(load) * (path * length).powi(2);
             let [found, exact] = both.work.map(|work| work / unit);
-            println!(
-                "{name}: {path} F/K and {part}: net work {found:.3}, exact {exact:.3}, told {:.3}",
-                both.dissipated / unit
-            );
             assert!((found - exact).abs() < 0.03 && found > 0.0, "{name}: {path}, {part}: {found}, not {exact}");
             // Nothing is held in the end but what the lowest load kept.
             assert!(both.dissipated / unit < found + 0.02, "{name}: told {}", both.dissipated / unit);
@@ -234,13 +224,11 @@ fn vibrating_load_does_not_wear_the_force_away() {
         let mut both = Both::at_rest(params, model, curve, load);
         both.go(load, [0.5 * length_at(model, load), 0.0], 20);
         both.go(0.7 * load, [0.0; 2], 5);
-        let first = both.force[0][0];
         for _ in 0..200 {
             both.go(load, [0.0; 2], 2);
             both.go(0.7 * load, [0.0; 2], 2);
         }
         let error = both.error() / (FRICTION * load);
-        println!("{name}: after 200 cycles {:.4} of the first, {error:.4} of F off", both.force[0][0] / first);
         assert!(error < 0.035, "{name}: {error}");
     });
 }
@@ -276,7 +264,6 @@ fn an_oblique_elastic_impact_returns_the_tangential_energy_that_it_should() {
                 found -= both.force[0][0] / ratio * time;
                 exact -= other.force[1][0] / ratio * time;
             }
-            println!("{name}: mass {ratio:.2}, angle {angle}: {:.4} kept, exact {:.4}", found / slide, exact / slide);
             assert!(
                 (found - exact).abs() < 0.05 * slide,
                 "{name}: {ratio}, {angle}: {}, not {}",
@@ -319,10 +306,6 @@ fn a_box_on_an_incline_under_vibrating_load_walks_as_the_exact_foundation() {
             }
             let [last, all] = [|walked: &Vec<f64>| walked[CYCLES - 1], |walked: &Vec<f64>| walked.iter().sum()]
                 .map(|of| [of(&walked[0]), of(&walked[1])]);
-            println!(
-                "{name}: pull {pull} F, load down to {lightest}: {:.4} F/K in the last cycle, exact {:.4}",
-                last[0], last[1]
-            );
             let what = format!("{name}: {pull}, {lightest}: {last:?}, {all:?}");
             assert!((last[0] - last[1]).abs() < 0.03 * last[1].abs() + 2e-3, "{what}");
             assert!((all[0] - all[1]).abs() < 0.05 * all[1].abs() + 0.02, "{what}");

@@ -149,10 +149,37 @@ fn anywhere(random: &mut SplitMix) -> (f64, f64) {
     (skew, (least + random.log_between(1e-6, 100.0)).min(100.0))
 }
 
+/// The compiled law is that of exact states, with its slope, at loads spread evenly over decades between two; friction rises with load.
+fn assert_compiled(model: &Model, (from, to): (f64, f64), count: usize, name: &str) {
+    let (pull_off, mut random, mut last) =
+        (model.summary().pull_off_load, SplitMix(count as u64), (0.0, f64::INFINITY));
+    for i in 0..count {
+        let load = pull_off + from * (to / from).powf((i as f64 + random.between(0.0, 1.0)) / count as f64);
+        let exact = model.state_at_load(load).unwrap_or_else(|error| panic!("{name}, load {load}: {error}"));
+        let (force, slope) = model.friction_force_and_slope(load);
+        let error = (force / exact.friction_force - 1.0).abs();
+        assert!(
+            error < 1e-8 && error <= 4.0 * model.summary().table_error.max(1e-12),
+            "{name}, load {load}: {error:e}"
+        );
+        let slope_error = (slope / exact.dforce_dload - 1.0).abs();
+        assert!(slope_error < 1e-6, "{name}, load {load}: slope {slope_error:e}");
+        assert!(force > last.0 && exact.gap <= last.1 && exact.dload_dgap < 0.0, "{name}, load {load}: {exact:?}");
+        last = (force, exact.gap);
+    }
+}
+
+/// From next to pull-off to the end of the table.
+fn whole_table(model: &Model) -> (f64, f64) {
+    let summary = model.summary();
+    let nearest = (summary.min_table_load - summary.pull_off_load).max(1e-9 * -summary.pull_off_load);
+    (nearest, summary.max_table_load - summary.pull_off_load)
+}
+
 #[test]
 fn the_whole_domain_makes_sound_models() {
     let mut random = SplitMix(0x000e_d6e5);
-    let (mut made, mut answered, mut asked, mut worst) = (0, 0, 0, 0.0_f64);
+    let mut made = 0;
     for i in 0..80 {
         let (skew, kurtosis) = anywhere(&mut random);
         let gamma = [0.0, 0.0, 1e-4, 0.001, 0.003][random.below(5)];
@@ -175,34 +202,9 @@ fn the_whole_domain_makes_sound_models() {
         made += 1;
         let summary = model.summary();
         assert_eq!((summary.skew, summary.kurtosis), (skew, kurtosis), "{name}");
-        let pull_off = summary.pull_off_load;
-        let nearest = (summary.min_table_load - pull_off).max(1e-9 * -pull_off);
-        let farthest = summary.max_table_load - pull_off;
-        let mut before: Option<asperity::State> = None;
-        const COUNT: usize = 16;
-        for j in 0..COUNT {
-            let load =
-                pull_off + nearest * (farthest / nearest).powf((j as f64 + random.between(0.0, 1.0)) / COUNT as f64);
-            let exact = model.state_at_load(load).unwrap_or_else(|error| panic!("{name}, load {load}: {error}"));
-            let (force, slope) = model.friction_force_and_slope(load);
-            let error = (force / exact.friction_force - 1.0).abs();
-            assert!(error < 1e-8, "{name}, load {load}: {error:e}");
-            let slope_error = (slope / exact.dforce_dload - 1.0).abs();
-            assert!(slope_error < 1e-6, "{name}, load {load}: slope {slope_error:e}");
-            worst = worst.max(error);
-            asked += 1;
-            answered += usize::from(force != exact.friction_force);
-            assert!(exact.contacting >= 0.0 && exact.contacting < 1.0 + 1e-12, "{name}: {exact:?}");
-            assert!(exact.dload_dgap < 0.0, "{name}, load {load}: {exact:?}");
-            if let Some(before) = before {
-                assert!(exact.friction_force > before.friction_force, "{name}, load {load}: friction falls");
-                assert!(exact.gap <= before.gap, "{name}, load {load}: separation rises");
-            }
-            before = Some(exact);
-        }
+        assert_compiled(&model, whole_table(&model), 16, &name);
     }
-    println!("{made} models, {answered} of {asked} loads from the table, worst error {worst:.1e}");
-    assert!(made > 40 && answered * 10 > 9 * asked, "{made} models, {answered} of {asked}");
+    assert!(made > 40, "{made} models");
 }
 
 #[test]
@@ -255,32 +257,15 @@ fn the_law_of_a_table_is_exact_where_it_answers() {
     let two_bumps = |z: f64| bell((z - 1.0) / 0.3) + 0.1 * bell((z - 3.0) / 0.2);
     let jumps = table(&[0.0, 1.0, 1.0 + 1e-9, 2.0, 2.0 + 1e-9, 3.0], &[1.0, 1.0, 3.0, 3.0, 0.5, 0.5]);
     let tables = [
-        ("histogram", table(&HEIGHT, &DENSITY), 0.8),
-        ("jumps", jumps, 0.8),
-        ("two bumps", sampled(30, 0.0, 4.0, two_bumps), 0.6),
-        ("fine", sampled(250, -5.0, 5.0, bell), 0.0),
+        ("histogram", table(&HEIGHT, &DENSITY)),
+        ("jumps", jumps),
+        ("two bumps", sampled(30, 0.0, 4.0, two_bumps)),
+        ("fine", sampled(250, -5.0, 5.0, bell)),
     ];
-    for (name, heights, least) in tables {
+    for (name, heights) in tables {
         for gamma in [0.0, 0.001] {
             let model = model(gamma, heights.clone());
-            let summary = model.summary();
-            let nearest = (summary.min_table_load - summary.pull_off_load).max(1e-9 * -summary.pull_off_load);
-            let farthest = summary.max_table_load - summary.pull_off_load;
-            let (mut worst, mut answered, mut last) = (0.0_f64, 0, 0.0);
-            const COUNT: usize = 100;
-            for i in 0..COUNT {
-                let load = summary.pull_off_load + nearest * (farthest / nearest).powf(i as f64 / COUNT as f64);
-                let exact = model.state_at_load(load).expect("a state");
-                let (force, slope) = model.friction_force_and_slope(load);
-                worst = worst.max((force / exact.friction_force - 1.0).abs());
-                assert!((slope / exact.dforce_dload - 1.0).abs() < 1e-6, "{name}, gamma {gamma}, load {load}");
-                assert!(force > last, "{name}, gamma {gamma}: not monotonic at load {load}");
-                last = force;
-                answered += usize::from(force != exact.friction_force);
-            }
-            println!("{name}, gamma {gamma}: {answered} of {COUNT} loads from the table, worst error {worst:.1e}");
-            assert!(worst < 1e-8 && worst <= 4.0 * summary.table_error.max(1e-12), "{name}: {worst:e}");
-            assert!(answered as f64 >= least * COUNT as f64, "{name}, gamma {gamma}: {answered} of {COUNT}");
+            assert_compiled(&model, whole_table(&model), 100, &format!("{name}, gamma {gamma}"));
         }
     }
 }
@@ -302,36 +287,13 @@ fn histogram(bins: usize, count: f64) -> HeightFamily {
 
 #[test]
 fn measured_histograms_of_many_bins_are_compiled() {
-    let mut random = SplitMix(0xb15);
-    for (bins, count, gamma, least) in [
-        (100, 2e4, 0.0, 0.95),
-        (100, 2e4, 0.003, 0.95),
-        (200, 1e5, 0.0, 0.95),
-        (250, 1e5, 0.0, 0.95),
-        (250, 1e6, 0.0, 0.95),
-    ] {
+    for (bins, count, gamma) in [(100, 2e4, 0.0), (100, 2e4, 0.003), (200, 1e5, 0.0), (250, 1e5, 0.0), (250, 1e6, 0.0)]
+    {
         let model = model(gamma, histogram(bins, count));
-        let summary = model.summary();
         // From where one summit in 10^4 touches to where all do.
-        let (lightest, heaviest) = (30.0, 1e6_f64);
-        let (mut worst, mut worst_slope, mut answered) = (0.0_f64, 0.0_f64, 0);
-        const COUNT: usize = 150;
-        for i in 0..COUNT {
-            let part = (i as f64 + random.between(0.0, 1.0)) / COUNT as f64;
-            let load = lightest * (heaviest / lightest).powf(part);
-            let exact = model.state_at_load(load).expect("a state");
-            let (force, slope) = model.friction_force_and_slope(load);
-            worst = worst.max((force / exact.friction_force - 1.0).abs());
-            worst_slope = worst_slope.max((slope / exact.dforce_dload - 1.0).abs());
-            answered += usize::from(force != exact.friction_force);
-        }
-        println!(
-            "{bins} bins of {count:e} heights, gamma {gamma}: {answered} of {COUNT} loads from the table, \
-             worst error {worst:.1e}, of slopes {worst_slope:.1e}, table_error {:.1e}",
-            summary.table_error
-        );
-        assert!(worst < 1e-8 && worst_slope < 1e-6, "{bins} bins, gamma {gamma}: {worst:e}, slope {worst_slope:e}");
-        assert!(answered as f64 >= least * COUNT as f64, "{bins} bins, gamma {gamma}: {answered} of {COUNT}");
+        let from_pull_off = |load: f64| load - model.summary().pull_off_load;
+        let range = (from_pull_off(30.0), from_pull_off(1e6));
+        assert_compiled(&model, range, 150, &format!("{bins} bins of {count:e} heights, gamma {gamma}"));
     }
 }
 
@@ -415,50 +377,6 @@ fn tables_without_a_meaning_are_refused_by_name_and_index() {
     for (message, expected) in cases {
         assert!(message.contains(expected), "{message}");
     }
-}
-
-#[test]
-fn any_bits_are_refused_or_make_a_sound_model() {
-    let mut random = SplitMix(0x5eed_0e16);
-    let mut made = 0;
-    for i in 0..400 {
-        let heights = if i % 2 == 0 {
-            let plausible = random.chance(0.7);
-            let skew = if plausible { random.between(-3.5, 3.5) } else { random.any_float() };
-            let kurtosis =
-                if plausible { 1.25 * skew * skew + 1.8 + random.log_between(1e-2, 100.0) } else { random.any_float() };
-            johnson(skew, kurtosis)
-        } else {
-            let count = 2 + random.below(12);
-            let mut height: Vec<f64> = (0..count).map(|_| random.between(-1.0, 1.0)).collect();
-            height.sort_by(f64::total_cmp);
-            let mut density: Vec<f64> =
-                (0..count).map(|_| if random.chance(0.2) { 0.0 } else { random.log_between(1e-6, 1.0) }).collect();
-            if random.chance(0.3) {
-                height[random.below(count)] = random.any_float();
-            }
-            if random.chance(0.3) {
-                density[random.below(count)] = random.any_float();
-            }
-            table(&height, &density)
-        };
-        let params = surface(if random.chance(0.3) { 0.0 } else { 0.001 }, heights);
-        let model = match Model::new(&params) {
-            Ok(model) => model,
-            Err(Error::NotConverged { what, value }) => panic!("{:?}: {what} {value}", params.heights),
-            Err(_) => continue,
-        };
-        made += 1;
-        let summary = model.summary();
-        assert!(summary.kurtosis > summary.skew * summary.skew + 1.0 - 1e-9, "{:?}: {summary:?}", params.heights);
-        let mut last = 0.0;
-        for load in LOADS {
-            let force = model.friction_force_at_load(load);
-            assert!(force > last && force.is_finite(), "{:?}, load {load}: {force:e} after {last:e}", params.heights);
-            last = force;
-        }
-    }
-    assert!(made > 140, "only {made} surfaces are evaluated");
 }
 
 /// Hertz' contacts of bins of equal density add up in closed form. Next to where the density drops the sum over the summits once

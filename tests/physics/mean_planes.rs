@@ -2,6 +2,7 @@
 
 use crate::common::surfaces::{crowded, dimensionless, model};
 use asperity::{Model, Params, SpectralMoments, State};
+use statrs::function::erf::erf;
 use std::f64::consts::PI;
 
 /// Of the same summits without neighbours, counted from their mean.
@@ -223,13 +224,6 @@ impl Spectrum {
         let step = (1e3_f64).ln() / f64::from(STEPS);
         (0..STEPS).map(|i| step * self.compliance(pressure * (step * (f64::from(i) + 0.5)).exp())).sum()
     }
-}
-
-fn erf(x: f64) -> f64 {
-    // Midpoints: to 1e-5.
-    let steps = 40;
-    let h = x.min(6.0) / f64::from(steps);
-    2.0 / PI.sqrt() * h * (0..steps).map(|i| (-(h * (f64::from(i) + 0.5)).powi(2)).exp()).sum::<f64>()
 }
 
 /// A surface of these moments, with E* = 1 and a nominal area of 1e6.

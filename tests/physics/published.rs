@@ -218,11 +218,19 @@ fn friction_of_exponential_heights_is_in_proportion_to_the_load() {
     let strength = params.slip.stress_1 * params.effective_shear_modulus;
     let expected = strength * (PI * params.summit_radius / params.height_std).sqrt() / params.composite_modulus;
     let model = Model::new(&params).expect("a model");
+    // (4/3) E* R^(1/2) Gamma(5/2) sigma^(3/2) for each contact, of the mean area pi R sigma.
+    let (radius, sigma) = (params.summit_radius, params.height_std);
+    let per_contact = params.composite_modulus * (PI * radius).sqrt() * sigma.powf(1.5);
     let heaviest = model.state_at_gap(0.0).expect("a state").load;
-    for part in [1e-9, 1e-3, 1.0] {
+    for part in (0..=12).map(|decade| 10_f64.powi(-decade)) {
         let state = model.state_at_load(part * heaviest).expect("a state");
-        let mu = state.friction_force / state.load;
-        assert!((mu / expected - 1.0).abs() < 1e-11, "{mu} at {part:e}, not {expected}");
+        for (found, expected) in [
+            (state.friction_force / state.load, expected),
+            (state.load / state.contacting, per_contact),
+            (state.real_area / state.contacting, PI * radius * sigma),
+        ] {
+            assert!((found / expected - 1.0).abs() < 1e-11, "{found} at {part:e}, not {expected}");
+        }
     }
 }
 

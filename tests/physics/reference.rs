@@ -123,7 +123,7 @@ fn state_of_row(model: &Model, case: &Case, row: &Row) -> State {
 #[test]
 fn figures_3_to_10_and_the_limits_are_reproduced() {
     let mut comparison = Comparison::default();
-    for case in read("cases.json") {
+    for case in read::<Case>("cases.json") {
         let model = model(&case.params);
         for row in &case.rows {
             let state = state_of_row(&model, &case, row);
@@ -142,7 +142,7 @@ fn is_ill_conditioned(case: &Case) -> bool {
 #[test]
 fn surfaces_from_all_over_parameter_space_are_reproduced() {
     let (mut ordinary, mut ill_conditioned) = (Comparison::default(), Comparison::default());
-    for case in read("wide.json") {
+    for case in read::<Case>("wide.json") {
         let model = model(&case.params);
         for row in &case.rows {
             let state = state_of_row(&model, &case, row);
@@ -160,7 +160,7 @@ fn surfaces_from_all_over_parameter_space_are_reproduced() {
 #[test]
 fn heights_of_johnsons_system_and_of_tables_are_reproduced() {
     let (mut ordinary, mut ill_conditioned) = (Comparison::default(), Comparison::default());
-    for case in read("heights.json") {
+    for case in read::<Case>("heights.json") {
         let model = model(&case.params);
         for row in &case.rows {
             let state = state_of_row(&model, &case, row);
@@ -179,7 +179,7 @@ fn heights_of_johnsons_system_and_of_tables_are_reproduced() {
 #[test]
 fn a_load_on_the_branch_gives_the_friction_of_its_separation() {
     let mut rows = 0;
-    for case in read("cases.json") {
+    for case in read::<Case>("cases.json") {
         let model = model(&case.params);
         for row in case.rows.iter().filter(|row| row.load > 0.0 && row.dload_dseparation < 0.0) {
             let exact = model.state_at_load(row.load).expect("a state");
