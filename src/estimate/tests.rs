@@ -101,7 +101,8 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
     let (steel, silicon, summits) =
         ("pair = \"steel/steel\"\n", "pair = \"Si/Si\"\n", "height_std = 5e-9\nsummit_radius = 1e-6\n");
     let is_load = "check: the measured friction coefficient is 0.001, dry surfaces have more: is it the load? A point is [load, coefficient]";
-    let rows: &[(&str, &str, &str, &[f64], &[&str])] = &[
+    type Row<'a> = (&'a str, &'a str, &'a str, &'a [f64], &'a [&'a str]);
+    let rows: &[Row] = &[
         ("", SILICON, SMOOTH, &[1e-3], &["mu(0.001 N) = 0.43", " to an order of magnitude, 0.043", "no asperities yield"]),
         ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["no band: all inputs count as known"]),
         ("", STEEL, ROUGH, &[10.0], &["steel/steel dry 0.57 at 12 N", "clean 0.78", "oxidised 0.27", "from the 3 rows", "no grease", "no ZDDP", yields]),

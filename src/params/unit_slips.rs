@@ -195,7 +195,8 @@ mod tests {
         let all: &[&str] = &SURFACES.map(|(name, ..)| name);
         let heights = "height_std in um or nm?|is it in mm, um or nm?";
         let soft = "is it, or E1 or E2, in MPa or GPa?|is the modulus, or E1 or E2, in MPa";
-        let slips: [(&dyn Fn(&mut Params), &str, &[&str]); 24] = [
+        type Slip<'a> = (&'a dyn Fn(&mut Params), &'a str, &'a [&'a str]);
+        let slips: [Slip; 24] = [
             (&|_| {}, "", all),
             (&|params| params.work_of_adhesion *= 1e3, "in mJ/m^2", &[]),
             (&|params| params.summit_radius *= 1e6, "in um?|is it in mm, um or nm?", &["gold tip on mica"]),
