@@ -21,7 +21,7 @@ bench-studies:
 	    -o $(bench_target)/bench/creation_threads -L$(bench_target)/release -Wl,-rpath,$(bench_target)/release -lasperity -pthread
 	$$(python/environment.sh)/bin/python benches/studies.py $(bench_target)/bench/creation_threads $(SURFACES)
 
-# What the numerical core costs, in lines, constants, instructions and memory; a minute.
+# What the core costs, in lines, constants, instructions and memory; fails beyond the limits of benches/costs.hpp. Half a minute.
 .PHONY: core
 core:
 	cargo build --release --locked
