@@ -72,6 +72,24 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_NAMES_WARNINGS = 4
   ! Kind of names: statuses, named as their constants without ASPERITY_
   integer(c_int32_t), parameter, public :: ASPERITY_NAMES_STATUSES = 5
+  ! An element of a quantity of asperity_specimens: the mean over the specimens
+  integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_MEAN = 0
+  ! The standard deviation from specimen to specimen
+  integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_DEVIATION = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_LOW = 2  ! The 2.5 % quantile: one specimen in forty has less
+  integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_MEDIAN = 3  ! The median
+  integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_HIGH = 4  ! The 97.5 % quantile
+  ! A quantity of asperity_each_specimen_at_loads: the friction force [force], >= 0; 0 where the specimen is apart
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_FRICTION_FORCE = 0
+  ! Tangential force by displacement while all contacts stick [force/length]
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_NORMAL_STIFFNESS = 2  ! Minus d(load)/d(gap) [force/length]
+  ! The gap between the mean planes [length]; NaN where the specimen is apart
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_GAP = 3
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_CONTACTS = 4  ! Number of summits in contact [-]
+  ! The largest pull that the specimen withstands [force], >= 0; the same at each load
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_PULL_OFF_FORCE = 5
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_LENGTH = 6  ! How many quantities there are
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, but the contact law is elastic
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act independently
   ! contacts are not small compared with their summits
@@ -211,7 +229,7 @@ module asperity
 
   ! The exact state of a contact, in the units of the parameters
   type, bind(c), public :: asperity_state
-    integer(c_int64_t) :: struct_size = 224         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 208         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load P [force]; negative pulls
     real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [length], as for
                                                     ! asperity_load_and_slope_at_gap
@@ -250,10 +268,6 @@ module asperity
                                                     ! [length]
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
-    real(c_double) :: friction_scatter              ! Standard deviation of the friction force over its mean [-], among
-                                                    ! nominally equal contacts under this load; 0 if asperity_count is 1
-    real(c_double) :: friction_bias                 ! Mean friction force of nominally equal contacts under this load
-                                                    ! over friction_force, minus 1 [-]; 0 and NaN as friction_scatter
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters
@@ -278,6 +292,23 @@ module asperity
                                                     ! samples that were compared when the model was made; between
                                                     ! samples it may be four times as large, or 1e-9 where that is more
   end type asperity_summary
+
+  ! Specimens of a surface pair under one load
+  type, bind(c), public :: asperity_specimens
+    integer(c_int64_t) :: struct_size = 264         ! bytes of this type; leave it
+    real(c_double) :: load                          ! Normal load P [force]
+    real(c_double) :: apart                         ! Fraction of the specimens that are apart [-]: they do not
+                                                    ! withstand so much pull
+    real(c_double) :: friction_force(5)             ! Friction force F [force]
+    real(c_double) :: tangential_stiffness(5)       ! K_t [force/length]: tangential force by displacement while all
+                                                    ! contacts stick
+    real(c_double) :: normal_stiffness(5)           ! Minus d(load)/d(gap) [force/length]
+    real(c_double) :: gap(5)                        ! Gap between the mean planes of the surfaces [length], of the
+                                                    ! specimens that hold; NaN if none does
+    real(c_double) :: contacts(5)                   ! Number of summits in contact [-]
+    real(c_double) :: pull_off_force(5)             ! The largest pull that a specimen withstands [force], >= 0; the
+                                                    ! same at each load
+  end type asperity_specimens
 
   ! A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops
   type, bind(c), public :: asperity_table
@@ -707,26 +738,6 @@ module asperity
       integer(c_int32_t) :: asperity_loads_at_gaps
     end function asperity_loads_at_gaps
 
-    ! Computes load, friction force and contact radius of single summits, by the law that the model sums over all
-    ! summits
-    function asperity_summits_at_overlaps(model, n, overlap, height, load, force, radius) bind(c)
-      import
-      type(c_ptr), intent(in), value :: model
-      integer(c_size_t), intent(in), value :: n
-      type(c_ptr), intent(in), value :: overlap     ! real(c_double): n overlaps [length]: how far the summit would
-                                                    ! reach beyond the flat, negative for a gap unless n = 0
-      type(c_ptr), intent(in), value :: height      ! real(c_double): n heights from the mean of the summit heights
-                                                    ! [length], on which radii of summits depend where radius_amplitude
-                                                    ! is not 0; c_null_ptr: all summits have the mean height
-      type(c_ptr), intent(in), value :: load        ! real(c_double): receives n loads [force], negative where a summit
-                                                    ! pulls
-      type(c_ptr), intent(in), value :: force       ! real(c_double): receives n friction forces [force], 0 out of
-                                                    ! contact
-      type(c_ptr), intent(in), value :: radius      ! real(c_double): receives n contact radii [length], 0 out of
-                                                    ! contact
-      integer(c_int32_t) :: asperity_summits_at_overlaps
-    end function asperity_summits_at_overlaps
-
     ! Computes the exact state at a load, by integration over the summits, without the table
     function asperity_state_at_load(model, load, state) bind(c)
       import
@@ -752,6 +763,37 @@ module asperity
       type(asperity_summary), intent(inout) :: summary ! receives the constants
       integer(c_int32_t) :: asperity_summary_of
     end function asperity_summary_of
+
+    ! Single specimens at loads: how friction, stiffness, gap and pull-off differ between nominally equal ones
+    function asperity_specimens_at_loads(model, specimens, seed, n, load, found) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model
+      integer(c_size_t), intent(in), value :: specimens ! how many; 400 give means within 1 %
+      integer(c_int64_t), intent(in), value :: seed ! of the random numbers: the same specimens for the same seed, on
+                                                    ! any machine
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [force], in any order, also 0 and,
+                                                    ! with adhesion, negative ones
+      type(asperity_specimens), intent(inout) :: found ! receives n elements
+      integer(c_int32_t) :: asperity_specimens_at_loads
+    end function asperity_specimens_at_loads
+
+    ! The specimens of asperity_specimens_at_loads one by one, or a range of them: so that threads may share them
+    function asperity_each_specimen_at_loads(model, first, specimens, seed, n, load, values) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model
+      integer(c_int64_t), intent(in), value :: first
+                                                    ! the first specimen, from 0; those before it count among the
+                                                    ! summits that may be drawn
+      integer(c_size_t), intent(in), value :: specimens ! how many
+      integer(c_int64_t), intent(in), value :: seed ! as of asperity_specimens_at_loads
+      integer(c_size_t), intent(in), value :: n
+      type(c_ptr), intent(in), value :: load        ! real(c_double): as of asperity_specimens_at_loads
+      type(c_ptr), intent(in), value :: values      ! real(c_double): receives specimens times n times
+                                                    ! ASPERITY_SPECIMEN_LENGTH numbers: of each specimen, of each load,
+                                                    ! the quantities
+      integer(c_int32_t) :: asperity_each_specimen_at_loads
+    end function asperity_each_specimen_at_loads
 
     ! Computes the warnings of all states from one load to another: whether the model holds for a contact that meets
     ! these loads
@@ -825,8 +867,8 @@ module asperity
   public :: asperity_friction_force_and_slope_at_load, asperity_friction_force_at_loads_of
   public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
   public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn
-  public :: asperity_load_and_slope_at_gap, asperity_loads_at_gaps, asperity_summits_at_overlaps
-  public :: asperity_state_at_load, asperity_state_at_gap, asperity_summary_of, asperity_check_loads
+  public :: asperity_load_and_slope_at_gap, asperity_loads_at_gaps, asperity_state_at_load, asperity_state_at_gap
+  public :: asperity_summary_of, asperity_specimens_at_loads, asperity_each_specimen_at_loads, asperity_check_loads
   public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
   public :: asperity_table_of
   ! end of interface
@@ -931,14 +973,13 @@ module asperity
     !                       nothing is known to fail; as it was on failure
     procedure, public :: check_loads => model_check_loads
 
-    ! call law%summits_at_overlaps(overlap, load, force, radius [, height] [, stat] [, errmsg])    single summits
-    !   overlap  real(c_double), intent(in) [length], (n): how far a summit would reach beyond the flat
-    !   load     real(c_double), intent(out) [force], (n); negative where a summit pulls
-    !   force    real(c_double), intent(out) [force], (n): the friction force, 0 out of contact
-    !   radius   real(c_double), intent(out) [length], (n): of the contact, 0 out of contact
-    !   height   real(c_double), intent(in), optional [length], (n): from the mean of the summit heights, on which radii
-    !            depend where radius_amplitude is not 0; by default the mean height
-    procedure, public :: summits_at_overlaps => model_summits_at_overlaps
+    ! call law%specimens_at_loads(load, found [, specimens] [, seed] [, stat] [, errmsg])    single specimens
+    !   load       real(c_double), intent(in) [force], (n)
+    !   found      type(asperity_specimens), intent(inout), (n), as it was on failure; of quantities, for example
+    !              found(i)%friction_force(1 + ASPERITY_SPREAD_MEDIAN)
+    !   specimens  integer, intent(in), optional: how many; 400 by default
+    !   seed       integer(c_int64_t), intent(in), optional: of the random numbers; 0 by default
+    procedure, public :: specimens_at_loads => model_specimens_at_loads
 
     ! call law%summary(constants [, stat] [, errmsg])
     !   constants  type(asperity_summary), intent(inout); as it was on failure
@@ -1331,22 +1372,26 @@ contains
     call report(asperity_check_loads(self%handle, lightest, heaviest, warnings), stat, errmsg)
   end subroutine model_check_loads
 
-  subroutine model_summits_at_overlaps(self, overlap, load, force, radius, height, stat, errmsg)
+  subroutine model_specimens_at_loads(self, load, found, specimens, seed, stat, errmsg)
     class(friction_model), intent(in), target :: self
-    real(c_double), intent(in), contiguous, target :: overlap(:)
-    real(c_double), intent(out), contiguous, target :: load(:), force(:), radius(:)
-    real(c_double), intent(in), optional, contiguous, target :: height(:)
+    real(c_double), intent(in), contiguous, target :: load(:)
+    type(asperity_specimens), intent(inout) :: found(:)
+    integer, intent(in), optional :: specimens
+    integer(c_int64_t), intent(in), optional :: seed
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call require_same_shape(shape(overlap), shape(load))
-    call require_same_shape(shape(overlap), shape(force))
-    call require_same_shape(shape(overlap), shape(radius))
-    if (present(height)) call require_same_shape(shape(overlap), shape(height))
+    integer(c_size_t) :: number
+    integer(c_int64_t) :: of
+    call require_same_shape(shape(load), shape(found))
     if (.not. is_created(self, stat, errmsg)) return
-    call report(asperity_summits_at_overlaps(self%handle, size(overlap, kind=c_size_t), address(overlap), &
-                                             address(height), address(load), address(force), address(radius)), &
+    if (size(load) == 0) return
+    number = 400
+    of = 0
+    if (present(specimens)) number = max(specimens, 0)
+    if (present(seed)) of = seed
+    call report(asperity_specimens_at_loads(self%handle, number, of, size(load, kind=c_size_t), address(load), found(1)), &
                 stat, errmsg)
-  end subroutine model_summits_at_overlaps
+  end subroutine model_specimens_at_loads
 
   subroutine model_summary(self, constants, stat, errmsg)
     class(friction_model), intent(in), target :: self

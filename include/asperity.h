@@ -118,6 +118,30 @@
 #define ASPERITY_NAMES_WARNINGS 4
 /** Kind of names: statuses, named as their constants without `ASPERITY_`. */
 #define ASPERITY_NAMES_STATUSES 5
+/** An element of a quantity of `asperity_specimens`: the mean over the specimens. */
+#define ASPERITY_SPREAD_MEAN 0
+/** The standard deviation from specimen to specimen. */
+#define ASPERITY_SPREAD_DEVIATION 1
+/** The 2.5 % quantile: one specimen in forty has less. */
+#define ASPERITY_SPREAD_LOW 2
+/** The median. */
+#define ASPERITY_SPREAD_MEDIAN 3
+/** The 97.5 % quantile. */
+#define ASPERITY_SPREAD_HIGH 4
+/** A quantity of `asperity_each_specimen_at_loads`: the friction force [force], >= 0; 0 where the specimen is apart. */
+#define ASPERITY_SPECIMEN_FRICTION_FORCE 0
+/** Tangential force by displacement while all contacts stick [force/length]. */
+#define ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS 1
+/** Minus d(load)/d(gap) [force/length]. */
+#define ASPERITY_SPECIMEN_NORMAL_STIFFNESS 2
+/** The gap between the mean planes [length]; NaN where the specimen is apart. */
+#define ASPERITY_SPECIMEN_GAP 3
+/** Number of summits in contact [-]. */
+#define ASPERITY_SPECIMEN_CONTACTS 4
+/** The largest pull that the specimen withstands [force], >= 0; the same at each load. */
+#define ASPERITY_SPECIMEN_PULL_OFF_FORCE 5
+/** How many quantities there are. */
+#define ASPERITY_SPECIMEN_LENGTH 6
 /** Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
  * hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
  * a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding. */
@@ -347,12 +371,6 @@ typedef struct asperity_state {
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
-  /** Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
-   * `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md). */
-  double friction_scatter;
-  /** Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
-   * `friction_scatter`. */
-  double friction_bias;
 } asperity_state;
 
 /** Constants of a model, in the units of the parameters. */
@@ -365,7 +383,7 @@ typedef struct asperity_summary {
   /** Skew of the summit heights [-]. */ double skew;
   /** Kurtosis of the summit heights [-]; 3 for Gaussian. */ double kurtosis;
   /** Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
-   * many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md). */
+   * many summits, far below that of one rough specimen: `asperity_specimens_at_loads`. */
   double pull_off_load;
   /** Friction force at the pull-off load [force]. */ double pull_off_friction_force;
   /** Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
@@ -385,6 +403,23 @@ typedef struct asperity_summary {
    * made; between samples it may be four times as large, or 1e-9 where that is more. */
   double table_error;
 } asperity_summary;
+
+/** Specimens of a surface pair under one load. Each quantity has five numbers: `found.gap[ASPERITY_SPREAD_MEDIAN]`. */
+typedef struct asperity_specimens {
+  /** Set it to `sizeof(asperity_specimens)` in the first element before the call; the elements are this far apart. */
+  uint64_t struct_size;
+  /** Normal load P [force]. */ double load;
+  /** Fraction of the specimens that are apart [-]: they do not withstand so much pull. Their friction, stiffness and contacts are 0. */
+  double apart;
+  /** Friction force F [force]. */ double friction_force[5];
+  /** K_t [force/length]: tangential force by displacement while all contacts stick. */
+  double tangential_stiffness[5];
+  /** Minus d(load)/d(gap) [force/length]. */ double normal_stiffness[5];
+  /** Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does. */
+  double gap[5];
+  /** Number of summits in contact [-]. */ double contacts[5];
+  /** The largest pull that a specimen withstands [force], >= 0; the same at each load. */ double pull_off_force[5];
+} asperity_specimens;
 
 /** A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
  *
@@ -923,24 +958,7 @@ double asperity_load_and_slope_at_gap(const struct asperity_model *model, double
 asperity_status asperity_loads_at_gaps(const struct asperity_model *model, size_t n, const double *gap, double *load,
     double *dload_dgap);
 
-/** Computes load, friction force and contact radius of single summits, by the law that the model sums over all summits.
- *
- * Use it for contacts of so few summits that each one counts. A summit stays in contact down to the overlap at which it
- * breaks away, which is negative with adhesion; below that it may attract without contact.
- *
- * @param overlap  n overlaps [length]: how far the summit would reach beyond the flat, negative for a gap unless n = 0
- * @param height   n heights from the mean of the summit heights [length], on which radii of summits depend where
- *                 `radius_amplitude` is not 0; NULL: all summits have the mean height
- * @param load     receives n loads [force], negative where a summit pulls
- * @param force    receives n friction forces [force], 0 out of contact
- * @param radius   receives n contact radii [length], 0 out of contact
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an overlap or height that is not
- *         finite), `ASPERITY_OUT_OF_RANGE` (one beyond 1e50 `height_std`); the three numbers of such a summit are
- *         NaN */
-asperity_status asperity_summits_at_overlaps(const struct asperity_model *model, size_t n, const double *overlap,
-    const double *height, double *load, double *force, double *radius);
-
-/* ---- Explain: exact states and the constants of a model. ---- */
+/* ---- Explain: exact states, single specimens and the constants of a model. ---- */
 
 /** Computes the exact state at a load, by integration over the summits, without the table.
  *
@@ -971,6 +989,49 @@ asperity_status asperity_state_at_gap(const struct asperity_model *model, double
  * @param summary  receives the constants
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`) */
 asperity_status asperity_summary_of(const struct asperity_model *model, struct asperity_summary *summary);
+
+/** Single specimens at loads: how friction, stiffness, gap and pull-off differ between nominally equal ones.
+ *
+ * The model is a mean over many specimens. Where fewer than some 20 summits touch, one specimen differs from another and from the
+ * model, and its pull-off force, which its tallest summits have, is larger by orders of magnitude. Here the heights of the summits
+ * of each specimen are drawn at random, `asperity_count` of them. Each summit has the exact law of one summit. A specimen is
+ * unloaded from the heaviest load: at each load it stands at the nearest gap at which its load has fallen to that one.
+ *
+ * ```c
+ * asperity_specimens found;
+ * double load = 1e-6;
+ * found.struct_size = sizeof found;
+ * if (asperity_specimens_at_loads(model, 400, 1, 1, &load, &found) == ASPERITY_OK)
+ *     printf("%g N, of 95 %% of the specimens %g to %g N\n", found.friction_force[ASPERITY_SPREAD_MEAN],
+ *            found.friction_force[ASPERITY_SPREAD_LOW], found.friction_force[ASPERITY_SPREAD_HIGH]);
+ * ```
+ *
+ * @param specimens  how many; 400 give means within 1 %
+ * @param seed       of the random numbers: the same specimens for the same seed, on any machine
+ * @param load       normal loads [force], in any order, also 0 and, with adhesion, negative ones
+ * @param found      receives n elements
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, no specimen),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_OUT_OF_RANGE` (a load that is too heavy, less than one summit, or more than 1e7
+ *         summits that would have to be drawn), `ASPERITY_NOT_CONVERGED` */
+asperity_status asperity_specimens_at_loads(const struct asperity_model *model, size_t specimens, uint64_t seed,
+    size_t n, const double *load, struct asperity_specimens *found);
+
+/** The specimens of `asperity_specimens_at_loads` one by one, or a range of them: so that threads may share them.
+ *
+ * ```c
+ * double values[400][ASPERITY_SPECIMEN_LENGTH], load = 1e-6;
+ * asperity_each_specimen_at_loads(model, 0, 400, 1, 1, &load, &values[0][0]);
+ * printf("the friction force of the first: %g N\n", values[0][ASPERITY_SPECIMEN_FRICTION_FORCE]);
+ * ```
+ *
+ * @param first      the first specimen, from 0; those before it count among the summits that may be drawn
+ * @param specimens  how many
+ * @param seed,load  as of `asperity_specimens_at_loads`
+ * @param values     receives `specimens` times n times `ASPERITY_SPECIMEN_LENGTH` numbers: of each specimen, of each load, the
+ *                   quantities
+ * @return as `asperity_specimens_at_loads` */
+asperity_status asperity_each_specimen_at_loads(const struct asperity_model *model, uint64_t first, size_t specimens,
+    uint64_t seed, size_t n, const double *load, double *values);
 
 /* ---- Limits: which assumptions fail at which loads, and the remedy. ---- */
 

@@ -52,6 +52,8 @@ using Table = asperity_table;
 using Microslip = asperity_microslip;
 /// Friction at one load, with its band; estimates() fills it.
 using Estimate = asperity_estimate;
+/// Single specimens under one load; its fields are described in asperity.h.
+using Specimens = asperity_specimens;
 
 // ---- Versions ----
 
@@ -172,13 +174,6 @@ private:
 struct ValueAndSlope {
     double value;
     double slope;
-};
-
-/// Single summits, each at its overlap.
-struct Summits {
-    std::vector<double> load;   ///< [force], negative where a summit pulls
-    std::vector<double> force;  ///< friction forces [force], 0 out of contact
-    std::vector<double> radius; ///< contact radii [length], 0 out of contact
 };
 
 /// Friction coefficients or forces at many loads, and their derivatives with respect to the load.
@@ -957,20 +952,16 @@ public:
         return warnings;
     }
 
-    /// Single summits at overlaps [length], by the law that the model sums over all summits.
+    /// Single specimens with the summits that they happen to have: mean, deviation and quantiles of friction force, stiffness, gap,
+    /// contacts and pull-off force at each load [force], ASPERITY_SPREAD_MEAN to ASPERITY_SPREAD_HIGH.
     ///
-    /// @param overlaps  how far a summit would reach beyond the flat; negative for a gap
-    /// @param heights   from the mean of the summit heights [length], on which radii depend where radius_amplitude is not
-    ///                  0; the mean height by default
-    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_OUT_OF_RANGE).
-    Summits summits_at_overlaps(Span<const double> overlaps, Span<const double> heights = {}) const {
-        const std::size_t n = overlaps.size();
-        if (heights.data() != nullptr) {
-            require_size("heights", heights.size(), n, "overlaps");
-        }
-        Summits found{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-        check(asperity_summits_at_overlaps(open(), n, overlaps.data(), heights.data(), found.load.data(),
-                                           found.force.data(), found.radius.data()));
+    /// @param load       in any order; also 0 and, with adhesion, negative ones
+    /// @param specimens  how many; 400 give means within 1 %
+    /// @param seed       of the random numbers: the same specimens for the same seed
+    /// Throws Error (ASPERITY_INVALID_PARAMETER, ASPERITY_INVALID_LOAD, ASPERITY_OUT_OF_RANGE, ASPERITY_NOT_CONVERGED).
+    std::vector<Specimens> specimens_at_loads(Span<const double> load, std::size_t specimens = 400, std::uint64_t seed = 0) const {
+        std::vector<Specimens> found(load.size(), detail::sized<Specimens>());
+        check(asperity_specimens_at_loads(open(), specimens, seed, load.size(), load.data(), found.data()));
         return found;
     }
 

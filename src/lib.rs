@@ -45,6 +45,7 @@ mod memory;
 mod model;
 mod numerics;
 mod params;
+mod specimens;
 
 // Parts of the physics, which tests of this crate ask one by one; no part of the interface.
 #[doc(hidden)]
@@ -61,6 +62,7 @@ pub use model::validity::{
     WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC,
     WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
-pub use model::{Model, State, Summary, SummitState};
+pub use model::{Model, State, Summary};
 pub use params::spectrum::SpectralMoments;
 pub use params::{ContactLawKind, HeightFamily, Params};
+pub use specimens::{Held, Specimens, Spread};

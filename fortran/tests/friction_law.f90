@@ -20,7 +20,7 @@ program friction_law
   call tables
   call states
   call warnings_of_a_range
-  call single_summits
+  call single_specimens
   call error_reports
   call many_contacts
   call parameters
@@ -275,24 +275,20 @@ contains
     call check('without a model nothing is checked', stat == ASPERITY_NULL_POINTER .and. warnings == 77)
   end subroutine warnings_of_a_range
 
-  subroutine single_summits
+  subroutine single_specimens
     type(friction_model) :: law
-    type(asperity_params) :: p
-    real(c_double) :: overlap(2), load(2), force(2), radius(2), taller(2)
+    type(asperity_specimens) :: found(2)
+    real(c_double) :: load(2)
     integer :: stat
-    p = paper_case()
-    p%radius_amplitude = -0.5_c_double
-    call law%create(p)
-    overlap = [-1e3_c_double, 1.0_c_double] * p%height_std
-    call law%summits_at_overlaps(overlap, load, force, radius)
-    call check('far apart a summit does nothing', all(abs([load(1), force(1), radius(1)]) <= 0))
-    call check('pressed it carries load and has friction', load(2) > 0 .and. force(2) > 0 .and. radius(2) > 0)
-    call law%summits_at_overlaps(overlap, load, force, taller, height=[2.0_c_double, 2.0_c_double] * p%height_std)
-    call check('a taller, sharper summit has a smaller contact', taller(2) < radius(2))
-    overlap(2) = nan()
-    call law%summits_at_overlaps(overlap, load, force, radius, stat=stat)
-    call check('an overlap that is NaN is refused', stat == ASPERITY_INVALID_PARAMETER)
-  end subroutine single_summits
+    call law%create(paper_case())
+    load = [0.0_c_double, 2684.0_c_double]
+    call law%specimens_at_loads(load, found, specimens=3)
+    call check('a specimen of one summit has one contact', abs(found(2)%contacts(1 + ASPERITY_SPREAD_MEAN) - 1) <= 0)
+    call check('pressed it has friction', found(2)%friction_force(1 + ASPERITY_SPREAD_LOW) > 0)
+    load(2) = nan()
+    call law%specimens_at_loads(load, found, seed=7_c_int64_t, stat=stat)
+    call check('a load that is NaN is refused', stat == ASPERITY_INVALID_LOAD)
+  end subroutine single_specimens
 
   subroutine error_reports
     type(friction_model) :: law

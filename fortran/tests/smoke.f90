@@ -10,6 +10,7 @@ program smoke
   type(asperity_microslip) :: microslip
   type(asperity_state) :: state
   type(asperity_summary) :: summary
+  type(asperity_specimens) :: specimens
   type(asperity_table) :: table
   type(asperity_params) :: changed
   type(c_ptr) :: model
@@ -74,11 +75,13 @@ program smoke
       out(3))))
   call check('asperity_loads_at_gaps', is_status(asperity_loads_at_gaps(model, 1_c_size_t, c_loc(given), out(4), &
       out(5))))
-  call check('asperity_summits_at_overlaps', is_status(asperity_summits_at_overlaps(model, 1_c_size_t, c_loc(given), &
-      c_loc(given), out(5), out(6), out(7))))
   call check('asperity_state_at_load', is_status(asperity_state_at_load(model, 0.4_c_double, state)))
   call check('asperity_state_at_gap', is_status(asperity_state_at_gap(model, 0.4_c_double, state)))
   call check('asperity_summary_of', is_status(asperity_summary_of(model, summary)))
+  call check('asperity_specimens_at_loads', is_status(asperity_specimens_at_loads(model, 1_c_size_t, &
+      ASPERITY_WARNING_FEW, 1_c_size_t, c_loc(given), specimens)))
+  call check('asperity_each_specimen_at_loads', is_status(asperity_each_specimen_at_loads(model, ASPERITY_WARNING_FEW, &
+      1_c_size_t, ASPERITY_WARNING_FEW, 1_c_size_t, c_loc(given), out(7))))
   call check('asperity_check_loads', is_status(asperity_check_loads(model, 0.4_c_double, 0.4_c_double, bits)))
   call check('asperity_warnings_text', asperity_warnings_text(ASPERITY_WARNING_FEW, c_loc(text), 1000_c_size_t) > 0)
   call check('asperity_last_error', asperity_last_error(c_loc(text), 1000_c_size_t) > 0)

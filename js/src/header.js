@@ -34,6 +34,18 @@ export const CONSTANTS = /** @type {const} */ ({
   "NAMES_INTERFACES": 3,
   "NAMES_WARNINGS": 4,
   "NAMES_STATUSES": 5,
+  "SPREAD_MEAN": 0,
+  "SPREAD_DEVIATION": 1,
+  "SPREAD_LOW": 2,
+  "SPREAD_MEDIAN": 3,
+  "SPREAD_HIGH": 4,
+  "SPECIMEN_FRICTION_FORCE": 0,
+  "SPECIMEN_TANGENTIAL_STIFFNESS": 1,
+  "SPECIMEN_NORMAL_STIFFNESS": 2,
+  "SPECIMEN_GAP": 3,
+  "SPECIMEN_CONTACTS": 4,
+  "SPECIMEN_PULL_OFF_FORCE": 5,
+  "SPECIMEN_LENGTH": 6,
   "WARNING_PLASTIC": 1,
   "WARNING_CROWDED": 2,
   "WARNING_STEEP": 4,
@@ -50,7 +62,7 @@ export const CONSTANTS = /** @type {const} */ ({
 });
 
 /**
- * @typedef {{ name: string, type: 'double' | 'uint64_t' | 'int32_t' | 'uint32_t' | 'pointer', offset: number }} Field
+ * @typedef {{ name: string, type: 'double' | 'uint64_t' | 'int32_t' | 'uint32_t' | 'pointer', offset: number, count?: number }} Field
  * @typedef {{ size: number, fields: Field[] }} Layout
  */
 
@@ -122,15 +134,15 @@ export const LAYOUTS = {
     size: 88,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
-      { name: "force", type: "double", offset: 8 },
-      { name: "stiffness", type: "double", offset: 24 },
-      { name: "dforce_dload", type: "double", offset: 56 },
+      { name: "force", type: "double", offset: 8, count: 2 },
+      { name: "stiffness", type: "double", offset: 24, count: 4 },
+      { name: "dforce_dload", type: "double", offset: 56, count: 2 },
       { name: "dissipated", type: "double", offset: 72 },
       { name: "slipping", type: "double", offset: 80 },
     ],
   },
   asperity_state: {
-    size: 224,
+    size: 208,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "load", type: "double", offset: 8 },
@@ -158,8 +170,6 @@ export const LAYOUTS = {
       { name: "fraction_flowing", type: "double", offset: 184 },
       { name: "contact_radius_sum", type: "double", offset: 192 },
       { name: "hertz_load", type: "double", offset: 200 },
-      { name: "friction_scatter", type: "double", offset: 208 },
-      { name: "friction_bias", type: "double", offset: 216 },
     ],
   },
   asperity_summary: {
@@ -179,6 +189,20 @@ export const LAYOUTS = {
       { name: "min_table_load", type: "double", offset: 88 },
       { name: "max_table_load", type: "double", offset: 96 },
       { name: "table_error", type: "double", offset: 104 },
+    ],
+  },
+  asperity_specimens: {
+    size: 264,
+    fields: [
+      { name: "struct_size", type: "uint64_t", offset: 0 },
+      { name: "load", type: "double", offset: 8 },
+      { name: "apart", type: "double", offset: 16 },
+      { name: "friction_force", type: "double", offset: 24, count: 5 },
+      { name: "tangential_stiffness", type: "double", offset: 64, count: 5 },
+      { name: "normal_stiffness", type: "double", offset: 104, count: 5 },
+      { name: "gap", type: "double", offset: 144, count: 5 },
+      { name: "contacts", type: "double", offset: 184, count: 5 },
+      { name: "pull_off_force", type: "double", offset: 224, count: 5 },
     ],
   },
   asperity_table: {
@@ -251,10 +275,11 @@ export const FUNCTIONS = {
   asperity_microslip_turn: ["asperity_status", "double * state", "double cosine", "double sine"],
   asperity_load_and_slope_at_gap: ["double", "const asperity_model * model", "double gap", "double * dload_dgap"],
   asperity_loads_at_gaps: ["asperity_status", "const asperity_model * model", "size_t n", "const double * gap", "double * load", "double * dload_dgap"],
-  asperity_summits_at_overlaps: ["asperity_status", "const asperity_model * model", "size_t n", "const double * overlap", "const double * height", "double * load", "double * force", "double * radius"],
   asperity_state_at_load: ["asperity_status", "const asperity_model * model", "double load", "asperity_state * state"],
   asperity_state_at_gap: ["asperity_status", "const asperity_model * model", "double gap", "asperity_state * state"],
   asperity_summary_of: ["asperity_status", "const asperity_model * model", "asperity_summary * summary"],
+  asperity_specimens_at_loads: ["asperity_status", "const asperity_model * model", "size_t specimens", "uint64_t seed", "size_t n", "const double * load", "asperity_specimens * found"],
+  asperity_each_specimen_at_loads: ["asperity_status", "const asperity_model * model", "uint64_t first", "size_t specimens", "uint64_t seed", "size_t n", "const double * load", "double * values"],
   asperity_check_loads: ["asperity_status", "const asperity_model * model", "double lightest", "double heaviest", "uint64_t * warnings"],
   asperity_warnings_text: ["size_t", "uint64_t warnings", "char * buffer", "size_t length"],
   asperity_last_error: ["size_t", "char * buffer", "size_t length"],
@@ -291,8 +316,18 @@ export const FUNCTIONS = {
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
  * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
- * @property {number} friction_scatter Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md).
- * @property {number} friction_bias Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as `friction_scatter`.
+ */
+
+/**
+ * @typedef {object} Specimens
+ * @property {number} load Normal load P [force].
+ * @property {number} apart Fraction of the specimens that are apart [-]: they do not withstand so much pull. Their friction, stiffness and contacts are 0.
+ * @property {number[]} friction_force Friction force F [force].
+ * @property {number[]} tangential_stiffness K_t [force/length]: tangential force by displacement while all contacts stick.
+ * @property {number[]} normal_stiffness Minus d(load)/d(gap) [force/length].
+ * @property {number[]} gap Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does.
+ * @property {number[]} contacts Number of summits in contact [-].
+ * @property {number[]} pull_off_force The largest pull that a specimen withstands [force], >= 0; the same at each load.
  */
 
 /**
@@ -303,7 +338,7 @@ export const FUNCTIONS = {
  * @property {number} lambda Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit.
  * @property {number} skew Skew of the summit heights [-].
  * @property {number} kurtosis Kurtosis of the summit heights [-]; 3 for Gaussian.
- * @property {number} pull_off_load Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md).
+ * @property {number} pull_off_load Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over many summits, far below that of one rough specimen.
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
  * @property {number} stiffness_per_radius 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.

@@ -205,12 +205,13 @@ export class Library {
    */
   read(address, struct) {
     const data = this.data();
-    /** @type {Record<string, number>} */
+    /** @type {Record<string, number | number[]>} */
     const found = {};
-    for (const { name, type, offset } of LAYOUTS[struct].fields) {
+    for (const { name, type, offset, count } of LAYOUTS[struct].fields) {
       const at = address + offset;
       if (name === "struct_size" || type === "pointer") continue;
-      if (type === "double") found[name] = data.getFloat64(at, true);
+      if (count) found[name] = Array.from({ length: count }, (_, i) => data.getFloat64(at + 8 * i, true));
+      else if (type === "double") found[name] = data.getFloat64(at, true);
       else if (type === "uint64_t") found[name] = Number(data.getBigUint64(at, true));
       else if (type === "int32_t") found[name] = data.getInt32(at, true);
       else found[name] = data.getUint32(at, true);

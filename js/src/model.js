@@ -6,6 +6,7 @@ import { readParams, writeParams } from "./params.js";
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./header.js").State} State */
 /** @typedef {import("./header.js").Summary} Summary */
+/** @typedef {import("./header.js").Specimens} Specimens */
 /** An assumption of the model that fails, and what to do about it. @typedef {{ name: string, bit: number, text: string }} Warning */
 /** @typedef {ArrayLike<number>} Loads */
 
@@ -168,6 +169,19 @@ export class Model {
    */
   stateAtGap(gap) {
     return this.library.fill("asperity_state", "state_at_gap", this.#open, gap);
+  }
+
+  /**
+   * Single specimens at a load, with the summits that each happens to have. Each quantity is a list of its mean over the specimens,
+   * standard deviation, 2.5 % quantile, median and 97.5 % quantile.
+   * @param {number} load normal load [force]; also 0 and, with adhesion, below
+   * @param {{ specimens?: number, seed?: number }} [options] how many (400 give means within 1 %), and which
+   * @returns {Specimens}
+   */
+  specimensAtLoad(load, { specimens = 400, seed = 0 } = {}) {
+    const at = this.library.array(0);
+    this.library.data().setFloat64(at, load, true);
+    return this.library.fill("asperity_specimens", "specimens_at_loads", this.#open, specimens, BigInt(seed), 1, at);
   }
 
   /** The constants of the model: dimensionless groups, pull-off, extent and error of the table. @returns {Summary} */

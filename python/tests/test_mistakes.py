@@ -118,7 +118,7 @@ RIGHT: dict[str, tuple[Callable[[], Any], Callable[[], dict[str, Any]]]] = {
     "Microslip.step": (lambda: model().microslip(2), lambda: {"load": 1.0, "increment": 0.1}),
     "Microslip.turn": (lambda: model().microslip(2), lambda: {"angle": 0.1}),
     "Model.set_params": (lambda: Model(PAPER), lambda: {"params": PAPER}),
-    "Model.summits_at_overlaps": (model, lambda: {"overlap": 0.1, "height": 0.1}),
+    "Model.each_specimen_at_loads": (model, lambda: {"load": 10.0, "specimens": 2, "seed": 0, "first": 0}),
     "Model.table": (model, lambda: {"dtype": np.float64}),
     "Model.tangential": (model, lambda: {"load": 1.0, "displacement": 0.1}),
     "Fit.predict": (fitted, lambda: {"load": LOADS}),

@@ -78,10 +78,10 @@ def test_a_worker_of_dask_that_dies_is_replaced(dask: Any, tmp_path: Path) -> No
 def test_bands_and_pads_are_the_same_on_an_executor() -> None:
     alone = uncertainty(PARAMS, {"height_std": 0.3, "w": 0.5}, LOADS, samples=40)
     few = PARAMS.replace(asperity_count=500.0)
-    pads_alone = pads(few, [1.0, 10.0], 20)
+    pads_alone = pads(few, [1.0, 10.0], 120)
     with ProcessPoolExecutor(2, CONTEXT) as executor:
         band = uncertainty(PARAMS, {"height_std": 0.3, "w": 0.5}, LOADS, samples=40, executor=executor)
-        pads_there = pads(few, [1.0, 10.0], 20, executor=executor)
+        pads_there = pads(few, [1.0, 10.0], 120, executor=executor)
         curve = Model(PARAMS).curve(LOADS, spread={"height_std": 0.3, "w": 0.5}, samples=40, executor=executor)
     assert alone.samples is not None and band.samples is not None
     assert band.samples.tobytes() == alone.samples.tobytes() and band.refused == alone.refused

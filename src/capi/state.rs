@@ -68,12 +68,6 @@ pub struct asperity_state {
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
-    /// Standard deviation of the friction force over its mean [-], among nominally equal contacts under this load; 0 if
-    /// `asperity_count` is 1. NaN below one contact, or if `hertz_load` exceeds three times the load (docs/model.md).
-    pub friction_scatter: f64,
-    /// Mean friction force of nominally equal contacts under this load over `friction_force`, minus 1 [-]; 0 and NaN as
-    /// `friction_scatter`.
-    pub friction_bias: f64,
 }
 
 /// Constants of a model, in the units of the parameters.
@@ -95,7 +89,7 @@ pub struct asperity_summary {
     /// Kurtosis of the summit heights [-]; 3 for Gaussian.
     pub kurtosis: f64,
     /// Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
-    /// many summits, far below that of one rough specimen, which its few highest summits hold (docs/c.md).
+    /// many summits, far below that of one rough specimen: `asperity_specimens_at_loads`.
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
@@ -135,7 +129,7 @@ unsafe fn exact(
                 contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1
                 fraction_between_slip_radii fraction_above_slip_radius_2 fraction_in_contact mean_asperity_pressure
                 plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing contact_radius_sum
-                hertz_load friction_scatter friction_bias
+                hertz_load
             })
         })
     })

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::numerics::elementary::log;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
-use crate::population::{OneSummit, Statistics, Sums};
+use crate::population::{Statistics, Sums};
 
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
 /// smaller none does.
@@ -19,7 +19,7 @@ const FARTHEST_SEPARATION: f64 = 1e50;
 const NO_ADHESION: &str = "without adhesion the surfaces part at zero load, at no finite separation; must be > 0";
 const PULL_OFF_UNDERFLOWS: &str =
     "the surfaces adhere, but the pull-off load of so rough ones is too small for a number and \
-    counts as 0; must be > 0, or add up single summits, one by one";
+    counts as 0; must be > 0, or ask for single specimens, which hang on their tallest summits";
 
 /// The exact state of the contact at a load or a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,23 +77,10 @@ pub struct State {
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
-    /// Standard deviation of the friction force over its mean, among nominally equal contacts under this load; 0 if
-    /// `asperity_count` is 1. NaN where Monte Carlo does not bear it out: of less than one contact, or three if heights end abruptly,
-    /// and where `hertz_load` is more than three times the load.
-    pub friction_scatter: f64,
-    /// Mean friction force of nominally equal contacts under this load, over the friction force, less 1; 0 and NaN likewise.
-    pub friction_bias: f64,
-}
-
-/// One summit at an overlap.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SummitState {
-    /// Load; negative where it pulls [force].
-    pub load: f64,
-    /// Friction force; 0 out of contact [force].
-    pub friction_force: f64,
-    /// Contact radius; 0 out of contact [length].
-    pub contact_radius: f64,
+    /// What an estimate tells of single specimens: the standard deviation of their friction force over its mean, and by what part the
+    /// mean exceeds the friction force; NaN where `Model::few` does not know them.
+    pub(crate) friction_scatter: f64,
+    pub(crate) friction_bias: f64,
 }
 
 impl Model {
@@ -210,22 +197,6 @@ impl Model {
         self.state(load, separation, &sums)
     }
 
-    /// One summit of a height above the mean, at an overlap: its height less the separation. By the law that the sums over
-    /// all summits are made of, in contact down to break-away.
-    ///
-    /// # Errors
-    /// [`Error::InvalidParameter`] for a number that is not finite, [`Error::OutOfRange`].
-    pub fn summit_at_overlap(&self, overlap: f64, height: f64) -> Result<SummitState, Error> {
-        let population = self.branch.population();
-        let z = self.in_sigma("height", height)? - population.heights().origin();
-        let OneSummit { load, friction, radius } = population.one_summit(self.in_sigma("overlap", overlap)?, z);
-        Ok(SummitState {
-            load: load * self.units.load / self.units.count,
-            friction_force: friction * self.units.force / self.units.count,
-            contact_radius: radius * self.params.burgers_vector,
-        })
-    }
-
     /// The friction force [force] of a summit that carries a load >= 0 alone, at the separation that the surfaces have at this load: of
     /// less than one contact, what a specimen stands on.
     pub(crate) fn one_summit_at_load(&self, load: f64) -> f64 {
@@ -233,8 +204,8 @@ impl Model {
         let separation = self.equilibrium_at(load).map_or(FARTHEST_SEPARATION, |(separation, _)| separation);
         let population = self.branch.population();
         let of_one = load / self.units.load * self.units.count;
-        let at = |overlap: f64| population.one_summit(overlap, separation);
-        let bears = |overlap: f64| at(overlap).load > of_one;
+        let mut summit = population.one_summit(separation, 0.0, 0.0);
+        let mut bears = |overlap: f64| population.load_of_one(&mut summit, overlap).load > of_one;
         // What does not overlap bears none.
         let (mut loose, mut pressed) = (0.0, 1.0);
         while !bears(pressed) && pressed < FARTHEST_SEPARATION {
@@ -245,7 +216,8 @@ impl Model {
             let middle = 0.5 * (loose + pressed);
             *(if bears(middle) { &mut pressed } else { &mut loose }) = middle;
         }
-        at(pressed).friction * self.units.force / self.units.count
+        population.contact_at(&mut summit, pressed).map_or(0.0, |one| one.friction) * self.units.force
+            / self.units.count
     }
 
     /// The separation of the population, in sigma, at a gap.
@@ -301,7 +273,7 @@ impl Model {
 
     /// Scatter and bias of contacts under a constant load, carried by whatever summits there are: the standard deviation of their
     /// friction force over its mean, and by what part the mean exceeds the sum over the mean surface. NaN where Monte Carlo does
-    /// not bear it out (tests/physics/few_contacts.rs).
+    /// not bear it out.
     ///
     /// Both are of first order in 1/n, from Poisson's statistics of summits: load and friction fluctuate at a separation, and the
     /// separation follows the load. Of the bias that is the whole second order of the fluctuations. With fewer contacts Monte Carlo

@@ -19,7 +19,7 @@ use crate::numerics::float_bits::{finite, finite_up_to};
 use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
-pub use exact::{State, SummitState};
+pub use exact::State;
 pub(crate) use gap::by_gap;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
@@ -61,21 +61,21 @@ pub(crate) struct Known {
 
 /// Factors from sums per summit to the caller's units.
 #[derive(Debug, Clone, Copy)]
-struct Units {
+pub(crate) struct Units {
     /// N E* b^2.
-    load: f64,
+    pub load: f64,
     /// N G* b^2.
-    force: f64,
+    pub force: f64,
     /// 8 G^ N b: stiffness, of a mean contact radius in b.
-    stiffness: f64,
+    pub stiffness: f64,
     /// 8 G^.
     stiffness_per_radius: f64,
     /// N b^2.
     area: f64,
     /// sigma.
-    length: f64,
+    pub length: f64,
     /// N.
-    count: f64,
+    pub count: f64,
 }
 
 /// Constants of a model.
@@ -94,7 +94,7 @@ pub struct Summary {
     /// Kurtosis of the summit heights (3 for Gaussian).
     pub kurtosis: f64,
     /// The pull-off load, the smallest load at which the surfaces hold together, <= 0 [force]. It is that of the mean over many
-    /// summits, far below that of one rough pad, which its few tallest summits hold.
+    /// summits, far below that of one rough specimen, which its few tallest summits hold.
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
@@ -291,6 +291,20 @@ impl Model {
     #[inline]
     pub(crate) fn beyond(&self, quantity: Quantity) -> &Beyond {
         self.law.beyond(quantity)
+    }
+
+    /// What the sums are over.
+    pub(crate) fn population(&self) -> &Population {
+        self.branch.population()
+    }
+
+    pub(crate) fn units(&self) -> &Units {
+        &self.units
+    }
+
+    /// The gap between the mean planes at a separation in sigma.
+    pub(crate) fn gap_at(&self, separation: f64) -> f64 {
+        self.law.gap_at(separation)
     }
 
     /// Whether the surfaces can carry a load.

@@ -229,9 +229,8 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
     (
         c"FEW",
         WARNING_FEW,
-        c"fewer than 20 summits touch, so averages are not reliable: nominally equal contacts differ by \
-          friction_scatter, and their mean friction exceeds that of the model by friction_bias (in an estimate \
-          specimen_scatter, and their mean is specimen_force); use heavier loads or a larger area (asperity_count)",
+        c"fewer than 20 summits touch, so averages are not reliable: nominally equal specimens differ from each other and \
+          from the model (specimens_at_loads has their mean and scatter); use heavier loads or a larger area (asperity_count)",
     ),
     (
         c"ADHESIVE",

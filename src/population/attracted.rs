@@ -28,7 +28,11 @@ pub(super) struct AttractedRange<'a> {
 impl Population {
     /// The attraction of a summit of height z out of contact, where there is one.
     pub(super) fn attraction_at(&self, overlap: f64, z: f64) -> Option<Attracted> {
-        let g = self.radius.factor(z);
+        self.attraction_of(overlap, self.radius.factor(z))
+    }
+
+    /// The same of a summit whose radius is so many times the mean one.
+    pub(super) fn attraction_of(&self, overlap: f64, g: f64) -> Option<Attracted> {
         let law = self.attraction.as_ref().filter(|_| self.lambda_cubed * g < ATTRACTION_LAMBDA_CUBED)?;
         (overlap >= -law.reach).then(|| law.at_overlap(overlap, g))
     }

@@ -21,7 +21,7 @@ mod sums;
 mod tangential;
 mod walk;
 
-pub use one_summit::OneSummit;
+pub use one_summit::{OneSummit, Pressed};
 pub use statistics::Statistics;
 pub use sums::Sums;
 
@@ -62,6 +62,8 @@ pub struct Population {
     lambda_cubed: f64,
     /// The mean summit radius in standard deviations of height.
     mean_radius: f64,
+    /// 2 pi w R, which no summit of the mean radius pulls with more than, in E* b^2.
+    most_pull: f64,
     /// The contact radii at which what is summed has a kink, infinite where there are fewer.
     radius_kinks: [f64; RADII],
     /// The overlaps over g at which the law of contact has.
@@ -166,6 +168,7 @@ impl Population {
             crowding: (groups.nominal_area > 0.0).then_some(Crowding { nominal_area: groups.nominal_area }),
             lambda_cubed: groups.lambda_cubed(),
             mean_radius: 1.0 / (groups.alpha * groups.alpha),
+            most_pull: 2.0 * PI * groups.gamma * groups.beta / groups.alpha,
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
             onset_ratio: None,
@@ -194,6 +197,11 @@ impl Population {
     /// The height distribution.
     pub fn heights(&self) -> &dyn HeightDistribution {
         &*self.heights
+    }
+
+    /// Between these heights all of it lies but what is negligible.
+    pub fn extent(&self) -> (f64, f64) {
+        (self.lower_cut, self.highest)
     }
 
     /// Whether anything attracts.

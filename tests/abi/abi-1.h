@@ -36,6 +36,18 @@
 #define ASPERITY_NAMES_INTERFACES 3
 #define ASPERITY_NAMES_WARNINGS 4
 #define ASPERITY_NAMES_STATUSES 5
+#define ASPERITY_SPREAD_MEAN 0
+#define ASPERITY_SPREAD_DEVIATION 1
+#define ASPERITY_SPREAD_LOW 2
+#define ASPERITY_SPREAD_MEDIAN 3
+#define ASPERITY_SPREAD_HIGH 4
+#define ASPERITY_SPECIMEN_FRICTION_FORCE 0
+#define ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS 1
+#define ASPERITY_SPECIMEN_NORMAL_STIFFNESS 2
+#define ASPERITY_SPECIMEN_GAP 3
+#define ASPERITY_SPECIMEN_CONTACTS 4
+#define ASPERITY_SPECIMEN_PULL_OFF_FORCE 5
+#define ASPERITY_SPECIMEN_LENGTH 6
 #define ASPERITY_WARNING_PLASTIC 1
 #define ASPERITY_WARNING_CROWDED 2
 #define ASPERITY_WARNING_STEEP 4
@@ -146,9 +158,7 @@ typedef struct asperity_state {
   double fraction_flowing; /* 184, 8 */
   double contact_radius_sum; /* 192, 8 */
   double hertz_load; /* 200, 8 */
-  double friction_scatter; /* 208, 8 */
-  double friction_bias; /* 216, 8 */
-} asperity_state; /* 224 */
+} asperity_state; /* 208 */
 
 typedef struct asperity_summary {
   uint64_t struct_size; /* 0, 8 */
@@ -166,6 +176,18 @@ typedef struct asperity_summary {
   double max_table_load; /* 96, 8 */
   double table_error; /* 104, 8 */
 } asperity_summary; /* 112 */
+
+typedef struct asperity_specimens {
+  uint64_t struct_size; /* 0, 8 */
+  double load; /* 8, 8 */
+  double apart; /* 16, 8 */
+  double friction_force[5]; /* 24, 40 */
+  double tangential_stiffness[5]; /* 64, 40 */
+  double normal_stiffness[5]; /* 104, 40 */
+  double gap[5]; /* 144, 40 */
+  double contacts[5]; /* 184, 40 */
+  double pull_off_force[5]; /* 224, 40 */
+} asperity_specimens; /* 264 */
 
 typedef struct asperity_table {
   uint64_t struct_size; /* 0, 8 */
@@ -190,6 +212,7 @@ uint32_t asperity_abi_version(void);
 asperity_status asperity_check_loads(const struct asperity_model *, double, double, uint64_t *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
 size_t asperity_describe(int32_t, const char *, char *, size_t);
+asperity_status asperity_each_specimen_at_loads(const struct asperity_model *, uint64_t, size_t, uint64_t, size_t, const double *, double *);
 asperity_status asperity_estimate_at_loads(const char *, size_t, size_t, const double *, struct asperity_estimate *);
 size_t asperity_estimate_text(const char *, size_t, size_t, const double *, char *, size_t);
 void asperity_free(struct asperity_model *);
@@ -224,11 +247,11 @@ asperity_status asperity_params_set_units(struct asperity_params *, double, doub
 asperity_status asperity_params_set_values(struct asperity_params *, size_t, const char *const *, const double *);
 size_t asperity_params_text(const struct asperity_params *, char *, size_t);
 asperity_status asperity_set_params(struct asperity_model *, const struct asperity_params *);
+asperity_status asperity_specimens_at_loads(const struct asperity_model *, size_t, uint64_t, size_t, const double *, struct asperity_specimens *);
 asperity_status asperity_state_at_gap(const struct asperity_model *, double, struct asperity_state *);
 asperity_status asperity_state_at_load(const struct asperity_model *, double, struct asperity_state *);
 const char *asperity_status_string(asperity_status);
 asperity_status asperity_summary_of(const struct asperity_model *, struct asperity_summary *);
-asperity_status asperity_summits_at_overlaps(const struct asperity_model *, size_t, const double *, const double *, double *, double *, double *);
 asperity_status asperity_table_of(const struct asperity_model *, int32_t, struct asperity_table *);
 asperity_status asperity_tangential_at_load(const struct asperity_model *, double, double, double *, double *);
 double asperity_tangential_stiffness_at_load(const struct asperity_model *, double);

@@ -20,7 +20,7 @@ static const char SURFACE[] = "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeas
 static asperity_params params, changed;
 static asperity_model *model, *other;
 static const asperity_model *models[1];
-static double in[N], rate[N], out[4 * N], more[4 * N], third[N], states[N * 64];
+static double in[N], rate[N], out[4 * N], more[4 * N], states[N * 64];
 static uint32_t which[N];
 static uint64_t warnings;
 static char text[1 << 16];
@@ -28,6 +28,7 @@ static asperity_state state = { .struct_size = sizeof state };
 static asperity_summary summary = { .struct_size = sizeof summary };
 static asperity_microslip slip = { .struct_size = sizeof slip };
 static asperity_table table = { .struct_size = sizeof table };
+static asperity_specimens specimens = { .struct_size = sizeof specimens };
 static asperity_estimate estimates[FEW];
 
 #define CALLS(X)                                                                               \
@@ -69,7 +70,8 @@ static asperity_estimate estimates[FEW];
     X(ANSWERS, microslip_turn, (states, 0.8, 0.6))                                             \
     X(ANSWERS, load_and_slope_at_gap, (model, 0.0, out))                                       \
     X(EXACT, loads_at_gaps, (model, N, rate, out, more))                                       \
-    X(EXACT, summits_at_overlaps, (model, N, rate, NULL, out, more, third))                    \
+    X(EXACT, specimens_at_loads, (model, 2, 1, 1, in, &specimens))                             \
+    X(EXACT, each_specimen_at_loads, (model, 0, 2, 1, 1, in, states))                          \
     X(EXACT, state_at_load, (model, in[0], &state))                                            \
     X(EXACT, state_at_gap, (model, 0.0, &state))                                               \
     X(ANSWERS, summary_of, (model, &summary))                                                  \

@@ -78,7 +78,8 @@ static void ask_at(const asperity_model *model, uint64_t bits)
     const int compiled = FE_INEXACT | (is_tiny(bits) ? FE_UNDERFLOW : 0);
     asperity_state state = { .struct_size = sizeof state };
     asperity_microslip slip = { .struct_size = sizeof slip };
-    double x, in[2], out[2], slope[2], radius[2];
+    asperity_specimens specimens = { .struct_size = sizeof specimens };
+    double x, in[2], out[2], slope[2], values[ASPERITY_SPECIMEN_LENGTH];
     uint64_t warnings;
 
     /* The largest number less a pull-off load is infinite where numbers are rounded upwards. */
@@ -102,7 +103,8 @@ static void ask_at(const asperity_model *model, uint64_t bits)
     ASK(compiled, loads_at_gaps, model, 2, in, out, slope);
     ASK(0, tangential_at_load, model, x, 1e-9, out, slope);
     ASK(0, tangential_at_load, model, 1.0, x, out, slope);
-    ASK(0, summits_at_overlaps, model, 2, in, in, out, slope, radius);
+    ASK(0, specimens_at_loads, model, 2, bits, 1, in, &specimens);
+    ASK(0, each_specimen_at_loads, model, bits, 1, 1, 1, in, values);
     ASK(0, state_at_load, model, x, &state);
     ASK(0, state_at_gap, model, x, &state);
     ASK(0, check_loads, model, x, x, &warnings);

@@ -215,7 +215,7 @@ void a_model_that_was_moved_from_says_so() {
         [&] { first.friction_at_load(loads); }, [&] { first.friction_force_and_slope_at_load(loads); },
         [&] { first.tangential_stiffness_at_load(1.0); }, [&] { first.tangential_stiffness_at_load(loads); },
         [&] { first.tangential_at_load(1.0, 1.0); }, [&] { first.state_at_load(1.0); }, [&] { first.state_at_gap(1.0); },
-        [&] { first.check_loads(1.0, 2.0); }, [&] { first.summits_at_overlaps(loads); }, [&] { first.summary(); },
+        [&] { first.check_loads(1.0, 2.0); }, [&] { first.specimens_at_loads(loads); }, [&] { first.summary(); },
         [&] { first.table(); }, [&] { first.load_at_gap(1.0); }, [&] { first.load_and_slope_at_gap(1.0); },
         [&] { first.load_at_gap(loads); }, [&] { (void)first.load_at_gap(loads, out); }, [&] { first.microslip_length(); },
         [&] { first.friction_force_at_load(loads); }, [&] { first.friction_and_slope_at_load(loads); },
@@ -265,10 +265,11 @@ void every_call_answers_as_the_library() {
     EXPECT(load == asperity_load_and_slope_at_gap(c, state.gap, &slope) && dload == slope && load == model.load_at_gap(state.gap));
     EXPECT((model.check_loads(1.0, 2.0) & ASPERITY_WARNING_UNCALIBRATED) != 0);
     EXPECT(refused([&] { (void)model.check_loads(2.0, 1.0); }));
-    const std::vector<double> overlaps{-1e9, 8.0}, heights{0.0, 20.0}, none{1.0, NOT_A_NUMBER};
-    const asperity::Summits summits = model.summits_at_overlaps(overlaps, heights);
-    EXPECT(summits.force[0] == 0.0 && summits.force[1] > 0.0 && summits.radius[1] > 0.0 && summits.load.size() == 2);
-    EXPECT(refused([&] { model.summits_at_overlaps(none); }));
+    const std::vector<double> specimen_loads{LOAD, 0.0}, none{1.0, NOT_A_NUMBER};
+    const std::vector<asperity::Specimens> specimens = model.specimens_at_loads(specimen_loads, 3);
+    EXPECT(specimens.size() == 2 && specimens[1].load == 0.0 && specimens[0].contacts[ASPERITY_SPREAD_MEAN] == 1.0);
+    EXPECT(close(specimens[0].friction_force[ASPERITY_SPREAD_HIGH], specimens[0].friction_force[ASPERITY_SPREAD_LOW], 1e-9));
+    EXPECT(thrown_by([&] { model.specimens_at_loads(none); }).status() == ASPERITY_INVALID_LOAD);
     EXPECT(model.table(ASPERITY_TABLE_LOAD_AT_GAP).rows != model.table().rows);
     EXPECT(refused([&] { model.table(2); }));
     asperity_model *own = nullptr;

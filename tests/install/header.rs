@@ -17,9 +17,9 @@ const GROUPS: [(&str, &[&str]); 8] = [
     ("Look up: names, and what is known of each.", &["look_up"]),
     (
         "Ask: friction and stiffness of one contact or of many, for the inner loop of a solver.",
-        &["evaluate", "pairs", "tangential", "microslip", "gap", "summits"],
+        &["evaluate", "pairs", "tangential", "microslip", "gap"],
     ),
-    ("Explain: exact states and the constants of a model.", &["state"]),
+    ("Explain: exact states, single specimens and the constants of a model.", &["state", "specimens"]),
     ("Limits: which assumptions fail at which loads, and the remedy.", &["validity"]),
     ("Errors and versions.", &["last_error", "about"]),
     ("The table: for code that cannot call a library, such as GPU kernels.", &["table"]),

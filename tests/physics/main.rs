@@ -4,7 +4,6 @@
 mod common;
 
 mod contacts;
-mod few_contacts;
 mod figures;
 mod film;
 mod foundation;
@@ -13,7 +12,7 @@ mod mean_planes;
 mod microslip;
 mod published;
 mod reference;
-mod single_summits;
+mod specimens;
 mod tangential;
 mod validity;
 mod yielding;

@@ -36,9 +36,8 @@ from .fits.uncertainty import Uncertainty, uncertainty
 from .model import Model
 from .one_line import friction
 from .params import Params
-from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
-from .studies.pad_results import Pads
-from .studies.pads import pads
+from .results import Hysteresis, State, States, Summary, ValidityWarning, Warnings
+from .studies.pads import Pads, pads
 
 if TYPE_CHECKING:
     from . import study, surface
@@ -59,7 +58,6 @@ __all__ = [
     "States",
     "Status",
     "Summary",
-    "SummitStates",
     "Uncertainty",
     "ValidityWarning",
     "Warnings",

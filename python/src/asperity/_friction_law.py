@@ -18,7 +18,7 @@ from ._library import LIBRARY
 from ._microslip import Microslip
 from .errors import Error, Status, check
 from .params import Params
-from .results import Hysteresis, State, States, Summary, SummitStates, ValidityWarning, Warnings
+from .results import Hysteresis, State, States, Summary, ValidityWarning, Warnings
 from .tools import caller, checks
 from .tools.labelled import HasLabels, Labelled, like
 from .tools.progress import Progress, teller
@@ -338,27 +338,30 @@ class FrictionLaw:
                 where = f"between the loads {lightest:g} and {heaviest:g}" if lightest < heaviest else f"at the load {lightest:g}"
                 caller.warn(f"{where}: {kind}", ValidityWarning)
 
-    def summits_at_overlaps(self, overlap: npt.ArrayLike, height: npt.ArrayLike | None = None) -> SummitStates:
-        """Load, friction force and contact radius of single summits, by the law that the model sums over all summits.
-
-        A summit stays in contact down to the overlap at which it breaks away, below 0 with adhesion; out of contact it may
-        still attract. `asperity.pads` makes pads of few contacts of them.
+    def each_specimen_at_loads(self, load: npt.ArrayLike, specimens: int, *, seed: int = 0, first: int = 0) -> _Array:
+        """Single specimens with the summits that they happen to have, one by one; `asperity.pads` is the way to ask for them.
 
         Args:
-            overlap: how far a summit would reach beyond the flat [length]; an array of any shape.
-            height: of each from the mean of the summit heights [length], on which radii depend where `radius_amplitude` is
-                not 0; without, the mean height.
+            load: normal loads [force], a number or a one-dimensional array; also 0 and, with adhesion, negative ones.
+            specimens: how many.
+            seed: of the random numbers.
+            first: the first of them: ranges of specimens may be asked for in threads.
+
+        Returns:
+            Array of shape (specimens, loads, 6): friction force, tangential and normal stiffness, gap, contacts and pull-off force;
+            the gap is NaN where the specimen is apart.
 
         Raises:
-            Error: an overlap or height that is not finite, or out of range; the message names its index.
+            Error: a load that cannot be, or more than 1e7 summits that would have to be drawn.
         """
-        overlaps = checks.array("overlap", overlap)
-        heights = None if height is None else np.ascontiguousarray(np.broadcast_to(checks.array("height", height), overlaps.shape))
-        found = SummitStates(*(np.empty(overlaps.shape) for _ in range(3)))
-        outputs = [_data(one) for one in found]
+        loads = checks.one_or_more("load", load)
+        most = 2**64 - 1
+        specimens, seed, first = (
+            checks.whole("specimens", specimens, 1, 10**7), checks.whole("seed", seed, 0, most), checks.whole("first", first, 0, most)
+        )  # fmt: skip
+        found = np.empty((specimens, loads.size, _header.ASPERITY_SPECIMEN_LENGTH))
         pointer = self._open().pointer
-        data = None if heights is None else _data(heights)
-        check(LIBRARY.asperity_summits_at_overlaps(pointer, overlaps.size, _data(overlaps), data, *outputs))
+        check(LIBRARY.asperity_each_specimen_at_loads(pointer, first, specimens, seed, loads.size, _data(loads), _data(found)))
         return found
 
     def summary(self) -> Summary:

@@ -40,6 +40,18 @@ ASPERITY_NAMES_PAIRS = 2
 ASPERITY_NAMES_INTERFACES = 3
 ASPERITY_NAMES_WARNINGS = 4
 ASPERITY_NAMES_STATUSES = 5
+ASPERITY_SPREAD_MEAN = 0
+ASPERITY_SPREAD_DEVIATION = 1
+ASPERITY_SPREAD_LOW = 2
+ASPERITY_SPREAD_MEDIAN = 3
+ASPERITY_SPREAD_HIGH = 4
+ASPERITY_SPECIMEN_FRICTION_FORCE = 0
+ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS = 1
+ASPERITY_SPECIMEN_NORMAL_STIFFNESS = 2
+ASPERITY_SPECIMEN_GAP = 3
+ASPERITY_SPECIMEN_CONTACTS = 4
+ASPERITY_SPECIMEN_PULL_OFF_FORCE = 5
+ASPERITY_SPECIMEN_LENGTH = 6
 ASPERITY_WARNING_PLASTIC = 1
 ASPERITY_WARNING_CROWDED = 2
 ASPERITY_WARNING_STEEP = 4
@@ -162,8 +174,6 @@ class asperity_state(Structure):
         ("fraction_flowing", c_double),
         ("contact_radius_sum", c_double),
         ("hertz_load", c_double),
-        ("friction_scatter", c_double),
-        ("friction_bias", c_double),
     ]
 
 
@@ -183,6 +193,20 @@ class asperity_summary(Structure):
         ("min_table_load", c_double),
         ("max_table_load", c_double),
         ("table_error", c_double),
+    ]
+
+
+class asperity_specimens(Structure):
+    _fields_ = [
+        ("struct_size", c_uint64),
+        ("load", c_double),
+        ("apart", c_double),
+        ("friction_force", c_double * 5),
+        ("tangential_stiffness", c_double * 5),
+        ("normal_stiffness", c_double * 5),
+        ("gap", c_double * 5),
+        ("contacts", c_double * 5),
+        ("pull_off_force", c_double * 5),
     ]
 
 
@@ -213,6 +237,7 @@ _params = POINTER(asperity_params)
 _microslip = POINTER(asperity_microslip)
 _state = POINTER(asperity_state)
 _summary = POINTER(asperity_summary)
+_specimens = POINTER(asperity_specimens)
 _table = POINTER(asperity_table)
 
 # name: (what it returns, what it takes)
@@ -258,10 +283,11 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_microslip_turn": (c_int32, [_double, c_double, c_double]),
     "asperity_load_and_slope_at_gap": (c_double, [_model, c_double, _double]),
     "asperity_loads_at_gaps": (c_int32, [_model, c_size_t, _double, _double, _double]),
-    "asperity_summits_at_overlaps": (c_int32, [_model, c_size_t, _double, _double, _double, _double, _double]),
     "asperity_state_at_load": (c_int32, [_model, c_double, _state]),
     "asperity_state_at_gap": (c_int32, [_model, c_double, _state]),
     "asperity_summary_of": (c_int32, [_model, _summary]),
+    "asperity_specimens_at_loads": (c_int32, [_model, c_size_t, c_uint64, c_size_t, _double, _specimens]),
+    "asperity_each_specimen_at_loads": (c_int32, [_model, c_uint64, c_size_t, c_uint64, c_size_t, _double, _double]),
     "asperity_check_loads": (c_int32, [_model, c_double, c_double, POINTER(c_uint64)]),
     "asperity_warnings_text": (c_size_t, [c_uint64, POINTER(c_char), c_size_t]),
     "asperity_last_error": (c_size_t, [POINTER(c_char), c_size_t]),

@@ -662,7 +662,7 @@ impl<'a> Calls<'a> {
             let (word, place) = (&mut prepared.words[i], &mut prepared.places[i]);
             match is {
                 Number(_) => word.bits = random.any_float().to_bits(),
-                In(..) | MayIn(_) if n > 0 => place[random.below(n)] = random.any_float().to_bits(),
+                In(..) if n > 0 => place[random.below(n)] = random.any_float().to_bits(),
                 // The models are as many as they are said to be.
                 Whole(_) if call.at(|is| is == Models).next().is_none() => {
                     word.bits = random.bits() >> random.below(64)

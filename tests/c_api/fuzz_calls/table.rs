@@ -17,12 +17,12 @@ pub enum Is {
     Number(f64),
     /// A size, an index or a choice.
     Whole(u64),
+    /// How many times there is room for what is written of each element.
+    Times(u64),
     /// How many elements there are.
     Count,
     /// So many numbers for each element to read.
     In(usize, f64),
-    /// The same, where NULL stands for an array of zeros.
-    MayIn(f64),
     /// So many numbers for each element to write, which NULL skips; those that it does not skip.
     MayOut(usize),
     Out(usize),
@@ -170,10 +170,11 @@ pub const CALLS: &[Call] = calls! {
     asperity_microslip_turn(state: Out(STATE), cosine: Number(1.0), sine: Number(0.5));
     asperity_load_and_slope_at_gap(model: Model, gap: Number(1e-2), dload_dgap: MayOut(1));
     asperity_loads_at_gaps(model: Model, n: Count, gap: In(1, 1e-2), load: MayOut(1), dload_dgap: MayOut(1));
-    asperity_summits_at_overlaps(model: Model, n: Count, overlap: In(1, 1e-2), height: MayIn(1e-3), load: MayOut(1), force: MayOut(1), radius: MayOut(1));
     asperity_state_at_load(model: Model, load: Number(LOAD), state: Struct(size_of::<asperity_state>()));
     asperity_state_at_gap(model: Model, gap: Number(1e-2), state: Struct(size_of::<asperity_state>()));
     asperity_summary_of(model: Model, summary: Struct(size_of::<asperity_summary>()));
+    asperity_specimens_at_loads(model: Model, specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), found: Struct(size_of::<asperity_specimens>()));
+    asperity_each_specimen_at_loads(model: Model, first: Whole(0), specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), values: MayOut(12));
     asperity_check_loads(model: Model, lightest: Number(1e-3), heaviest: Number(1e-2), warnings: Out(1));
     asperity_warnings_text(warnings: Whole(u64::MAX), buffer: Buffer, length: Room);
     asperity_last_error(buffer: Buffer, length: Room);
@@ -226,10 +227,9 @@ impl Call {
                 }
                 Params | ChangedParams => params(),
                 Number(value) => number(value.to_bits()),
-                Whole(whole) => number(whole),
+                Whole(whole) | Times(whole) => number(whole),
                 Count => number(n as u64),
                 In(width, value) => array(width, value),
-                MayIn(value) => array(1, value),
                 MayOut(width) | Out(width) => (0, vec![UNTOUCHED; n * width + 1]),
                 NewModel => (0, vec![UNTOUCHED; 2]),
                 Struct(size) => {

@@ -1,59 +1,147 @@
-"""Pads of few contacts: friction of single pads of N summits, their mean and how they scatter.
+"""Single specimens of few contacts: friction, stiffness and pull-off of each, their mean and how they scatter.
 
     from asperity import Params, pads
 
-    found = pads(params, loads, 200)
+    found = pads(params, loads, 400)
     found.plot("pads.svg")
 
-The sums of the model are means over summits at a given separation. At a given load a pad stands on the summits that it
-happens to have: where few touch, its friction differs from that of the model, and from that of the next pad.
-Heights at random are in `studies.pad_heights`, the equilibrium of a pad in `studies.pad_equilibrium`, what is found of them in
-`studies.pad_results`.
+The sums of the model are means over summits at a given separation. At a given load a specimen stands on the summits that it
+happens to have: where few touch, its friction differs from that of the model, and from that of the next one.
 """
 
 from __future__ import annotations
 
 import math
-from functools import lru_cache
-from typing import TYPE_CHECKING, Iterator, NamedTuple
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from .. import _header
 from ..errors import Error
 from ..model import Model
 from ..params import Params
 from ..tools import checks
 from ..tools.progress import Progress, teller
-from .pad_equilibrium import Counts, Mask, OneSummitLaw, descend
-from .pad_heights import TailHeights, counted_from_summits
-from .pad_results import Pads
+from ..tools.style import saved, style
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
+    from matplotlib.figure import Figure
+
 Array = npt.NDArray[np.float64]
 
-# Of up to so many summits all are drawn: however near the surfaces, the load of few summits scatters so much that no
-# separation serves for all pads.
-_DRAWN_WHOLE = 1000
-# Of more summits, the search for the separation of a pad begins where at least so many touch on average, and where the load
-# is above the heaviest one by this many of its standard deviations, or by what those would be if all summits pressed alike.
-_FIRST_CONTACTS, _DEVIATIONS = 40, 8.0
-# States of pads; more take more than some seconds.
-_MANY = 5000
-# Pads that a worker is given at a time, some tenths of a second of work.
-_BLOCK = 16
+# States of specimens; more take more than some seconds.
+_MANY = 100_000
+# Specimens that a worker is given at a time.
+_BLOCK = 50
+# Parts of the specimens below the quantiles.
+_QUANTILES = (0.025, 0.5, 0.975)
 
 
-class _Pads(NamedTuple):
-    """Pads to be unloaded: the heights of each, the tallest first, and the separation to begin at, NaN to search for one."""
+class _Range(NamedTuple):
+    """Specimens of a surface under loads."""
 
     params: Params
-    highest: float
-    heights: list[Array]
-    start: float
+    first: int
+    count: int
+    seed: int
     loads: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Pads:
+    """Specimens of one surface, under load control on the branch of unloading. Arrays have the shape (specimens, loads).
+
+    Attributes:
+        params: the surface; `asperity_count` is the number of summits of each specimen.
+        load: the loads [force], as they were given; shape (loads,).
+        friction_force: of each specimen at each load [force]; 0 where it is apart.
+        tangential_stiffness: tangential force by displacement while all contacts stick [force/length]; 0 likewise.
+        normal_stiffness: minus the slope of the load by the gap [force/length]; 0 likewise.
+        gap: between the mean planes [length]; NaN where it is apart.
+        contacting: summits in contact.
+        apart: whether the load is below the pull-off load of the specimen.
+        pull_off_force: the largest pull that each specimen withstands [force], >= 0; shape (specimens,).
+        model_force: the friction force of the model at the loads [force]; shape (loads,).
+        seed: of the random numbers.
+    """
+
+    params: Params
+    load: Array
+    friction_force: Array
+    tangential_stiffness: Array
+    normal_stiffness: Array
+    gap: Array
+    contacting: npt.NDArray[np.intp]
+    apart: npt.NDArray[np.bool_]
+    pull_off_force: Array
+    model_force: Array
+    seed: int
+
+    @property
+    def count(self) -> int:
+        """How many specimens there are."""
+        return len(self.friction_force)
+
+    @property
+    def mean_force(self) -> Array:
+        """Mean friction force over the specimens [force], shape (loads,)."""
+        return np.asarray(self.friction_force.mean(axis=0))
+
+    @property
+    def scatter(self) -> Array:
+        """Standard deviation of the friction force from specimen to specimen over its mean, shape (loads,); NaN where that is 0."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(self.friction_force.std(axis=0, ddof=1) / self.mean_force)
+
+    @property
+    def quantiles(self) -> Array:
+        """The friction force that 2.5, 50 and 97.5 % of the specimens do not exceed [force], shape (3, loads)."""
+        return np.quantile(self.friction_force, _QUANTILES, axis=0)
+
+    @property
+    def bias(self) -> Array:
+        """Mean friction force over that of the model, shape (loads,); NaN or infinite where that is 0."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(self.mean_force / self.model_force)
+
+    @property
+    def bias_error(self) -> Array:
+        """Standard error of `bias` for this number of independent specimens, shape (loads,); it is a third of that, or less."""
+        return np.asarray(self.bias * self.scatter / math.sqrt(self.count))
+
+    def plot(self, file: str | os.PathLike[str] | None = None) -> Figure:
+        """Draws the mean of the specimens with their scatter as a band, and the curve of the model.
+
+        The friction coefficient where all loads press, else the friction force.
+
+        Args:
+            file: its ending is its format, for example "pads.svg".
+
+        Raises:
+            ImportError: matplotlib is missing.
+        """
+        return _draw(self, file)
+
+    def __str__(self) -> str:
+        lines = [
+            f"{self.count} specimens of {self.params.asperity_count:.6g} summits",
+            "load  contacts  mean force  mean/model  scatter  95 % of the specimens",
+        ]
+        low, _, high = self.quantiles
+        for i, load in enumerate(self.load):
+            bias = self.bias[i]
+            against = f"{bias:.3g} +- {self.bias_error[i]:.1g}" if math.isfinite(bias) else "-"
+            touching, force = self.contacting[:, i].mean(), self.mean_force[i]
+            lines.append(f"{load:.3g}  {touching:.3g}  {force:.3g}  {against}  {self.scatter[i]:.0%}  {low[i]:.3g} to {high[i]:.3g}")
+        if self.pull_off_force.any():
+            low, median, high = np.quantile(self.pull_off_force, _QUANTILES)
+            lines.append(f"pull-off force: {median:.3g}, of 95 % of the specimens {low:.3g} to {high:.3g}")
+        return "\n".join(lines)
 
 
 def pads(
@@ -65,98 +153,78 @@ def pads(
     progress: Progress = None,
     executor: Executor | None = None,
 ) -> Pads:
-    """Friction of pads whose summits are drawn at random from the heights of the surface.
+    """Single specimens, whose summits are drawn at random from the heights of the surface.
 
-    Each pad has `asperity_count` summits, of which only the tallest are drawn where there are many; each obeys the exact
-    law of one summit, in contact and out of it. A pad is unloaded from heavy load: at each load it stands at the nearest
-    separation at which its load has fallen to that, so that it jumps over states that could not hold. Below the least load of
-    all it is apart.
+    Each specimen has `asperity_count` summits, of which only the tallest are drawn where there are many; each obeys the exact
+    law of one summit, in contact and out of it. A specimen is unloaded from heavy load: at each load it stands at the nearest
+    gap at which its load has fallen to that, so that it jumps over states that could not hold. Below its pull-off load it is apart.
 
     Args:
         params: the surface, with its true number of summits.
         loads: normal loads [force], one or a one-dimensional array, in any order; also 0 and, with adhesion, negative ones.
-        count: number of pads, 2 or more. The mean is known to its scatter over the root of this.
-        seed: of the random numbers, >= 0: the same pads for the same seed and the same loads.
+        count: number of specimens, 2 or more. 400 give means within 1 %.
+        seed: of the random numbers, >= 0: the same specimens for the same seed, whatever their number and the loads.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
-            being done; by default for more than about a thousand states.
-        executor: where the pads are unloaded, by default here: anything with the interface of
+            being done; by default for more than 100,000 states.
+        executor: where the specimens are unloaded, by default here: anything with the interface of
             `concurrent.futures.Executor`, with the same result (docs/studies.md).
 
     Raises:
-        Error: what loads, count, seed or the number of summits may not be, or what the library refuses.
+        Error: what loads, count, seed or the number of summits may not be, or what the library refuses: more than 1e7 summits
+            that would have to be drawn.
         TypeError: no `Params`, or no whole numbers.
     """
     checks.instance("params", params, Params)
     load = checks.one_or_more("loads", loads)
-    count, seed = checks.whole("count", count, 2), checks.whole("seed", seed, 0)
-    if params.asperity_count < 2:
-        raise Error(
-            f"asperity_count = {params.asperity_count:g}: pads need the true number of summits, 2 or more: "
-            "params.replace(asperity_count=...)"
-        )
-    order = np.argsort(-load)
-    force, contacting = np.zeros((count, load.size)), np.zeros((count, load.size), dtype=np.intp)
-    apart = np.zeros((count, load.size), dtype=bool)
-    random = np.random.default_rng(seed)
-    heights = TailHeights(params)
-    with Model(counted_from_summits(params)) as model:
+    count, seed = checks.whole("count", count, 2), checks.whole("seed", seed, 0, 2**64 - 1)
+    with Model(params) as model:
         model_force = model.friction_force_at_load(load)
-        law = _law(params, heights.highest)
-        heaviest, whole = float(load.max()), heights.count <= _DRAWN_WHOLE
-        start = math.nan if whole else _start(model, law, heights, heaviest)
-        lowest = -math.inf if whole else start - law.farthest
+    values = np.empty((count, load.size, _header.ASPERITY_SPECIMEN_LENGTH))
     tell = teller(progress, count * load.size > _MANY, "asperity.pads")
-
-    def blocks() -> Iterator[tuple[int, _Pads]]:
-        for first in range(0, count, _BLOCK):
-            drawn = [heights.sample(random, lowest) for _ in range(min(_BLOCK, count - first))]
-            yield first, _Pads(params, heights.highest, drawn, start, load[order])
-
+    # The last ones first: they are refused if all are too many.
+    blocks = ((i, _Range(params, i, min(_BLOCK, count - i), seed, load)) for i in reversed(range(0, count, _BLOCK)))
     done = 0
-    tell(0.0, "pads")
+    tell(0.0, "specimens")
     from ..tools.blocks import completed
 
-    for first, found in completed(_unloaded, blocks(), executor):
-        for pad, one in enumerate(found, first):
-            force[pad, order], contacting[pad, order], apart[pad, order] = one
+    for first, found in completed(_unloaded, blocks, executor):
+        values[first : first + len(found)] = found
         done += len(found)
-        tell(done / count, "pads")
-    for array in (load, force, contacting, apart, model_force):
+        tell(done / count, "specimens")
+    friction, tangential, normal, gap, contacts, pull_off = np.moveaxis(values, -1, 0)
+    arrays = (load, friction, tangential, normal, gap, contacts.astype(np.intp), np.isnan(gap), pull_off[:, 0], model_force)
+    for array in arrays:
         array.setflags(write=False)
-    return Pads(params, load, force, contacting, apart, model_force, seed)
+    return Pads(params, *arrays, seed)
 
 
-def _unloaded(block: _Pads) -> list[tuple[Array, Counts, Mask]]:
-    """Friction force, contacts and whether it is apart, of each pad at each load."""
-    law, heaviest, found = _law(block.params, block.highest), float(block.loads[0]), []
-    for heights in block.heights:
-        whole = math.isnan(block.start)
-        start = _start_of(law, heights, heaviest, block.params.height_std) if whole else block.start
-        found.append(descend(law, heights, start, block.loads))
-    return found
+def _unloaded(asked: _Range) -> Array:
+    with Model(asked.params) as model:
+        return model.each_specimen_at_loads(asked.loads, asked.count, seed=asked.seed, first=asked.first)
 
 
-@lru_cache(maxsize=1)
-def _law(params: Params, highest: float) -> OneSummitLaw:
-    """Made once in each process: it takes as long as some pads."""
-    return OneSummitLaw(Model(params), highest)
+def _draw(pads: Pads, file: str | os.PathLike[str] | None) -> Figure:
+    """Draws it, and writes it if a file is named."""
+    with style():
+        from matplotlib.figure import Figure
 
+        order = np.argsort(pads.load)
+        load = pads.load[order]
+        presses = bool((load > 0).all())
+        divisor = load if presses else 1.0
+        mean, model = pads.mean_force[order] / divisor, pads.model_force[order] / divisor
+        low, _, high = pads.quantiles[:, order] / divisor
 
-def _start(model: Model, law: OneSummitLaw, heights: TailHeights, heaviest: float) -> float:
-    """A separation at which the load of any pad is above the heaviest one, in all likelihood."""
-    separation, step = heights.exceeded_by(_FIRST_CONTACTS), model.params.height_std / 16
-    while True:
-        state = model.state_at_gap(separation)
-        summits = state.contacting + state.attracted
-        one = law.least + (state.load - state.attraction_load) / max(state.contacting, 1.0)
-        if state.load - max(heaviest, 0.0) > _DEVIATIONS * one * math.sqrt(summits):
-            return separation
-        separation -= step
-
-
-def _start_of(law: OneSummitLaw, heights: Array, heaviest: float, step: float) -> float:
-    """A separation at which, and at all nearer ones, a pad of these summits carries more than the heaviest load."""
-    separation = float(heights[0])
-    while law.least_nearer(heights, separation) <= heaviest:
-        separation, step = separation - step, 2 * step
-    return separation
+        figure = Figure(figsize=(7.5, 5), layout="constrained")
+        axes = figure.add_subplot()
+        axes.fill_between(load, low, high, color="C0", alpha=0.25, lw=0, label="95 % of the specimens")
+        named = f"mean of {pads.count} specimens of {pads.params.asperity_count:.6g} summits"
+        axes.plot(load, mean, "o-", ms=4, color="C0", label=named)
+        axes.plot(load, model, "--", color="black", label="model: sums at fixed separation")
+        if presses:
+            axes.set_xscale("log")
+        quantity = "friction coefficient $F/P$" if presses else "friction force $F$, in the units of the parameters"
+        axes.set(xlabel="normal load $P$ of a specimen, in the units of the parameters", ylabel=quantity)
+        axes.set_ylim(bottom=0)
+        axes.legend()
+        return saved(figure, file)

@@ -1,0 +1,243 @@
+//! The equilibrium of one specimen: its summits at the separations at which they carry given loads, unloaded from a heavy one.
+//!
+//! Where a specimen is, is told by the overlap of its tallest summit, its approach. As the surfaces part, the load of a summit is a convex
+//! function of the separation that may jump up where it breaks away. A step by the load in excess over the slopes of the summits whose
+//! load falls therefore never passes a separation at which the load is the one wanted.
+
+use super::heights::{bits, exponential, uniform, Heights};
+use crate::error::Error;
+use crate::population::{OneSummit, Population, Pressed};
+
+/// Loads are found to this part of the sum of the loads of all summits, each by its amount.
+const TOLERANCE: f64 = 1e-12;
+/// From this part on one more step of Newton's method finds them to that.
+const NEXT_TO: f64 = 1e-6;
+/// Where some summits pull the less the farther they are, steps are no longer than this part of the range of adhesion: a dip of the
+/// load may be missed that is shorter.
+const LONGEST: f64 = 0.03;
+/// It bounds the time of a call.
+const MOST_STEPS: u32 = 100_000;
+/// A specimen is pressed until it carries more than its load by approaches that grow by this.
+const GROWTH: f64 = 1.3;
+const FIRST_PRESS: f64 = 0.05;
+/// Summits that may be drawn for one specimen, and for all.
+pub const MOST_DRAWN: f64 = 1e7;
+
+/// The loads of the summits at an approach.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Loads {
+    pub load: f64,
+    /// Sum of their amounts.
+    magnitude: f64,
+    /// How fast the load of those falls that fall as the surfaces part, and rises of the others.
+    falls: f64,
+    rises: f64,
+    /// A load that the specimen does not fall below at this and any larger approach, if no more summits come near.
+    bound: f64,
+}
+
+/// What the contacts of a specimen amount to.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Contacts {
+    pub number: f64,
+    pub friction: f64,
+    pub radius: f64,
+    pub area: f64,
+    /// Minus the slope of the load by separation.
+    pub stiffness: f64,
+}
+
+/// A specimen with the summits that were drawn, the tallest first.
+pub struct Specimen<'a> {
+    population: &'a Population,
+    heights: &'a Heights,
+    seed: u64,
+    index: u64,
+    count: f64,
+    hazard: f64,
+    tallest: f64,
+    summits: Vec<OneSummit>,
+}
+
+impl<'a> Specimen<'a> {
+    pub fn new(population: &'a Population, heights: &'a Heights, count: f64, seed: u64, index: u64) -> Self {
+        let one_more = uniform(bits(seed, index, u64::MAX)) < count - count.floor();
+        let count = count.floor() + f64::from(u8::from(one_more));
+        let mut specimen =
+            Self { population, heights, seed, index, count, hazard: 0.0, tallest: 0.0, summits: Vec::new() };
+        specimen.draw();
+        specimen
+    }
+
+    /// The height of its tallest summit.
+    pub fn tallest(&self) -> f64 {
+        self.tallest
+    }
+
+    /// How many summits were drawn.
+    pub fn drawn(&self) -> usize {
+        self.summits.len()
+    }
+
+    /// Draws the next summit.
+    fn draw(&mut self) {
+        let j = self.summits.len();
+        self.hazard += exponential(self.seed, self.index, j) / (self.count - j as f64);
+        let z = self.heights.of_hazard(self.hazard);
+        if j == 0 {
+            self.tallest = z;
+        }
+        self.summits.push(self.population.one_summit(z, self.tallest - z, 0.0));
+    }
+
+    /// Draws all summits that are near at an approach; returns how many there are.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if they are too many.
+    fn near(&mut self, approach: f64) -> Result<usize, Error> {
+        let farthest = approach + self.population.range_of_adhesion();
+        while (self.summits.len() as f64) < self.count && self.summits.last().is_some_and(|last| last.depth < farthest)
+        {
+            if self.summits.len() as f64 >= MOST_DRAWN {
+                return Err(too_many(self.summits.len() as f64));
+            }
+            self.draw();
+        }
+        Ok(self.summits.partition_point(|summit| summit.depth < farthest))
+    }
+
+    /// The loads of the summits at an approach.
+    pub fn loads(&mut self, approach: f64) -> Result<Loads, Error> {
+        let near = self.near(approach)?;
+        let mut loads = Loads::default();
+        let most_pull = self.population.most_pull();
+        for summit in &mut self.summits[..near] {
+            let Pressed { load, by_overlap } = self.population.load_of_one(summit, approach - summit.depth);
+            loads.load += load;
+            loads.magnitude += load.abs();
+            loads.falls += by_overlap.max(0.0);
+            loads.rises += (-by_overlap).max(0.0);
+            loads.bound += if by_overlap > 0.0 || most_pull == 0.0 { load } else { -most_pull * summit.g };
+        }
+        if loads.load.is_nan() {
+            return Err(Error::NotConverged { what: "load of a specimen at approach / height_std", value: approach });
+        }
+        Ok(loads)
+    }
+
+    /// The contacts at an approach.
+    pub fn contacts(&mut self, approach: f64) -> Result<Contacts, Error> {
+        let near = self.near(approach)?;
+        let mut all = Contacts::default();
+        for summit in &mut self.summits[..near] {
+            let overlap = approach - summit.depth;
+            let Some(one) = self.population.contact_at(summit, overlap) else {
+                all.stiffness += self.population.load_of_one(summit, overlap).by_overlap;
+                continue;
+            };
+            all.stiffness += one.load_by_overlap;
+            if one.radius > 0.0 {
+                all.number += 1.0;
+                all.friction += one.friction;
+                all.radius += one.radius;
+                all.area += std::f64::consts::PI * one.radius * one.radius;
+            }
+        }
+        Ok(all)
+    }
+
+    /// An approach, from a first one on, at which, and at all larger ones, the specimen carries more than a load.
+    pub fn pressed(&mut self, from: f64, load: f64) -> Result<f64, Error> {
+        let (mut approach, mut step) = (from, FIRST_PRESS);
+        while self.loads(approach)?.bound <= load {
+            approach += step;
+            step *= GROWTH;
+        }
+        Ok(approach)
+    }
+
+    /// The largest approach, up to one at which the specimen carries more, at which its load is this one; `None` if there is none.
+    pub fn unloaded(&mut self, from: f64, load: f64) -> Result<Option<f64>, Error> {
+        let (range, mut approach) = (self.population.range_of_adhesion(), from);
+        if range == 0.0 && load <= 0.0 {
+            return Ok((load == 0.0).then_some(0.0));
+        }
+        let (mut before, mut here) = (from, self.loads(approach)?);
+        for _ in 0..MOST_STEPS {
+            let excess = here.load - load;
+            if excess.abs() <= TOLERANCE * here.magnitude {
+                return Ok(Some(approach));
+            }
+            if excess < 0.0 {
+                return self.between(approach, before, load).map(Some);
+            }
+            if here.falls <= 0.0 || approach <= -range {
+                return Ok(None);
+            }
+            let (safe, slope) = (excess / here.falls, here.falls - here.rises);
+            let newton = if slope > 0.0 { excess / slope } else { f64::INFINITY };
+            if excess <= NEXT_TO * here.magnitude && newton <= 2.0 * safe {
+                return Ok(Some(approach - newton));
+            }
+            let next = approach - safe.max(newton.min(LONGEST * range));
+            if next == approach {
+                return Ok(Some(approach));
+            }
+            (before, approach, here) = (approach, next, self.loads(next)?);
+        }
+        Err(Error::NotConverged { what: "approach of a specimen under load", value: load })
+    }
+
+    /// The approach of a load between two, at the first of which the specimen carries less.
+    fn between(&mut self, mut less: f64, mut more: f64, load: f64) -> Result<f64, Error> {
+        for _ in 0..200 {
+            let middle = 0.5 * (less + more);
+            if middle <= less || middle >= more {
+                break;
+            }
+            let here = self.loads(middle)?;
+            if (here.load - load).abs() <= TOLERANCE * here.magnitude {
+                return Ok(middle);
+            }
+            *(if here.load < load { &mut less } else { &mut more }) = middle;
+        }
+        Ok(more)
+    }
+
+    /// The largest pull that the specimen withstands.
+    pub fn pull_off(&mut self) -> Result<f64, Error> {
+        let range = self.population.range_of_adhesion();
+        if range == 0.0 {
+            return Ok(0.0);
+        }
+        let step = LONGEST * range;
+        let (mut approach, mut least, mut at) = (-range, 0.0, -range);
+        for _ in 0..MOST_STEPS {
+            let here = self.loads(approach)?;
+            if here.load < least {
+                (least, at) = (here.load, approach);
+            }
+            if here.bound > least {
+                break;
+            }
+            approach += step;
+        }
+        // By golden sections.
+        const PART: f64 = 0.381_966_011_250_105_1;
+        let (mut lower, mut upper) = (at - step, at + step);
+        for _ in 0..40 {
+            let [left, right] = [lower + PART * (upper - lower), upper - PART * (upper - lower)];
+            let [on_left, on_right] = [self.loads(left)?.load, self.loads(right)?.load];
+            least = least.min(on_left).min(on_right);
+            *(if on_left < on_right { &mut upper } else { &mut lower }) = if on_left < on_right { right } else { left };
+        }
+        Ok(-least)
+    }
+}
+
+/// Why specimens of so many summits are refused.
+pub fn too_many(drawn: f64) -> Error {
+    let allowed = "so many summits of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens, for lighter loads, \
+                   or for a smaller nominal_area; specimens of more than 50 contacts hardly differ from the model";
+    Error::out_of_range("specimens", drawn, allowed)
+}
