@@ -774,7 +774,7 @@ module asperity
       integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): normal loads [force], in any order, also 0 and,
                                                     ! with adhesion, negative ones
-      type(asperity_specimens), intent(inout) :: found ! receives n elements
+      type(asperity_specimens), intent(inout) :: found ! receives n elements; unchanged on failure
       integer(c_int32_t) :: asperity_specimens_at_loads
     end function asperity_specimens_at_loads
 

@@ -107,7 +107,7 @@ unsafe fn held(
 /// @param specimens  how many; 400 give means within 1 %
 /// @param seed       of the random numbers: the same specimens for the same seed, on any machine
 /// @param load       normal loads [force], in any order, also 0 and, with adhesion, negative ones
-/// @param found      receives n elements
+/// @param found      receives n elements; unchanged on failure
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, no specimen),
 ///         `ASPERITY_INVALID_LOAD`, `ASPERITY_OUT_OF_RANGE` (a load that is too heavy, less than one summit, or more than 1e7
 ///         summits that would have to be drawn), `ASPERITY_NOT_CONVERGED`

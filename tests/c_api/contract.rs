@@ -320,7 +320,8 @@ fn a_batch_of_one_has_the_bits_of_the_call_for_one() {
 #[test]
 fn elements_of_a_batch_have_the_bits_that_they_have_alone() {
     let mut random = SplitMix(SEED ^ 1);
-    let is_batch = |call: &&Call| call.is_batch() && call.at(|is| matches!(is, Text(_) | Names(_))).next().is_none();
+    let is_batch =
+        |call: &&Call| call.is_batch() && call.at(|is| matches!(is, Text(_) | Names(_) | Times(_))).next().is_none();
     for model in models() {
         for call in CALLS.iter().filter(is_batch) {
             let read = call.at(|is| matches!(is, In(1, _))).next().expect("an array");
