@@ -16,7 +16,7 @@
 # make pages     write into the pages what their programs print now, after a change that is to change answers
 # make abi       write tests/abi/abi-1.h anew from the header, on purpose
 # make clean     remove what was built
-# make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX)
+# make install   as cmake/install.mk says, under $(DESTDIR)$(PREFIX); make uninstall takes it away
 #
 # CARGO_TARGET_DIR is honoured; CC, CFLAGS, LDFLAGS, DESTDIR and PREFIX too.
 
@@ -26,7 +26,7 @@ CARGO_TARGET_DIR ?= target
 export CARGO_TARGET_DIR
 CARGO ?= cargo
 
-TARGET := $(abspath $(CARGO_TARGET_DIR))
+TARGET := $(if $(filter /%,$(firstword $(CARGO_TARGET_DIR))),,$(CURDIR)/)$(CARGO_TARGET_DIR)
 RELEASE := $(TARGET)/release
 EXAMPLE := $(TARGET)/friction_curve
 FIGURE := $(TARGET)/friction_curve.svg
@@ -85,9 +85,9 @@ library:
 	$(CARGO) build --release --locked
 
 demo: library
-	$(CC) $(WARNINGS) $(CFLAGS) -Iinclude c_examples/friction_curve.c -o $(EXAMPLE) \
-	    -L$(RELEASE) -Wl,-rpath,$(RELEASE) $(LDFLAGS) -lasperity -lm
-	$(EXAMPLE) $(FIGURE)
+	$(CC) $(WARNINGS) $(CFLAGS) -Iinclude c_examples/friction_curve.c -o "$(EXAMPLE)" \
+	    -L"$(RELEASE)" -Wl,-rpath,"$(RELEASE)" $(LDFLAGS) -lasperity -lm
+	"$(EXAMPLE)" "$(FIGURE)"
 	@echo "The friction curve is drawn in $(FIGURE)"
 
 # Built without link-time optimisation and bit by bit, so that only what changed is compiled.
@@ -135,4 +135,4 @@ abi:
 
 clean:
 	$(CARGO) clean
-	rm -f $(EXAMPLE) $(FIGURE)
+	rm -f "$(EXAMPLE)" "$(FIGURE)"

@@ -38,6 +38,8 @@ diff -r --no-dereference "$work/by-make" "$work/by-cmake" || fail "make and CMak
 [ "$(git status --porcelain)" = "$changes" ] || fail "installing changed the source tree"
 echo "make and CMake install the same $(find "$work/by-make" -type f | wc -l) files"
 
+tests/consumers/spaces.sh "$work/with spaces"
+
 # Everything from here on uses a copy elsewhere, as nothing may depend on the folder it was installed for.
 prefix=$work/elsewhere
 mv "$work/by-make/opt/asperity" "$prefix"
