@@ -15,6 +15,7 @@
 //   Batch calls into memory of the caller return a Status, which is [[nodiscard]]: look at it, or pass it to check().
 //   All other calls throw asperity::Error, with the status and the message of the library.
 //   A Model that was moved from throws asperity::MovedFrom from every call but c(), until a model is assigned to it.
+// Macros: other headers may have macros check, Status and the like; where they have, write (asperity::check)(...) and asperity_status.
 // Threads: a const Model may be shared. Floating point: no call raises invalid, divide-by-zero or overflow.
 
 #ifndef ASPERITY_HPP
@@ -23,6 +24,76 @@
 #if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
 #error "asperity.hpp needs C++17 or later; asperity.h works with every C++"
 #endif
+
+// Other headers have macros of these names, as <X11/Xlib.h>, <curses.h> and Perl's; at the end they are what they were before.
+#pragma push_macro("Error")
+#undef Error
+#pragma push_macro("Model")
+#undef Model
+#pragma push_macro("Span")
+#undef Span
+#pragma push_macro("State")
+#undef State
+#pragma push_macro("Status")
+#undef Status
+#pragma push_macro("T")
+#undef T
+#pragma push_macro("Table")
+#undef Table
+#pragma push_macro("check")
+#undef check
+#pragma push_macro("clear")
+#undef clear
+#pragma push_macro("copy")
+#undef copy
+#pragma push_macro("count")
+#undef count
+#pragma push_macro("data")
+#undef data
+#pragma push_macro("describe")
+#undef describe
+#pragma push_macro("empty")
+#undef empty
+#pragma push_macro("end")
+#undef end
+#pragma push_macro("erase")
+#undef erase
+#pragma push_macro("error")
+#undef error
+#pragma push_macro("get")
+#undef get
+#pragma push_macro("index")
+#undef index
+#pragma push_macro("insert")
+#undef insert
+#pragma push_macro("length")
+#undef length
+#pragma push_macro("max")
+#undef max
+#pragma push_macro("min")
+#undef min
+#pragma push_macro("move")
+#undef move
+#pragma push_macro("open")
+#undef open
+#pragma push_macro("read")
+#undef read
+#pragma push_macro("reset")
+#undef reset
+#pragma push_macro("set")
+#undef set
+#pragma push_macro("size")
+#undef size
+#pragma push_macro("status")
+#undef status
+#pragma push_macro("string")
+#undef string
+#pragma push_macro("table")
+#undef table
+#pragma push_macro("text")
+#undef text
+#pragma push_macro("version")
+#undef version
 
 #include "asperity.h"
 
@@ -594,6 +665,16 @@ public:
     double rms_slope() const noexcept { return c_.rms_slope; }
     /// Sets it.
     Params &rms_slope(double value) noexcept { return assign(c_.rms_slope, value); }
+
+    /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
+    double length_unit() const noexcept { return c_.length_unit; }
+    /// Sets it.
+    Params &length_unit(double value) noexcept { return assign(c_.length_unit, value); }
+
+    /// Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it.
+    double force_unit() const noexcept { return c_.force_unit; }
+    /// Sets it.
+    Params &force_unit(double value) noexcept { return assign(c_.force_unit, value); }
     // end of parameters
 
     /// The heights of the table; none by default.
@@ -1092,5 +1173,40 @@ private:
 }
 
 } // namespace asperity
+
+#pragma pop_macro("Error")
+#pragma pop_macro("Model")
+#pragma pop_macro("Span")
+#pragma pop_macro("State")
+#pragma pop_macro("Status")
+#pragma pop_macro("T")
+#pragma pop_macro("Table")
+#pragma pop_macro("check")
+#pragma pop_macro("clear")
+#pragma pop_macro("copy")
+#pragma pop_macro("count")
+#pragma pop_macro("data")
+#pragma pop_macro("describe")
+#pragma pop_macro("empty")
+#pragma pop_macro("end")
+#pragma pop_macro("erase")
+#pragma pop_macro("error")
+#pragma pop_macro("get")
+#pragma pop_macro("index")
+#pragma pop_macro("insert")
+#pragma pop_macro("length")
+#pragma pop_macro("max")
+#pragma pop_macro("min")
+#pragma pop_macro("move")
+#pragma pop_macro("open")
+#pragma pop_macro("read")
+#pragma pop_macro("reset")
+#pragma pop_macro("set")
+#pragma pop_macro("size")
+#pragma pop_macro("status")
+#pragma pop_macro("string")
+#pragma pop_macro("table")
+#pragma pop_macro("text")
+#pragma pop_macro("version")
 
 #endif // ASPERITY_HPP

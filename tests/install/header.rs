@@ -143,6 +143,70 @@ fn every_dialect_takes_the_header_without_a_warning() {
     }
 }
 
+/// Macros that headers of systems, windows, terminals, mathematics, microcontrollers and other languages have.
+const MACROS: [&str; 4] = [
+    // <X11/X.h>, <X11/Xlib.h> and the like: values and types.
+    "Status=int Bool=int True=1 False=0 None=0L Success=0 Always=2 Above=0 Below=1 Complex=0 Convex=2 Unsorted=0 Nonconvex=1 CurrentTime=0L \
+     GrayScale=1 FocusIn=9 KeyPress=2 Expose=12 Opposite=4 ControlMask=4 CursorShape=0 BadValue=2 Button1=1 Error=1 State=1 Table=1",
+    // <windows.h>, <sys/sysmacros.h>, <assert.h>, <complex.h>, <math.h>, <sys/param.h>, <termios.h>, what compilers define.
+    "near= far= small=char hyper=int interface=struct IN= OUT= OPTIONAL= ERROR=0 DELETE=1 TRUE=1 FALSE=0 pascal= cdecl= STRICT=1 \
+     I=(1.0i) complex=_Complex imaginary=_Imaginary DOMAIN=1 OVERFLOW=3 UNDERFLOW=4 HUGE=1e300 PI=3.14 B0=0 ECHO=8 PAGE_SIZE=4096 \
+     linux=1 unix=1 i386=1 arm=1 mips=1 sun=1 vax=1 EOF=-1 BUFSIZ=8192 NAN=0 T=int L=0 E=2.7 N=4 M=3 R=1 G=1 _1=1 nil=0 YES=1 NO=0",
+    // Functions: those, curses, AssertMacros.h of macOS, Arduino, R, Perl, Unreal.
+    "check(x) verify(x) assert(x) ensure(x) require(x,y) check_string(x,y) min(a,b) max(a,b) major(d) minor(d) makedev(a,b) isset(a,b) \
+     setbit(a,b) roundup(x,y) MIN(a,b) MAX(a,b) abs(x) round(x) square(x) sq(x) bit(b) radians(d) degrees(r) constrain(a,b,c) F(s) \
+     move(y,x) erase() clear() refresh() echo() filter() insert(a) timeout(d) box(a,b,c) border(a) Copy(s,d,n,t) Free(p) Move(s,d,n,t) \
+     Zero(d,n,t) open(a,b) read(a,b,c) write(a,b,c) close(f) select(a,b,c,d,e) index(a,b) Error(x) Model(x) Span(x) State(x) Table(x)",
+    // Words: Qt, R, and what any program may have.
+    "signals=public slots= emit= forever=for(;;) foreach=for length=Rf_length error=Rf_error warning=Rf_warning eval=Rf_eval \
+     count=(1) data=(2) size=(3) empty=(4) end=(5) get=(6) set=(7) reset=(8) string=(9) text=(10) version=(11) table=(12) status=(13) \
+     describe=(14) copy=(15)",
+];
+
+/// A source that has so many macros first, in a dialect.
+fn after_macros(macros: &str, language: Language) -> PathBuf {
+    let one = |name: &str| match name.split_once('=') {
+        Some((name, value)) => format!("#undef {name}\n#define {name} {value}\n"),
+        None => format!("#undef {0}\n#define {name} ((void)0)\n", name.split('(').next().unwrap_or_default()),
+    };
+    // Those who have functions of the C library as macros have the functions before.
+    let library = "#include <math.h>\n#include <stdlib.h>\n#include <string.h>\n".to_owned();
+    let number = macros.len();
+    let macros = library + &macros.split_whitespace().map(one).collect::<String>();
+    match language {
+        Language::C => source(
+            &format!("after_macros_{number}.c"),
+            &format!("{macros}#include <asperity.h>\n#include <asperity_eval.h>\n#include <asperity_loads.h>\n"),
+        ),
+        Language::Cpp => source(&format!("after_macros_{number}.cpp"), &format!("{macros}#include <asperity.hpp>\n")),
+    }
+}
+
+/// Whatever macros a program has when it includes the headers, it has them afterwards.
+#[test]
+fn headers_are_taken_after_those_of_others() {
+    // Words of the last are names of C structs and arguments: a program with them has no C header.
+    for (number, macros) in MACROS.into_iter().enumerate() {
+        let languages = if number < 3 {
+            &[(Language::Cpp, "c++17"), (Language::C, "c11")][..]
+        } else {
+            &[(Language::Cpp, "c++17")]
+        };
+        for &(language, standard) in languages {
+            let file = after_macros(macros, language);
+            for compiler in Compiler::all(language, standard) {
+                compiler.accepts(&file);
+            }
+        }
+    }
+    let kept = "#define check(x) x\n#define Status int\n#define min(a, b) 7\n#include <asperity.hpp>\n\
+                static_assert(check(true) && min(1, 2) == 7, \"\");\nStatus status = ASPERITY_OK;\n\
+                int main() { (asperity::check)(status); return asperity::Params().hardness() > 0.0; }\n";
+    for compiler in Compiler::all(Language::Cpp, "c++17") {
+        compiler.accepts(&source("macros_are_kept.cpp", kept));
+    }
+}
+
 /// The examples of the header, as programs: the one at its top whole, and the others with parameters and a model at hand.
 #[test]
 fn examples_of_the_header_run() {
