@@ -39,21 +39,46 @@ fn with_path<T>(path: &CStr, with: impl FnOnce(&Path) -> Result<T, Failure>) -> 
 mod file {
     use super::{Error, Path};
     use crate::by_name::LONGEST_TEXT;
-    use std::fs::{metadata, File};
+    use std::fs::{metadata, File, Metadata, OpenOptions};
     use std::io::Read;
 
-    /// The bytes of a file, one more than a text may have at most.
+    /// The bytes of a file, all that it has, or one more than a text may have. What is no file with a surface is looked at before it is opened, since to open a device may
+    /// start it, and once more after, in case it has become another.
     pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
         let refused = |says: &dyn std::fmt::Display| Error::Meaningless(says.to_string().into());
-        // Asked before it is opened: a pipe would wait for who writes.
-        if !metadata(path).map_err(|error| refused(&error))?.is_file() {
-            return Err(refused(&"must be a file with a surface, whose keys docs/solvers.md has"));
-        }
-        let file = File::open(path).map_err(|error| refused(&error))?;
+        let has_surface = |found: std::io::Result<Metadata>| -> Result<u64, Error> {
+            let found = found.map_err(|error| refused(&error))?;
+            match found.len() {
+                _ if !found.is_file() => Err(refused(&"must be a file with a surface, whose keys docs/solvers.md has")),
+                // Also what the system only shows as a file, as those in /proc, which may never end.
+                0 => Err(refused(&"is empty: must be a file with a surface, whose keys docs/solvers.md has")),
+                length => Ok(length.min(LONGEST_TEXT as u64 + 1)),
+            }
+        };
+        has_surface(metadata(path))?;
+        let file = open(path).map_err(|error| refused(&error))?;
+        let length = has_surface(file.metadata())?;
         let mut text = Vec::new();
-        file.take(LONGEST_TEXT as u64 + 1).read_to_end(&mut text).map_err(|error| refused(&error))?;
-        Ok(text)
+        file.take((length + 1).min(LONGEST_TEXT as u64 + 1)).read_to_end(&mut text).map_err(|error| refused(&error))?;
+        match text.len() as u64 == length {
+            true => Ok(text),
+            false => Err(refused(&"has another length than the system says: is it being written?")),
+        }
     }
+
+    /// Opens a file without waiting: what is no file any more, such as a pipe, would wait for who writes.
+    fn open(path: &Path) -> std::io::Result<File> {
+        let mut options = OpenOptions::new();
+        #[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple", target_os = "freebsd"))]
+        std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, NONBLOCK);
+        options.read(true).open(path)
+    }
+
+    /// O_NONBLOCK of <fcntl.h>.
+    #[cfg(any(target_os = "linux", target_os = "android"))]
+    const NONBLOCK: i32 = if cfg!(any(target_arch = "mips", target_arch = "mips64")) { 0o200 } else { 0o4000 };
+    #[cfg(any(target_vendor = "apple", target_os = "freebsd"))]
+    const NONBLOCK: i32 = 4;
 }
 
 #[cfg(target_family = "wasm")]
