@@ -211,6 +211,8 @@ module asperity
                                                     ! surface [length], >= 0; 0, the default, means not known
     real(c_double) :: rms_slope                     ! Root mean square slope of the surface [-], Sdq, 0 to 5, with which
                                                     ! warnings judge; 0, the default, means not known
+    real(c_double) :: length_unit                   ! Unit of all lengths, in metres [-], > 0; 1 by default
+    real(c_double) :: force_unit                    ! Unit of all forces, in newtons [-], > 0; 1 by default
   end type asperity_params
 
   ! What resists a displacement of the surfaces along each other

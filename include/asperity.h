@@ -310,6 +310,10 @@ typedef struct asperity_params {
   double summit_mean_height;
   /** Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known. */
   double rms_slope;
+  /** Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it. */
+  double length_unit;
+  /** Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it. */
+  double force_unit;
 } asperity_params;
 
 /** What resists a displacement of the surfaces along each other. */
@@ -575,7 +579,9 @@ asperity_status asperity_params_set_pair(struct asperity_params *params, const c
 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
  *
- * Numbers without a unit and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
+ * Numbers without a unit and tables of heights stay as they are, and so does what is unset. Call it once, after all else that has SI
+ * units: `length_unit` and `force_unit` keep the units, and parameters that are not in SI units by them refuse another conversion,
+ * names of materials, and texts in SI units. From SI into mm, N and MPa:
  *
  * ```c
  * asperity_params_set_units(&params, 1e-3, 1.0);
@@ -583,7 +589,8 @@ asperity_status asperity_params_set_pair(struct asperity_params *params, const c
  *
  * @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
  * @param force   the new unit of force in the present one, > 0
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (also if they were converted before),
+ *         `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_params_set_units(struct asperity_params *params, double length, double force);
 
 /** Sets parameters by their names, in any order, all or none: for hosts whose input file has names and numbers.

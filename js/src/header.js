@@ -90,7 +90,7 @@ export const LAYOUTS = {
     ],
   },
   asperity_params: {
-    size: 264,
+    size: 280,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "composite_modulus", type: "double", offset: 8 },
@@ -128,6 +128,8 @@ export const LAYOUTS = {
       { name: "calibration_error", type: "double", offset: 240 },
       { name: "summit_mean_height", type: "double", offset: 248 },
       { name: "rms_slope", type: "double", offset: 256 },
+      { name: "length_unit", type: "double", offset: 264 },
+      { name: "force_unit", type: "double", offset: 272 },
     ],
   },
   asperity_microslip: {
@@ -383,4 +385,6 @@ export const FUNCTIONS = {
  * @property {number} [calibration_error] Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
  * @property {number} [summit_mean_height] Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
  * @property {number} [rms_slope] Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
+ * @property {number} [length_unit] Unit of all lengths, in metres [-], > 0; 1 by default.
+ * @property {number} [force_unit] Unit of all forces, in newtons [-], > 0; 1 by default.
  */

@@ -29,6 +29,8 @@ pub const FLAG: &[&str] = &["false", "true"];
 macro_rules! with_fields {
     ($then:ident) => {
         $then! {
+            length_unit: params.length_unit;
+            force_unit: params.force_unit;
             composite_modulus "stress": params.composite_modulus;
             effective_shear_modulus "stress": params.effective_shear_modulus;
             work_of_adhesion "force/length": params.work_of_adhesion;
@@ -81,7 +83,7 @@ macro_rules! fields {
     };
 }
 
-pub static FIELDS: &[Field; 30] = with_fields!(fields);
+pub static FIELDS: &[Field; 32] = with_fields!(fields);
 
 /// A number of a parameter, whatever its type.
 pub trait Number {

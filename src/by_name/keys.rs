@@ -138,6 +138,10 @@ impl<'t> Entries<'t> {
         self.list.iter().find(|entry| entry.table == table && entry.name == name)
     }
 
+    pub fn all(&self) -> impl Iterator<Item = &Entry<'t>> {
+        self.list.iter()
+    }
+
     /// The entries of a table, in their order.
     pub fn of(&self, table: Table) -> impl Iterator<Item = &Entry<'t>> {
         self.list.iter().filter(move |entry| entry.table == table)

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::estimate::known::SUMMIT_PRODUCT;
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
 use crate::model::points::MeasuredPoint;
-use crate::params::{HeightFamily, Params};
+use crate::params::{positive, HeightFamily, Params};
 use std::fmt::{Arguments, Display, Formatter};
 use std::sync::Arc;
 
@@ -130,7 +130,9 @@ pub fn describe(bytes: &[u8], case: Case) -> Result<Described, Error> {
             draft.params.nominal_area = 1.0;
         }
         let described = Described { is_of_pressures, ..entries.describe(&mut draft, case)? };
-        described.params.surface().map_err(|error| entries.problem(error, None))?;
+        let params = &described.params;
+        params.check_not_converted().map_err(|error| entries.problem(error, None))?;
+        params.surface().map_err(|error| entries.blamed(error))?;
         Ok(described)
     });
     described.map_err(|problem| problem.in_text(bytes))
@@ -158,21 +160,17 @@ impl Entries<'_> {
         if let Some(hardness) = case.hardness {
             numbers.give_named("hardness", hardness);
         }
+        self.units(&numbers, draft)?;
         // A text changes what it gives of the parameters that were there before, and no more, but where it gives all of them.
         let mut alone = Draft::default();
         alone.params.nominal_area = draft.params.nominal_area;
+        (alone.params.length_unit, alone.params.force_unit) = (draft.params.length_unit, draft.params.force_unit);
         let is_whole = numbers.set(&mut alone).is_ok() && alone.params.unset().is_none();
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
-        // No more can be said of parameters that are not complete.
         let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
-        if let Err(error) = params.surface() {
-            if let Some(at) = error.name().and_then(|name| self.place(name)) {
-                return Err(Problem::of(at, error));
-            }
-        }
         let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
         let has_law = given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0);
-        Ok(Described {
+        let described = Described {
             points: self.points(&numbers, params.calibration_error)?,
             pressure_is_free: !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
             coverage: self.coverage()?,
@@ -186,7 +184,31 @@ impl Entries<'_> {
             machined,
             is_of_pressures: false,
             params,
-        })
+        };
+        let with_law = described.with_law(described.params.clone());
+        with_law.and_then(|params| params.check()).map_err(|error| self.blamed(error))?;
+        Ok(described)
+    }
+
+    /// The units that the text is in, which are those of what was set before.
+    fn units(&self, numbers: &Numbers, draft: &mut Draft) -> Outcome<()> {
+        let mut fresh = Draft::default();
+        let is_fresh = FIELDS.iter().all(|field| field.get(draft).to_bits() == field.get(&mut fresh).to_bits());
+        let Params { length_unit, force_unit, .. } = &mut draft.params;
+        for (name, before) in [("length_unit", length_unit), ("force_unit", force_unit)] {
+            let unit = numbers.get(name).unwrap_or(1.0);
+            positive(name, unit).map_err(|error| self.problem(error, None))?;
+            if unit != *before && !is_fresh {
+                let (unit, before) = (Value::Number(unit), Value::Number(*before));
+                return Err(Problem::new(
+                    self.place(name).unwrap_or_default(),
+                    format_args!("{name} = {unit}: must be {before}, that of the parameters set before: set texts first, then convert all"),
+                ));
+            }
+            *before = unit;
+        }
+        let Some(entry) = self.find(Table::Roughness, "process") else { return Ok(()) };
+        draft.params.check_not_converted().map_err(|error| Problem::of(entry.at, error))
     }
 
     fn coverage(&self) -> Outcome<f64> {
@@ -251,6 +273,26 @@ impl Entries<'_> {
     fn problem(&self, error: Error, otherwise: Option<usize>) -> Box<Problem> {
         let at = error.name().and_then(|name| self.place(name)).or(otherwise).unwrap_or_default();
         Problem::of(at, error)
+    }
+
+    /// What the parameters are refused for, at its key, or with the keys that it follows from.
+    #[cold]
+    fn blamed(&self, error: Error) -> Box<Problem> {
+        let name = error.name().unwrap_or_default();
+        let is_number = ["asperity_count", "bandwidth"].iter().any(|count| name.contains(count));
+        let makes = |entry: &&Entry| match entry.table {
+            Table::Roughness => true,
+            _ if is_number => ["nominal_area", "summit_density", "asperity_count"].contains(&entry.name),
+            _ => SUMMITS.contains(&entry.name) || name.contains(entry.name),
+        };
+        let keys: Vec<_> = self.all().filter(makes).collect();
+        match keys[..] {
+            [first, ..] if self.place(name).is_none() => {
+                let keys: Vec<_> = keys.iter().map(|key| format!("{}{}", key.table, key.name)).collect();
+                Problem::new(first.at, format_args!("{}: {error}", keys.join(", ")))
+            }
+            _ => self.problem(error, None),
+        }
     }
 
     /// Where the measurement is.

@@ -15,7 +15,11 @@ pub fn is_of_these_surfaces(params: &Params) -> bool {
 /// Writes the fields that are not defaults, the table where the heights are one, and the measurement, which is of these surfaces or
 /// of others.
 pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Result {
-    writeln!(out, "# Two rough surfaces in contact, for asperity: SI units, names as in asperity_params.")?;
+    let units = match draft.params.check_not_converted() {
+        Ok(()) => "SI units, unless they were set in others",
+        Err(_) => "units of length_unit metres and of force_unit newtons",
+    };
+    writeln!(out, "# Two rough surfaces in contact, for asperity: {units}, names as in asperity_params.")?;
     let mut default = Draft::default();
     let chooses = is_chosen(draft, &mut default);
     for field in FIELDS {

@@ -131,6 +131,10 @@ pub struct asperity_params {
     pub summit_mean_height: f64,
     /// Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
     pub rms_slope: f64,
+    /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
+    pub length_unit: f64,
+    /// Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it.
+    pub force_unit: f64,
 }
 
 /// Size of the struct.

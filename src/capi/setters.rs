@@ -161,7 +161,9 @@ pub unsafe extern "C" fn asperity_params_set_pair(
 
 /// Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
 ///
-/// Numbers without a unit and tables of heights stay as they are, and so does what is unset. From SI into mm, N and MPa:
+/// Numbers without a unit and tables of heights stay as they are, and so does what is unset. Call it once, after all else that has SI
+/// units: `length_unit` and `force_unit` keep the units, and parameters that are not in SI units by them refuse another conversion,
+/// names of materials, and texts in SI units. From SI into mm, N and MPa:
 ///
 /// ```c
 /// asperity_params_set_units(&params, 1e-3, 1.0);
@@ -169,7 +171,8 @@ pub unsafe extern "C" fn asperity_params_set_pair(
 ///
 /// @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
 /// @param force   the new unit of force in the present one, > 0
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (also if they were converted before),
+///         `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_units(
     params: *mut asperity_params,

@@ -40,6 +40,23 @@ pub const ASPERITY_WARNING_STRONG: u64 = 256;
 /// `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known.
 pub const ASPERITY_WARNING_FEW_WAVES: u64 = 512;
 
+/// These bits are those of the model, each once.
+const _: () = {
+    assert!(
+        ASPERITY_WARNING_PLASTIC == validity::WARNING_PLASTIC
+            && ASPERITY_WARNING_CROWDED == validity::WARNING_CROWDED
+            && ASPERITY_WARNING_STEEP == validity::WARNING_STEEP
+            && ASPERITY_WARNING_ATOMIC == validity::WARNING_ATOMIC
+            && ASPERITY_WARNING_FEW == validity::WARNING_FEW
+            && ASPERITY_WARNING_ADHESIVE == validity::WARNING_ADHESIVE
+            && ASPERITY_WARNING_UNCALIBRATED == validity::WARNING_UNCALIBRATED
+            && ASPERITY_WARNING_BROAD == validity::WARNING_BROAD
+            && ASPERITY_WARNING_STRONG == validity::WARNING_STRONG
+            && ASPERITY_WARNING_FEW_WAVES == validity::WARNING_FEW_WAVES
+            && ASPERITY_WARNING_FEW_WAVES == (validity::EVERY_WARNING + 1) / 2
+    );
+};
+
 /// Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
 ///
 /// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.

@@ -1,7 +1,7 @@
 //! What parameters may be together, and the groups, heights and radii that they amount to.
 
 use super::numbers::{magnitude, not_negative, positive, POSITIVE};
-use super::{unit_slips, ContactLawKind, Params, LEAST_BANDWIDTH, RADIUS_RATES};
+use super::{is_unset, unit_slips, ContactLawKind, Params, LEAST_BANDWIDTH, RADIUS_RATES};
 use crate::asperity::groups::Groups;
 use crate::asperity::slip::SlipConstants;
 use crate::distribution::{self, HeightDistribution};
@@ -15,6 +15,9 @@ pub const STEEPEST_SURFACE: f64 = 5.0;
 /// Means of summits are no higher, in height_std: gaps between mean planes would have few digits.
 const HIGHEST_SUMMITS: f64 = 1e4;
 
+const NO_STRESS: &str =
+    "must be finite and > 0; both slip stresses may be 0 where pressure_coefficient is > 0 (Amontons' law)";
+
 /// Larger ones are another quantity; friction forces stay in range.
 pub const LARGEST_PRESSURE_COEFFICIENT: f64 = 1e3;
 
@@ -27,14 +30,41 @@ impl Params {
         if let Some(name) = self.unset() {
             return Err(Error::Unset { name });
         }
-        positive("composite_modulus", self.composite_modulus)?;
-        positive("effective_shear_modulus", self.effective_shear_modulus)?;
-        not_negative("work_of_adhesion", self.work_of_adhesion, "must be finite and >= 0")?;
-        positive("adhesion_range", self.adhesion_range)?;
-        positive("burgers_vector", self.burgers_vector)?;
-        positive("height_std", self.height_std)?;
-        positive("summit_radius", self.summit_radius)?;
-        positive("asperity_count", self.asperity_count)?;
+        let (heights, radius) = self.check_each()?;
+        if self.summit_mean_height > HIGHEST_SUMMITS * self.height_std {
+            let allowed = "must be at most 1e4 height_std; are both in one unit?";
+            return Err(Error::invalid("summit_mean_height", self.summit_mean_height, allowed));
+        }
+        self.check_slip_grows()?;
+        self.check_contact_law()?;
+        unit_slips::check(self)?;
+        let groups = self.groups();
+        check_groups(&groups)?;
+        Ok((groups, heights, radius))
+    }
+
+    /// What [`Self::surface`] refuses; while some inputs are unset each number by itself, and the groups of those that are set.
+    ///
+    /// # Errors
+    /// Those of [`Self::surface`], but for [`Error::Unset`].
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        if self.unset().is_none() {
+            return self.surface().map(drop);
+        }
+        self.check_each()?;
+        check_groups(&self.groups())
+    }
+
+    /// Each number by itself, whichever are set: the heights and radii.
+    fn check_each(&self) -> Result<(Arc<dyn HeightDistribution>, RadiusProfile), Error> {
+        positive("length_unit", self.length_unit)?;
+        positive("force_unit", self.force_unit)?;
+        for (name, value) in self.clone().physical().into_iter().filter(|(_, value)| !is_unset(**value)) {
+            match name {
+                "work_of_adhesion" => not_negative(name, *value, "must be finite and >= 0")?,
+                _ => positive(name, *value)?,
+            }
+        }
         let heights = distribution::heights(&self.heights)?;
         let radius = self.checked_radius(heights.origin())?;
         self.check_slip()?;
@@ -50,10 +80,6 @@ impl Params {
         not_negative("tangential_modulus", self.tangential_modulus, default_modulus)?;
         not_negative("nominal_area", self.nominal_area, "must be finite and >= 0; 0 means not known")?;
         not_negative("summit_mean_height", self.summit_mean_height, "must be finite and >= 0; 0 means not known")?;
-        if self.summit_mean_height > HIGHEST_SUMMITS * self.height_std {
-            let allowed = "must be at most 1e4 height_std; are both in one unit?";
-            return Err(Error::invalid("summit_mean_height", self.summit_mean_height, allowed));
-        }
         check_rms_slope(self.rms_slope)?;
         let no_bandwidth = "must be at least 1.5, the least of isotropic surfaces; 0 means not known";
         not_negative("bandwidth", self.bandwidth, no_bandwidth)?;
@@ -61,11 +87,7 @@ impl Params {
             return Err(Error::invalid("bandwidth", self.bandwidth, no_bandwidth));
         }
         self.check_calibration()?;
-        self.check_contact_law()?;
-        let groups = self.groups();
-        unit_slips::check(self)?;
-        check_groups(&groups)?;
-        Ok((groups, heights, radius))
+        Ok((heights, radius))
     }
 
     fn groups(&self) -> Groups {
@@ -148,17 +170,22 @@ impl Params {
                 ));
             }
         }
-        let has_stress = !(stress_1 == 0.0 && stress_2 == 0.0 && kappa > 0.0);
-        for (name, stress) in
-            [("slip_stress_1", stress_1), ("slip_stress_2", stress_2)].into_iter().filter(|_| has_stress)
-        {
-            const ZERO: &str =
-                "must be finite and > 0; both slip stresses may be 0 where pressure_coefficient is > 0 (Amontons' law)";
-            magnitude(name, stress, ZERO)?;
+        for (name, stress) in [("slip_stress_1", stress_1), ("slip_stress_2", stress_2)] {
+            not_negative(name, stress, NO_STRESS)?;
             if stress > 1.0 {
                 let allowed = "must be at most 1: it is a fraction of effective_shear_modulus; is it in Pa?";
                 return Err(Error::out_of_range(name, stress, allowed));
             }
+        }
+        Ok(())
+    }
+
+    /// Slip constants together.
+    fn check_slip_grows(&self) -> Result<(), Error> {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.slip;
+        if !(stress_1 == 0.0 && stress_2 == 0.0 && self.pressure_coefficient > 0.0) {
+            magnitude("slip_stress_1", stress_1, NO_STRESS)?;
+            magnitude("slip_stress_2", stress_2, NO_STRESS)?;
         }
         // A relative distance, so that the exponent of the power law between the radii stays finite.
         if radius_2 <= radius_1 * (1.0 + 1e-9) {
@@ -186,12 +213,12 @@ pub(super) fn check_rms_slope(slope: f64) -> Result<(), Error> {
     Ok(())
 }
 
-/// The limits of the groups, with the slip of units that most likely leads beyond each.
+/// The limits of the groups that are of numbers that are set, with the slip of units that most likely leads beyond each.
 fn check_groups(groups: &Groups) -> Result<(), Error> {
     macro_rules! within {
         ($($name:literal $(where $condition:expr)?, $value:expr, $limits:expr, $allowed:literal,
            below $below:literal, above $above:literal;)*) => {$(
-            if !$limits.contains(&$value) $(&& $condition)? {
+            if !nan($value) && !$limits.contains(&$value) $(&& $condition)? {
                 let above = $value > *$limits.end();
                 let allowed = if above { concat!($allowed, $above) } else { concat!($allowed, $below) };
                 return Err(Error::out_of_range($name, $value, allowed));

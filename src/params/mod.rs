@@ -93,6 +93,10 @@ pub struct Params {
     pub summit_mean_height: f64,
     /// Root mean square slope of the surface, Sdq = (2 m2)^(1/2), to judge slopes and waves on the nominal area; 0 if not known.
     pub rms_slope: f64,
+    /// The unit of all lengths [m]: 1, or what [`Params::set_units`] has converted them into.
+    pub length_unit: f64,
+    /// The unit of all forces [N]: 1, or what [`Params::set_units`] has converted them into.
+    pub force_unit: f64,
 }
 
 impl Default for Params {
@@ -109,6 +113,10 @@ impl Default for Params {
 
 /// What the physical inputs are until they are set: a quiet NaN that no arithmetic makes.
 pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
+
+fn is_unset(value: f64) -> bool {
+    value.to_bits() == UNSET.to_bits()
+}
 
 /// The bandwidth of summits of a Gaussian surface is 0.897 + (eta sigma R/0.02036)^2.
 const NARROWEST_BANDWIDTH: f64 = 0.8968;
@@ -147,6 +155,8 @@ impl Params {
             calibration_error: 0.05,
             summit_mean_height: 0.0,
             rms_slope: 0.0,
+            length_unit: 1.0,
+            force_unit: 1.0,
         };
         params.write_dimensionless(0.01, 1000.0, 0.001, 1.0, 0.3);
         params
@@ -168,8 +178,7 @@ impl Params {
 
     /// The first of them that was never set.
     pub(crate) fn unset(&self) -> Option<&'static str> {
-        let is_unset = |(_, value): &(_, &mut f64)| value.to_bits() == UNSET.to_bits();
-        self.clone().physical().into_iter().find(is_unset).map(|(name, _)| name)
+        self.clone().physical().into_iter().find(|(_, value)| is_unset(**value)).map(|(name, _)| name)
     }
 
     /// The paper's dimensionless case: b = 1, G = 1, N = 1, E* = 2/(1 - nu), G* = 2; see eqs (7), (8). The tangential
@@ -204,6 +213,7 @@ impl Params {
         self.summit_radius = beta / alpha;
         self.work_of_adhesion = gamma * self.composite_modulus;
         self.adhesion_range = 1.0 / b_over_h;
+        (self.length_unit, self.force_unit) = (1.0, 1.0);
     }
 
     /// E*, G* and the tangential modulus of two isotropic bodies; an infinite Young's modulus is a rigid body.
@@ -239,9 +249,10 @@ impl Params {
     /// What is not known is left to set, as by [`Params::default`], and so is the roughness.
     ///
     /// # Errors
-    /// As [`Params::set_materials`]; none for materials of the library.
+    /// As [`Params::set_materials`], and [`Error::InvalidParameter`] of parameters that were converted into other units.
     pub fn set_bodies(&mut self, bodies: &Bodies) -> Result<(), Error> {
         let Bodies { first, second } = bodies;
+        self.check_not_converted()?;
         self.set_materials(first.young, first.poisson, second.young, second.poisson)?;
         self.burgers_vector = bodies.burgers_vector().unwrap_or(UNSET);
         self.adhesion_range = self.burgers_vector;
@@ -264,6 +275,7 @@ impl Params {
         const MODULUS: &str = "effective_shear_modulus";
         const ALLOWED: &str =
             "must be in Pa and above the strength of the interface: set the bodies first, in SI units";
+        self.check_not_converted()?;
         let strength = interface.shear_strength;
         if strength == 0.0 {
             return Err(Error::NoStrength { interface });

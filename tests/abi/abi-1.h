@@ -120,7 +120,9 @@ typedef struct asperity_params {
   double calibration_error; /* 248, 8 */
   double summit_mean_height; /* 256, 8 */
   double rms_slope; /* 264, 8 */
-} asperity_params; /* 272 */
+  double length_unit; /* 272, 8 */
+  double force_unit; /* 280, 8 */
+} asperity_params; /* 288 */
 
 typedef struct asperity_microslip {
   uint64_t struct_size; /* 0, 8 */

@@ -165,6 +165,8 @@ fn other_units_convert_every_parameter_by_the_unit_that_the_header_says() {
     assert_eq!(unsafe { asperity_params_set_units(&mut params, length, force) }, OK, "{}", message());
     for field in &fields {
         let unit = match field.unit {
+            "-" if field.name == "length_unit" => 1.0 / length,
+            "-" if field.name == "force_unit" => 1.0 / force,
             "-" => 1.0,
             "length" => length,
             "length^2" => length * length,

@@ -119,7 +119,7 @@ macro_rules! output {
         }
     )*};
 }
-output!(asperity_state asperity_summary asperity_table asperity_microslip);
+output!(asperity_estimate asperity_state asperity_summary asperity_table asperity_microslip);
 
 /// A model, freed when dropped.
 #[derive(Debug)]

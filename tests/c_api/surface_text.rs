@@ -5,7 +5,7 @@ use crate::common::assert_near;
 use crate::common::processor_time::{processor_time, LONGEST_CALL};
 use crate::common::splitmix::SplitMix;
 use crate::interface::*;
-use std::ffi::{c_char, CString};
+use std::ffi::{c_char, CStr, CString};
 use std::path::Path;
 use std::ptr::{null, null_mut};
 
@@ -579,7 +579,73 @@ fn units_are_converted_together() {
     let mut unset = asperity_params::unset();
     // SAFETY: an initialised struct.
     assert_eq!(unsafe { asperity_params_set_units(&mut unset, 1e-3, 1.0) }, OK);
-    assert_eq!(bytes(&unset), bytes(&asperity_params::unset()));
+    assert_eq!(bytes(&unset), bytes(&asperity_params { length_unit: 1e-3, ..asperity_params::unset() }));
+}
+
+/// In whatever order, numbers of two systems of units do not meet.
+#[test]
+fn units_are_kept_and_not_mixed() {
+    let mut params = surface(CARBON);
+    let metres = written(&params);
+    assert!(metres.starts_with("# Two rough surfaces in contact, for asperity: SI units"), "{metres}");
+    // SAFETY: an initialised struct.
+    assert_eq!(unsafe { asperity_params_set_units(&mut params, 1e-3, 1.0) }, OK);
+    let millimetres = written(&params);
+    assert!(millimetres.contains("\nlength_unit = 0.001\n") && !millimetres.contains("SI units"), "{millimetres}");
+    let again = surface(&millimetres);
+    assert_same(&again, &params, "read back");
+    type Call<'a> = &'a dyn Fn(&mut asperity_params) -> i32;
+    // SAFETY: initialised structs, and names that end.
+    let (convert, pair): (Call, Call) = unsafe {
+        (&|params| asperity_params_set_units(params, 1e-3, 1.0), &|params| {
+            asperity_params_set_pair(params, c"Si/Si".as_ptr())
+        })
+    };
+    let text = |text: &'static str| move |params: &mut asperity_params| set(params, text.as_bytes());
+    let calls: [(Call, &str); 9] = [
+        (convert, "length_unit = 0.001: must be 1"),
+        (pair, "length_unit = 0.001: must be 1"),
+        (&|params| set(params, metres.as_bytes()), "line 1: length_unit = 1: must be 0.001"),
+        (&text("hardness = 51e9"), "line 1: length_unit = 1: must be 0.001"),
+        (&text("\nforce_unit = 1000\nlength_unit = 0.001"), "line 2: force_unit = 1000: must be 1"),
+        (&text("length_unit = 1e-6"), "line 1: length_unit = 1e-6: must be 0.001"),
+        (&text("length_unit = 1e-3\npair = 'steel/steel'"), "line 1: length_unit = 0.001: must be 1"),
+        (&text("length_unit = 1e-3\ninterface = 'MoS2 film in dry air'"), "line 1: length_unit = 0.001: must be 1"),
+        (
+            &text("length_unit = 1e-3\n[roughness]\nRa = 1e-6\nprocess = 'ground'"),
+            "line 4: length_unit = 0.001: must be 1",
+        ),
+    ];
+    for (number, (call, says)) in calls.iter().enumerate() {
+        for before in [params, again] {
+            let mut params = before;
+            assert_eq!(call(&mut params), INVALID_PARAMETER, "{number}: {says}");
+            assert!(message().starts_with(says), "{number}: {}\nnot {says}", message());
+            assert_same(&params, &before, says);
+        }
+    }
+    assert_eq!(set(&mut params, b"length_unit = 1e-3\nrms_slope = 0.1"), OK, "{}", message());
+    // Units alone are none of SI either.
+    let mut metres = surface(CARBON);
+    assert_eq!(set(&mut metres, millimetres.as_bytes()), INVALID_PARAMETER);
+    // What sets all numbers anew sets the units.
+    // SAFETY: an initialised struct, and a text of this length.
+    unsafe {
+        assert_eq!(
+            asperity_params_set_estimate(&mut params, CARBON.as_ptr().cast(), CARBON.len()),
+            OK,
+            "{}",
+            message()
+        );
+        assert_eq!((params.length_unit, params.force_unit), (1.0, 1.0));
+        let load = 1e-3;
+        let mut found = asperity_estimate::empty();
+        assert_eq!(
+            asperity_estimate_at_loads(millimetres.as_ptr().cast(), millimetres.len(), 1, &load, &mut found),
+            INVALID_PARAMETER
+        );
+        assert!(message().contains("length_unit = 0.001: must be 1"), "{}", message());
+    }
 }
 
 #[test]
@@ -634,8 +700,186 @@ fn a_file_is_read_and_named() {
     refused(&folder.join("none.toml"), ": ");
     refused(&folder.join("x".repeat(200)).join("none.toml"), "none.toml: ");
     assert!(message().starts_with("none.toml: "), "the end of a long path: {}", message());
-    std::fs::remove_dir_all(&folder).expect("the folder");
+    std::fs::write(&file, "").expect("a file");
+    refused(&file, ": is empty: must be a file with a surface");
+    std::fs::File::create(&file).and_then(|file| file.set_len(1 << 40)).expect("a huge file");
+    refused(&file, ": longer than 1 MiB: must be a surface file");
     if cfg!(unix) {
-        refused(Path::new("/dev/zero"), "/dev/zero: must be a file with a surface");
+        let pipe = folder.join("pipe.toml");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().expect("mkfifo").success());
+        refused(&pipe, ": must be a file with a surface");
+        let socket = folder.join("socket.toml");
+        #[cfg(unix)]
+        let _listens = std::os::unix::net::UnixListener::bind(&socket).expect("a socket");
+        refused(&socket, ": must be a file with a surface");
+        for device in ["/dev/zero", "/dev/null", "/dev/tty"] {
+            refused(Path::new(device), ": must be a file with a surface");
+        }
     }
+    if cfg!(target_os = "linux") {
+        // The first waits for the messages of the kernel, the next has no end that the system says.
+        for shown in
+            ["/proc/kmsg", "/proc/self/pagemap", "/proc/version", "/proc/self/environ", "/sys/kernel/uevent_seqnum"]
+        {
+            refused(Path::new(shown), ": ");
+        }
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder");
+}
+
+/// A file that someone writes while it is read is a surface of one of the lengths that it has had, or refused.
+#[test]
+#[cfg_attr(miri, ignore = "there are no files")]
+fn a_file_that_grows_is_read_to_an_end() {
+    let file = std::env::temp_dir().join(format!("asperity growing {}.toml", std::process::id()));
+    std::fs::write(&file, "hardness = 51e9\n").expect("a file");
+    let is_read = std::sync::atomic::AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            use std::io::Write;
+            let mut file = std::fs::OpenOptions::new().append(true).open(&file).expect("the file");
+            for _ in 0..MIB / 4096 {
+                if !is_read.load(std::sync::atomic::Ordering::Relaxed) {
+                    file.write_all(&[b'\n'; 4096]).expect("more of it");
+                }
+            }
+        });
+        for _ in 0..50 {
+            let mut params = asperity_params::unset();
+            match read(&mut params, &file) {
+                OK => assert_eq!(params.hardness, 51e9),
+                status => {
+                    let says = ["another length", "longer than 1 MiB"];
+                    assert!(
+                        status == INVALID_PARAMETER && says.iter().any(|says| message().contains(says)),
+                        "{}",
+                        message()
+                    );
+                }
+            }
+        }
+        is_read.store(true, std::sync::atomic::Ordering::Relaxed);
+    });
+    std::fs::remove_file(&file).expect("the file");
+}
+
+/// What can be set is refused where it is set: a text alone, or one after another, in any order.
+#[test]
+fn what_no_surface_has_is_refused_at_its_key() {
+    const STEEL: &str = "pair = 'steel/steel'\nnominal_area = 1e-4\n[roughness]\nRq = 1e-6\nprocess = 'ground'\n";
+    let changed = |key: &str, line: &str| {
+        let changed = |old: &str| if old.starts_with(&format!("{key} ")) { line.to_owned() } else { old.to_owned() };
+        STEEL.lines().map(changed).collect::<Vec<_>>().join("\n")
+    };
+    surface(STEEL);
+    refused(
+        changed("nominal_area", "nominal_area = 9223372036854775807"),
+        "line 2: nominal_area, [roughness] Rq, [roughness] process: asperity_count = ",
+    );
+    refused(changed("nominal_area", "nominal_area = 1e-300"), "line 2: nominal_area = ");
+    refused(changed("Rq", "Rq = 1e-16"), "line 4: [roughness] Rq, [roughness] process: ");
+    refused(changed("Rq", "Rq = 1e-3"), "line 4: [roughness] Rq: makes a slope of ");
+    for (text, says) in [
+        ("nominal_area = 1e300", "line 1: nominal_area = 1e300: must be between 1e-40 and 1e40"),
+        ("nominal_area = -1", "line 1: nominal_area = -1: must be finite and >= 0"),
+        ("\nslip_stress_1 = 5e9", "line 2: slip_stress_1 = 5000000000: must be at most 1"),
+        ("slip_radius_2 = 1e-9", "line 1: slip_radius_2 = 1e-9: must be at least 1"),
+        ("pressure_coefficient = inf", "line 1: pressure_coefficient = inf: must be finite"),
+        ("height_std = 0", "line 1: height_std = 0: must be finite and > 0"),
+        ("height_std = 1e-6\nsummit_radius = 1e9", "line 1: height_std, summit_radius: alpha = "),
+        ("bandwidth = 1.2", "line 1: bandwidth = 1.2: must be at least 1.5"),
+        ("radius_rate = -1", "line 1: radius_rate = -1: must be finite and > 0"),
+        ("weibull_shape = 1e3", "line 1: weibull_shape = 1000: must be"),
+        ("length_unit = 0", "line 1: length_unit = 0: must be finite and > 0"),
+        ("force_unit = nan", "line 1: force_unit = NaN: must be finite and > 0"),
+    ] {
+        refused(text, says);
+    }
+}
+
+/// A key with what people may give it.
+fn drawn_key(random: &mut SplitMix) -> String {
+    // SAFETY: names that end.
+    let name = |kind, index| unsafe { CStr::from_ptr(asperity_name(kind, index)) }.to_str().expect("a name");
+    let names = (0..).take_while(|&index| !asperity_name(ASPERITY_NAMES_PARAMETERS, index).is_null()).count();
+    let name = name(ASPERITY_NAMES_PARAMETERS, random.below(names));
+    let powers = [-300, -41, -16, -9, -7, -6, -5, -4, -2, -1, 0, 1, 2, 4, 9, 11, 18, 41, 300];
+    let number = format!("{}e{}", 1 + random.below(9), powers[random.below(powers.len())]);
+    let numbers =
+        ["0", "1", "2", "-1", "inf", "nan", "true", "false", "9223372036854775807", &number, &number, &number];
+    format!("{name} = {}\n", numbers[random.below(numbers.len())])
+}
+
+/// A text of a surface with some keys changed, added and left out.
+fn drawn_text(random: &mut SplitMix) -> String {
+    let bodies =
+        ["pair = 'steel/steel'\n", "pair = 'Si/Si'\n", "", &CARBON.split("\n\n").next().expect("numbers")[21..]];
+    let areas = ["nominal_area = 1e-4\n", "nominal_area = 1e-6\n", "nominal_area = 9223372036854775807\n", ""];
+    let summits =
+        ["", "height_std = 1e-6\nsummit_radius = 1e-5\nasperity_count = 1e5\n", "heights = 'gaussian'\nskew = 0\n"];
+    let tables = [
+        "",
+        "table_height = [0, 1, 3, 4]\ntable_density = [0, 1, 0.5, 0]\n",
+        "measured = [10, 0.2]\n",
+        "interface = 'MoS2 film in dry air'\n",
+    ];
+    let mut text = bodies[random.below(4)].to_owned()
+        + areas[random.below(4)]
+        + summits[random.below(3)]
+        + tables[random.below(4)];
+    (0..random.below(2)).for_each(|_| text += &("\n".to_owned() + &drawn_key(random)));
+    let powers = [-16, -8, -7, -7, -6, -5, -5];
+    let mut length = || format!("{}e{}", 1 + random.below(9), powers[random.below(7)]);
+    let (height, width) = (length(), length());
+    let roughness = [
+        String::new(),
+        format!("[roughness]\nRq = {height}\nRSm = {width}\n"),
+        format!("[roughness]\nRa = {height}\nprocess = 'ground'\n"),
+    ];
+    text + &roughness[random.below(3)]
+}
+
+/// What a text sets can be written, read again and made a model of, or no key alone is at fault.
+#[test]
+fn what_is_set_is_written_read_again_and_made() {
+    // Numbers that one text may give and another complete; what only the search for an equilibrium finds.
+    const OF_MORE_THAN_A_KEY: [&str; 2] = ["must be set", "did not converge"];
+    let mut random = SplitMix(20_261_128);
+    let (mut set_at_once, mut made) = (0, 0);
+    for _ in 0..if cfg!(miri) { 20 } else { 2000 } {
+        let mut params = asperity_params::unset();
+        let texts: Vec<_> = (0..1 + random.below(2)).map(|_| drawn_text(&mut random)).collect();
+        for text in &texts {
+            if set(&mut params, text.as_bytes()) != OK {
+                assert!(message().starts_with("line "), "{}\n{text}", message());
+                continue;
+            }
+            set_at_once += 1;
+            let written = written(&params);
+            assert!(!written.is_empty(), "{}\n{texts:?}", message());
+            let again = surface(&written);
+            // A measurement of other surfaces is a comment, and a table that is not read is left out.
+            let kept = |mut params: asperity_params| {
+                if written.contains("# The strength was calibrated") {
+                    (params.calibration_load, params.calibration_friction_force) = (0.0, 0.0);
+                }
+                if params.height_distribution != ASPERITY_HEIGHTS_TABULATED {
+                    (params.table_height, params.table_density, params.table_length) = (null(), null(), 0);
+                }
+                params
+            };
+            assert_same(&kept(again), &kept(params), &format!("{texts:?}\n{written}"));
+            let mut model = null_mut();
+            // SAFETY: parameters of a text, and a place for a handle.
+            match unsafe { asperity_create(&params, &mut model) } {
+                OK => made += 1,
+                _ => {
+                    assert!(OF_MORE_THAN_A_KEY.iter().any(|says| message().contains(says)), "{}\n{texts:?}", message())
+                }
+            }
+            // SAFETY: a model, or NULL.
+            unsafe { asperity_free(model) };
+        }
+    }
+    assert!(cfg!(miri) || set_at_once > 300 && made > 100, "{set_at_once} set, {made} made");
 }

@@ -132,6 +132,8 @@ class asperity_params(Structure):
         ("calibration_error", c_double),
         ("summit_mean_height", c_double),
         ("rms_slope", c_double),
+        ("length_unit", c_double),
+        ("force_unit", c_double),
     ]
 
 

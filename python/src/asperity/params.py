@@ -53,6 +53,8 @@ class Options(TypedDict, total=False):
     calibration_error: float
     summit_mean_height: float
     rms_slope: float
+    length_unit: float
+    force_unit: float
     # end of options
     calibration_friction_coefficient: float
 
@@ -197,6 +199,8 @@ class Params:
             default, means not known.
         rms_slope: Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default,
             means not known.
+        length_unit: Unit of all lengths, in metres [-], > 0; 1 by default.
+        force_unit: Unit of all forces, in newtons [-], > 0; 1 by default.
         in_si: Whether all quantities are in SI units, as a surface file has them; False by default.
     """
 
@@ -235,6 +239,8 @@ class Params:
     calibration_error: float = _DEFAULT.calibration_error
     summit_mean_height: float = _DEFAULT.summit_mean_height
     rms_slope: float = _DEFAULT.rms_slope
+    length_unit: float = _DEFAULT.length_unit
+    force_unit: float = _DEFAULT.force_unit
     # end of fields
     in_si: bool = False
 
@@ -703,6 +709,8 @@ class Params:
         struct: Any = self._as_struct()
         units = checks.real("length", length), checks.real("force", force)
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
+        if not self.in_si:  # of units that are not known nothing is kept
+            struct.length_unit = struct.force_unit = 1.0
         return self._of_struct(struct, self.in_si and units == (1.0, 1.0))
 
     def elastic_plastic(self, hardness: float) -> Params:
