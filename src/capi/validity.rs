@@ -53,7 +53,7 @@ const _: () = {
             && ASPERITY_WARNING_BROAD == validity::WARNING_BROAD
             && ASPERITY_WARNING_STRONG == validity::WARNING_STRONG
             && ASPERITY_WARNING_FEW_WAVES == validity::WARNING_FEW_WAVES
-            && ASPERITY_WARNING_FEW_WAVES == (validity::EVERY_WARNING + 1) / 2
+            && 2 * ASPERITY_WARNING_FEW_WAVES == validity::EVERY_WARNING + 1
     );
 };
 
