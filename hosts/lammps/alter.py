@@ -22,6 +22,7 @@ UNITS = {"si": (1, 1, 1), "cgs": (1e2, 1e3, 1), "micro": (1e6, 1e15, 1e6), "nano
 BEADS = "modulus 5e6 real_modulus 1.7531556e9 poisson 0.38 restitution 0.4 "
 WORDS = "E1 493e9 nu1 0.25 E2 493e9 nu2 0.25 m0 9.604e-17 m2 1.8e-3 work_of_adhesion 0.06 adhesion_range 0.25e-9 " \
     "burgers_vector 0.25e-9 hardness 51e9"
+MOMENTS = "m0 9.604e-17 m2 1.8e-3"
 CALIBRATION = "calibration_load 100 calibration_friction_coefficient 0.2"
 WHOLE = 'slip_onset = "whole"\n'
 CALIBRATED = "calibration_load = 100.0\ncalibration_friction_coefficient = {}\n"
@@ -51,7 +52,8 @@ SAME = {"nothing": {}, "another order of words": {"style": f"asperity/hertz surf
         "hybrid, twice": {"style": f"hybrid {BASE['style']} asperity/hertz modulus 1e7",
                           "coeff": ["1 1 asperity/hertz 2 mu 0.1", "2 2 asperity/hertz 2 mu 0.1", "1 2 asperity/hertz 1"]},
         "shear behind the words": {"wall": f"zplane m:-0.00499 NULL {BEADS} surface film.toml shear x m/s:0.3"},
-        "the surface in words": words(WORDS), "what the file says, again": behind("style", "work_of_adhesion 0.06")}
+        "the surface in words": words(WORDS), "roughness as measured": words(WORDS.replace(MOMENTS, "Sq 9.8e-9 Sdq 0.06")),
+        "roughness of a profile": words(WORDS.replace(MOMENTS, f"Rq 9.8e-9 Rdq {0.06 / 2**0.5!r}")), "what the file says, again": behind("style", "work_of_adhesion 0.06")}
 SAME.update({f"units {units}": {"units": units} for units in UNITS})
 UNLIKE = {f"{where}: {more}": {"coeff": [f"* * {more}"]} if where == "coeff" else behind(where, more)
           for where in ("style", "wall", "coeff")
@@ -108,6 +110,7 @@ WRONG = {
     "a file after its words": ({"coeff": ["* * hardness 50e9 surface film.toml"]},
                                "film.toml: must stand before the words that change it"),
     "half a surface": (words(WORDS.replace("m2 1.8e-3", "")), "m2: must be given"),
+    "a height below 0": (words(WORDS.replace(MOMENTS, "Sq -9.8e-9 Sdq 0.06")), "Sq = -9.8e-9: must not be negative"),
     "a wrong choice": ({"file": 'slip_onset = "hole"\n'}, 'film.toml: line 1: slip_onset = "hole": must be "partial" or "whole"'),
     "other units": ({"units": "metal"}, "is in SI units, so 'units metal' must be si, cgs, micro or nano")}
 for word, value in (("modulus", "0"), ("modulus", "inf"), ("real_modulus", "1"), ("poisson", "0.6"), ("poisson", "nan"),
@@ -202,6 +205,23 @@ class Grains:
             rows.append([values[name] / self.scale[unit] for name, unit in zip(names, units)])
         return rows
 
+    def rebound(self, restitution, speed, wall):
+        """The speed after an impact over the one before, of two grains or of one and a wall."""
+        self.begin("si")
+        words = f"asperity/hertz {BEADS} restitution {restitution} mu 0"
+        self.say(f"pair_style {words}\npair_coeff * *\nfix move all nve/sphere\ntimestep {2e-7 * speed**-0.2}")
+        if wall:
+            self.say(f"fix floor all wall/{words.replace('hertz', 'hertz zplane -0.0051 NULL')}")
+        self.say(f"set atom 2 x 0 y 0 z {0.02 if wall else 0.00801}\nvelocity all set 0 0 0\n"
+                 f"velocity {'lower' if wall else 'upper'} set 0 0 {-speed}\nthermo_style custom step\nrun 0")
+        speeds = lambda: self.lammps.numpy.extract_atom("v")[:, 2]  # noqa: E731
+        relative = lambda: speeds()[0] if wall else speeds()[1] - speeds()[0]  # noqa: E731
+        for _ in range(50):
+            self.say("run 2000")
+            if relative() > 0 and self.lammps.numpy.extract_atom("f")[0, 2] == 0:
+                return relative() / speed
+        raise RuntimeError(f"restitution {restitution}: the grains do not part")
+
     def refused(self, altered):
         """The message with which LAMMPS refuses what is wrong."""
         try:
@@ -264,6 +284,11 @@ def main(folder):
         error = limit_error(alone[name], altered[name].get("file", ""))
         claim(name, error < check.LAW_LIMIT, f"friction is off the law by {error:.1e}")
     claim("mu", abs(alone["mu"][-1][6] / alone["mu"][-1][4] - 0.3) < 1e-12, "is not the coefficient")
+    ball = Grains()
+    for restitution in (0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0):
+        for speed, wall in ((0.01, False), (1.0, False), (1.0, True)):
+            found = ball.rebound(restitution, speed, wall)
+            claim(f"restitution {restitution} at {speed} m/s", abs(found / restitution - 1) < 2e-3, f"is {found:.4f}")
     # A restart file brings back the words. What they name is read anew, and a surface that is not as it was is told.
     grains.say("write_restart grains.restart")
     for name in ("nothing", "file: calibrated"):
@@ -279,6 +304,20 @@ def main(folder):
         claim(name, told == (name != "nothing"), "after a restart it is told wrongly whether the surface is as it was")
         contact, same = ([row[:9] for row in rows] for rows in (grains.measure(altered[name], restarted=True), alone[name]))
         claim(name, apart(contact, same) < 1e-9, "is not the same after a restart")
+    # In another folder, where the surface file is not, the law that the restart file keeps goes on.
+    os.makedirs("elsewhere", exist_ok=True)
+    os.chdir("elsewhere")
+    Path("film.toml").unlink(missing_ok=True)
+    grains.say(f"""log restart.log
+        clear
+        comm_modify vel yes
+        read_restart ../grains.restart
+        neighbor m:0.001 bin
+        log none""")
+    told = "film.toml: " in (log := Path("restart.log").read_text()) and "have the law that the restart file keeps" in log
+    claim("elsewhere", told, "a missing surface file is not told")
+    contact, same = ([row[:9] for row in rows] for rows in (grains.measure({}, restarted=True), base))
+    claim("elsewhere", apart(contact, same) < 1e-9, "is not the same after a restart")
     same = f"{len(altered)} alterations in one process as each in a fresh one, {len(WRONG)} refused"
     return not wrong, "\n  ".join([same, *wrong])
 

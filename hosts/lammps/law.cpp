@@ -62,6 +62,13 @@ void demand_known(const std::string &name) {
     refuse(message);
 }
 
+// Roughness as it is measured, and the spectral moment of which it is the root: of an area, and of a profile.
+struct Root {
+    const char *name, *moment;
+    double share;
+};
+const Root roots[] = {{"Sq", "m0", 1}, {"Rq", "m0", 1}, {"Sdq", "m2", 0.5}, {"Rdq", "m2", 1}};
+
 double number(const std::string &name, const std::string &text) {
     char *end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
@@ -79,11 +86,22 @@ double positive(const std::string &name, const std::string &text) {
     return value;
 }
 
-// A coefficient of restitution as the ratio of damping, after Tsuji, Tanaka and Ishida (1992), for Hertz' contact.
+// The restitution of Hertz' contact with the damping force ratio * sqrt(stiffness mass) * speed, which ends where the force would
+// pull. In the overlap to the power 5/4 it is that of a linear spring (Schwager and Poeschel 2007), at every speed.
+double restitution_of(double ratio) {
+    const double critical = std::sqrt(0.3) * ratio, off = critical * critical - 1;    // over critical damping
+    if (std::abs(off) < 1e-9) return std::exp(-2);
+    return std::exp(-2 * critical / std::sqrt(std::abs(off)) * (off < 0 ? std::acos(critical) : std::acosh(critical)));
+}
+
 double damping_of(double restitution) {
     if (restitution == 1) return 0;
-    const double log_e = std::log(restitution);
-    return -2 * std::sqrt(5.0 / 6) * log_e / std::sqrt(log_e * log_e + pi * pi);
+    double low = 0, high = 2 / std::sqrt(restitution);
+    for (int halving = 0; halving < 60; halving++) {
+        const double middle = 0.5 * (low + high);
+        (restitution_of(middle) > restitution ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
 }
 
 // The units of LAMMPS in which stress is force by area, in m and N.
@@ -127,9 +145,12 @@ void Law::Surface::take(const std::string &name, const std::string &text) {
         names.clear();
         values.clear();
     } else {
-        demand_known(name);
-        names.push_back(name);
-        values.push_back(number(name, text));
+        const Root *const end = std::end(roots), *const root = std::find_if(roots, end, [&](const Root &r) { return name == r.name; });
+        if (root == end) demand_known(name);
+        const double value = number(name, text);
+        if (root != end && !(value >= 0)) refuse(name + " = " + text + ": must not be negative");
+        names.push_back(root == end ? name : root->moment);
+        values.push_back(root == end ? value : value * value * root->share);
         changed = true;
     }
     given = true;
@@ -139,10 +160,33 @@ std::shared_ptr<const Law> Law::of(const std::string &units, const Words &style,
                                    const std::vector<std::shared_ptr<const Law>> &known) {
     Law law;
     law.read(units, style, own);
+    return law.made(known);
+}
+
+std::shared_ptr<const Law> Law::of_made(const std::string &made_of, const std::vector<std::shared_ptr<const Law>> &known) {
+    double numbers[NUMBERS];
+    if (made_of.size() < sizeof numbers) refuse("the restart file does not have its law");
+    std::memcpy(numbers, made_of.data(), sizeof numbers);
+    Law law;
+    law.made_of_ = made_of;
+    law.mu_ = numbers[0];
+    law.modulus_ = numbers[1];
+    law.tangential_ratio_ = numbers[2];
+    law.damping_ = numbers[3];
+    law.softening_ = numbers[4];
+    law.area_ = numbers[5];
+    law.microslip_ = numbers[6] != 0;
+    demand(asperity_params_init(&law.params_, sizeof law.params_));
+    if (law.mu_ < 0)
+        demand(asperity_params_set_text(&law.params_, made_of.data() + sizeof numbers, std::strlen(made_of.c_str() + sizeof numbers)));
+    return law.made(known);
+}
+
+std::shared_ptr<const Law> Law::made(const std::vector<std::shared_ptr<const Law>> &known) {
     for (const auto &other : known)
-        if (other && other->made_of_ == law.made_of_) return other;
-    if (law.mu_ < 0) law.make_model();
-    return std::make_shared<const Law>(std::move(law));
+        if (other && other->made_of_ == made_of_) return other;
+    if (mu_ < 0) make_model();
+    return std::make_shared<const Law>(std::move(*this));
 }
 
 void Law::read(const std::string &units, const Words &style, const Words &own) {
@@ -183,7 +227,7 @@ void Law::read(const std::string &units, const Words &style, const Words &own) {
     softening_ = std::pow(modulus_ / real_modulus, 2.0 / 3);
     area_ = pi * std::pow(0.75 / real_modulus, 2.0 / 3);
     if (microslip_ && mu_ >= 0) refuse("microslip: needs a surface, not mu");
-    const double numbers[] = {mu_, modulus_, tangential_ratio_, damping_, softening_, area_, double(microslip_)};
+    const double numbers[NUMBERS] = {mu_, modulus_, tangential_ratio_, damping_, softening_, area_, double(microslip_)};
     made_of_.assign(reinterpret_cast<const char *>(numbers), sizeof numbers);
     if (mu_ < 0) read_surface(surface, units);
 }

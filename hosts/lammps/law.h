@@ -97,8 +97,9 @@ public:
     static std::shared_ptr<const Law> of(const std::string &units, const Words &style, const Words &own = {},
                                          const std::vector<std::shared_ptr<const Law>> &known = {});
 
-    // All that the law is made of: equal if the laws are.
+    // All that the law is made of: equal if the laws are. A restart file keeps it, and of_made makes the law again.
     const std::string &made_of() const { return made_of_; }
+    static std::shared_ptr<const Law> of_made(const std::string &made_of, const std::vector<std::shared_ptr<const Law>> &known);
 
     // Contacts are computed so many at a time, as the library's batch calls are the faster ones.
     enum { BATCH = 32 };
@@ -131,7 +132,10 @@ private:
         void take(const std::string &name, const std::string &text);
     };
 
+    enum { NUMBERS = 7 };    // of made_of_, before the text of the surface
+
     Law() = default;
+    std::shared_ptr<const Law> made(const std::vector<std::shared_ptr<const Law>> &known);
     void read(const std::string &units, const Words &style, const Words &own);
     void read_surface(const Surface &surface, const std::string &units);
     void make_model();

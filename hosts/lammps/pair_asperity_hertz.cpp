@@ -99,13 +99,23 @@ void PairAsperityHertz::coeff(int narg, char **arg) {
         for (int j = jlo; j <= jhi; j++) set_law(std::min(i, j), std::max(i, j), own);
 }
 
-void PairAsperityHertz::set_law(int i, int j, const Words &own) {
+// made_of: what a restart file keeps of the law, which counts where the words cannot be read any more.
+void PairAsperityHertz::set_law(int i, int j, const Words &own, const std::string &made_of) {
     const int types = atom->ntypes, index = i * (types + 1) + j;
+    const char *const command = own.empty() ? "pair_style" : "pair_coeff";
     std::shared_ptr<const Law> law;
     try {
         law = Law::of(update->unit_style, words_, own, laws_);
     } catch (const std::invalid_argument &refused) {
-        error->all(FLERR, "{} asperity/hertz: {}", own.empty() ? "pair_style" : "pair_coeff", refused.what());
+        if (made_of.empty()) error->all(FLERR, "{} asperity/hertz: {}", command, refused.what());
+        if (comm->me == 0)
+            error->warning(FLERR, "{} asperity/hertz: {}; types {} and {} have the law that the restart file keeps", command,
+                           refused.what(), i, j);
+        try {
+            law = Law::of_made(made_of, laws_);
+        } catch (const std::invalid_argument &unread) {
+            error->all(FLERR, "{} asperity/hertz: the law of the restart file: {}", command, unread.what());
+        }
     }
     own_words_[index] = own_words_[j * (types + 1) + i] = own;
     laws_[index] = laws_[j * (types + 1) + i] = law;
@@ -374,7 +384,7 @@ void PairAsperityHertz::read_restart(FILE *file) {
             MPI_Bcast(&set, 1, MPI_INT, 0, world);
             const Words own = read_words(file), made_of = read_words(file);
             if (!set) continue;
-            set_law(i, j, own);
+            set_law(i, j, own, made_of[0]);
             if (comm->me == 0 && laws_[i * (atom->ntypes + 1) + j]->made_of() != made_of[0])
                 error->warning(FLERR, "pair_style asperity/hertz: the surface of types {} and {} is not as it was when the restart "
                                "file was written", i, j);

@@ -35,7 +35,7 @@ private:
     using Words = std::vector<std::string>;
 
     void allocate();
-    void set_law(int, int, const Words &);
+    void set_law(int, int, const Words &, const std::string &made_of = "");
     void make_fix_history();
     void find_radii();
     bool touching(int, int, asperity_lammps::Contact &) const;
