@@ -172,25 +172,27 @@ def test_the_page_tells_the_numbers_of_rows(surface: Path, root: Path) -> None:
 
 
 def test_pressures_are_in_the_unit_that_is_asked_for(surface: Path) -> None:
-    rows = exported(surface, "abaqus", "--range", "1e3:70e6", "--pressure-unit", "1e6")
+    """The range too is in that unit."""
+    rows = exported(surface, "abaqus", "--range", "1e-3:70", "--pressure-unit", "1e6")
     assert (rows[0][0], rows[-1][0]) == (1e-3, 70.0)
     assert largest_error(surface, rows, 1e6) <= 1e-3
 
 
 def test_ls_dyna_gets_its_identities_and_units(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    command = ["export", str(surface), "--format", "lsdyna", "--range", "1e6:2e6"]
+    command = ["export", str(surface), "--format", "lsdyna"]
     for unit, words in ((1.0, "kg, m, s"), (1e6, "t, mm, s"), (1e9, "kg, mm, ms")):
-        assert main([*command, "--pressure-unit", str(unit), "--table-id", "712"]) == 0
+        pressures = ["--range", f"{1e6 / unit}:{2e6 / unit}", "--pressure-unit", str(unit)]
+        assert main([*command, *pressures, "--table-id", "712"]) == 0
         text = capsys.readouterr().out
         assert f"model in {words}.\n" in text and "*DEFINE_TABLE\n       712\n" in text
         assert read_lsdyna(text)[0][0] == pytest.approx(1e6 / unit, rel=1e-9)
-    assert main([*command, "--pressure-unit", "6894.76"]) == 0
+    assert main([*command, "--range", "145:290", "--pressure-unit", "6894.76"]) == 0
     text = capsys.readouterr().out
     assert "model in" not in text and "pressure in 6894.76 Pa" in " ".join(text.replace("$", "").split())
     assert "*DEFINE_TABLE\n     90000\n" in text
 
 
-MM = ["--range", "1e5:70e6", "--pressure-unit", "1e6", "--length-unit", "1e-3"]
+MM = ["--range", "0.1:70", "--pressure-unit", "1e6", "--length-unit", "1e-3"]
 
 
 @pytest.mark.parametrize("kind, options", [("abaqus", ["--stiffness"]), ("calculix", [])])
@@ -209,6 +211,12 @@ def test_stiffness_and_conductance_read_back_are_the_exact_states(surface: Path,
     assert conductance[0, 1] == 0 and np.all(np.diff(conductance[:, 1]) > 0)
     k = 2 / (1 / 16.2 + 1 / 390)
     with Model(Params.from_toml(surface)) as model:
+        if kind == "calculix":
+            # Which keeps the last pressure: a last row goes on as stiff.
+            (p, depth), stiffest = behaviour[-1] - behaviour[-2], model.state_at_load(70e6 * AREA)
+            assert behaviour[-1, 0] == pytest.approx(70e3, rel=1e-6)
+            assert p / depth == pytest.approx(-stiffest.dload_dgap / AREA * 1e-9, rel=1e-6)
+            behaviour = behaviour[:-1]
         depths = np.concatenate([np.linspace(a, b, 7) for a, b in zip(behaviour[1:, 1], behaviour[2:, 1])])
         exact = [model.state_at_gap(1e-3 * (float(zero[1]) - depth)).load / AREA / 1e6 for depth in depths]
         assert np.max(abs(np.interp(depths, behaviour[:, 1], behaviour[:, 0]) / exact - 1)) <= 1.01e-3
@@ -231,11 +239,23 @@ def test_stiffness_and_conductance_read_back_are_the_exact_states(surface: Path,
         assert float(linear[0]) == pytest.approx(-middle.dload_dgap / AREA * 1e-9, rel=1e-8)
 
 
+def test_calculix_has_the_coefficient_of_the_pressure_that_is_asked_for(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Whatever the range; how far the coefficient is off at its ends is told."""
+    at = ["--friction-at", "58", "--pressure-unit", "1e6"]
+    for pressures in ("1:64", "20:64", "0.1:600"):
+        ((_, mu), _) = exported(surface, "calculix", "--range", pressures, *at)
+        told = re.search(r"coefficient, \S+ of 5\.8e\+07 Pa, up to (\S+)% off", capsys.readouterr().err)
+        with Model(Params.from_toml(surface)) as model:
+            of = [model.state_at_load(float(p) * 1e6 * AREA).friction_coefficient for p in (58, *pressures.split(":"))]
+        assert mu == pytest.approx(of[0], rel=1e-8)
+        assert told and float(told[1]) == pytest.approx(100 * max(abs(mu / end - 1) for end in of[1:]), abs=0.1)
+
+
 def test_units_of_pressure_and_length_scale_all_columns(surface: Path) -> None:
     """The same file in m and Pa, number by number."""
-    options = ["--conductivity", "50", "--range", "1e5:70e6", "--stiffness"]
+    options = ["--conductivity", "50", "--stiffness"]
     files = []
-    for units in (["--pressure-unit", "1e6", "--length-unit", "1e-3"], []):
+    for units in (["--range", "0.1:70", "--pressure-unit", "1e6", "--length-unit", "1e-3"], ["--range", "1e5:70e6"]):
         exported(surface, "abaqus", *options, *units)
         files.append(list(read_keywords(surface.with_name("table.txt").read_text(encoding="utf-8")).values()))
     for (mm, si), factors in zip(zip(*files), ([1, 0, 1e6], [1e6, 1e-3], [1e3, 1e6])):
@@ -248,7 +268,7 @@ def test_without_a_file_the_table_is_printed(surface: Path, capsys: pytest.Captu
     assert main(["export", str(surface), "--format", "csv", "--range", "1e6:2e6"]) == 0
     printed = capsys.readouterr()
     assert read_csv(printed.out)[0][0] == 1e6
-    assert re.match(r"asperity: \d+ rows, largest error between them \d\.\de-0\d\n", printed.err)
+    assert re.match(r"asperity: \d+ rows from 1e\+06 to 2e\+06 Pa, largest error between them \d\.\de-0\d\n", printed.err)
     assert "UNCALIBRATED: the strength of the interface is the default" in printed.err
 
 
@@ -275,6 +295,10 @@ def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys
         (["--range", "2e6:1e6"], "the lower first"),
         (["--range", "0:1e6"], "must be two pressures > 0"),
         (["--range", "1:nan"], "must be two pressures > 0"),
+        (["--range", "1e6:64e6", "--pressure-unit", "1e6"], "more than the modulus of the bodies; it is in units of --pressure-unit"),
+        (["--range", "1:2", "--friction-at", "1.5"], "only --format calculix has one coefficient"),
+        (["--range", "1:2", "--friction-at", "3", "--format", "calculix"], "--friction-at 3: must be a pressure of --range 1:2"),
+        (["--range", "1:2", "--friction-at", "nan", "--format", "calculix"], "--friction-at nan: must be a pressure of --range 1:2"),
         (["--range", "1:2", "--tolerance", "1e-9"], "--tolerance 1e-09: must be 1e-6 to 0.1"),
         (["--range", "1:2", "--pressure-unit", "0"], "--pressure-unit 0: must be finite"),
         (["--range", "1:2", "--length-unit", "inf"], "--length-unit inf: must be finite"),

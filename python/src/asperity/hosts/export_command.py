@@ -40,7 +40,13 @@ def add(commands: Any) -> None:
     command.set_defaults(run=_run)
     command.add_argument("surface", metavar="SURFACE.toml", help="the surface, with its nominal_area")
     command.add_argument("--format", required=True, choices=sorted(FORMATS), help="language of the host")
-    command.add_argument("--range", required=True, metavar="LOW:HIGH", help="lowest and highest pressure [Pa]")
+    command.add_argument("--range", required=True, metavar="LOW:HIGH", help="lowest and highest pressure, in units of --pressure-unit")
+    command.add_argument(
+        "--friction-at",
+        type=float,
+        metavar="P",
+        help="pressure of the one friction coefficient of calculix, as --range; without it the geometric mean of the range",
+    )
     command.add_argument("--tolerance", type=float, default=1e-3, metavar="X", help="1e-6 to 0.1 (%(default)g)")
     command.add_argument(
         "--pressure-unit", type=float, default=1.0, metavar="PA", help="unit of the table in Pa: 1e6 for MPa (%(default)g)"
@@ -63,27 +69,37 @@ def add(commands: Any) -> None:
 
 
 def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    lowest, highest = _range(parser, options.range)
     if not 1e-6 <= options.tolerance <= 0.1:
         parser.error(f"--tolerance {options.tolerance:g}: must be 1e-6 to 0.1")
     for name in ("pressure_unit", "length_unit"):
         unit = getattr(options, name)
         if not (math.isfinite(unit) and unit > 0):
             parser.error(f"--{name.replace('_', '-')} {unit:g}: must be finite and > 0")
+    unit = options.pressure_unit
+    lowest, highest = (unit * end for end in _range(parser, options.range))
     conductivity = _conductivity(parser, options.conductivity)
     for name, given in (("stiffness", options.stiffness), ("conductivity", conductivity)):
         if given and options.format not in ("abaqus", "calculix"):
             parser.error(f"--{name}: only --format abaqus and calculix have it")
+    if options.friction_at is not None and options.format != "calculix":
+        parser.error(f"--friction-at {options.friction_at:g}: only --format calculix has one coefficient for all pressures")
+    middle = math.sqrt(lowest * highest) if options.friction_at is None else unit * options.friction_at
+    if not lowest <= middle <= highest:
+        parser.error(f"--friction-at {options.friction_at:g}: must be a pressure of --range {options.range}")
     if options.table_id is not None and options.format != "lsdyna":
         parser.error(f"--table-id {options.table_id}: only --format lsdyna has IDs")
     table_id = _TABLE_ID if options.table_id is None else options.table_id
     if not 1 <= table_id <= 99_999_999:
         parser.error(f"--table-id {table_id}: must be 1 to 99999999")
     with Model(Params.from_toml(options.surface)) as model:
+        if not highest < model.params.composite_modulus:
+            parser.error(
+                f"--range {options.range}: {highest:.4g} Pa is more than the modulus of the bodies; it is in units of --pressure-unit, "
+                f"{unit:g} Pa"
+            )
         table = pressure_table(friction_at_pressure(model), lowest, highest, options.tolerance)
         contact = Contact()
         if options.stiffness or options.format == "calculix":
-            middle = math.sqrt(lowest * highest)
             at = [stiffness_at_pressure(model, pressure) for pressure in (lowest, middle, highest)]
             contact = Contact((at[0], at[1], at[2]), overclosure_table(model, lowest, highest, options.tolerance))
         if conductivity:
@@ -95,7 +111,6 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         area = model.params.nominal_area
         warnings = model.check(lowest * area, highest * area)
     name = Path(options.output).stem if options.output else "Friction"
-    unit = options.pressure_unit
     lengths = f", lengths in {options.length_unit:g} m" if contact != Contact() else ""
     title = (
         f"Friction coefficient of {Path(options.surface).name} against pressure in "
@@ -116,7 +131,17 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     else:
         sys.stdout.write(text)
         sys.stdout.flush()
-    print(f"asperity: {len(table.at)} rows, largest error between them {table.error:.1e}", file=sys.stderr)
+    between = f"from {lowest:g} to {highest:g} Pa"
+    if options.format == "calculix":
+        assert contact.stiffness and contact.overclosure
+        rows, off = contact.overclosure.table, max(abs(contact.stiffness[1].friction / table.value - 1))
+        print(
+            f"asperity: {len(rows.at)} rows of overclosure {between}, largest error between them {rows.error:.1e}; one friction "
+            f"coefficient, {contact.stiffness[1].friction:.4g} of {middle:g} Pa, up to {off:.1%} off at the other pressures",
+            file=sys.stderr,
+        )
+    else:
+        print(f"asperity: {len(table.at)} rows {between}, largest error between them {table.error:.1e}", file=sys.stderr)
     for kind in warnings.kinds:
         print(f"asperity: between {lowest:g} and {highest:g} Pa: {kind}", file=sys.stderr)
 
@@ -138,7 +163,7 @@ def _range(parser: argparse.ArgumentParser, text: str) -> tuple[float, float]:
     try:
         lowest, highest = map(float, text.split(":"))
     except ValueError:
-        parser.error(f"--range {text}: must be two pressures in Pa, as 0.1e6:1e9")
+        parser.error(f"--range {text}: must be two pressures, as 0.1e6:1e9")
     if not (0 < lowest < highest < math.inf):
         parser.error(f"--range {text}: must be two pressures > 0, the lower first, as 0.1e6:1e9")
     return lowest, highest

@@ -13,8 +13,8 @@ Rows = List[Tuple[str, str]]
 
 
 class Contact(NamedTuple):
-    """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, in the middle and at
-    the highest; normal compliance; conductance."""
+    """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, between and at the
+    highest; normal compliance; conductance."""
 
     stiffness: Optional[Tuple[Stiffness, Stiffness, Stiffness]] = None
     overclosure: Optional[Overclosure] = None
@@ -32,14 +32,14 @@ class _Table(NamedTuple):
     table_id: int
     contact: Contact
 
-    def normal(self) -> str:
-        """Pressure against overclosure, whose data lines are the same in Abaqus and CalculiX."""
+    def normal(self, beyond: str = "") -> str:
+        """Pressure against overclosure, whose data lines are the same in Abaqus and CalculiX; `beyond` is a last one."""
         text = ""
         if self.contact.overclosure:
             table, gap = self.contact.overclosure
             rows = _rows(table, self.metre, self.pascal)
             text += f"** Overclosure 0 is a gap of {gap / self.metre:.9g} between the mean planes.\n"
-            text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n" + "".join(f"{p}, {depth}\n" for depth, p in rows)
+            text += "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0., 0.\n" + "".join(f"{p}, {depth}\n" for depth, p in rows) + beyond
         return text
 
     def conductance(self, keyword: str) -> str:
@@ -77,20 +77,26 @@ def _abaqus(table: _Table) -> str:
     return friction + table.normal() + table.conductance("*GAP CONDUCTANCE, PRESSURE")
 
 
+# CalculiX keeps the last pressure of a table, and does not converge where a node would need more: a last row goes on as stiff up to so
+# many times the pressure.
+_CALCULIX_BEYOND = 1e3
+
+
 def _calculix(table: _Table) -> str:
-    """Has one coefficient and one stick slope, those in the middle of the pressures. Its conductance knows the pressure of
-    linear overclosure, not of a table."""
-    assert table.contact.stiffness
-    low, middle, high = table.contact.stiffness
-    stick = middle.shear / table.pascal * table.metre
-    normal = table.normal()
+    """Has one coefficient and one stick slope, those at one pressure. Its conductance knows the pressure of linear overclosure, not
+    of a table."""
+    assert table.contact.stiffness and table.contact.overclosure
+    low, one, high = table.contact.stiffness
+    pressure = high.pressure * _CALCULIX_BEYOND
+    depth = table.contact.overclosure.table.at[-1] + (pressure - high.pressure) / high.normal
+    normal = table.normal(f"{pressure / table.pascal:.9g}, {depth / table.metre:.9e}\n")
     if table.contact.conductance:
-        normal = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{middle.normal / table.pascal * table.metre:.9g}\n"
+        normal = f"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{one.normal / table.pascal * table.metre:.9g}\n"
     return (
         f"** {table.title}\n"
-        f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {middle.friction:.4g} in the middle, "
-        f"{high.friction:.4g} at the highest.\n{table.slips()}{normal}*FRICTION\n{middle.friction:.9g}, {stick:.9g}\n"
-        f"{table.conductance('*GAP CONDUCTANCE')}"
+        f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {one.friction:.4g} at {one.pressure / table.pascal:.4g}, "
+        f"{high.friction:.4g} at the highest.\n{table.slips()}{normal}*FRICTION\n"
+        f"{one.friction:.9g}, {one.shear / table.pascal * table.metre:.9g}\n{table.conductance('*GAP CONDUCTANCE')}"
     )
 
 
