@@ -88,7 +88,7 @@ def alterations():
     measured = FILM.calibrated(100, 0.1)
     for changes in (
         dict(mass=0.1), dict(mass=10.0), dict(solref="0.005 1"), dict(solref="0.05 1"), dict(solref="-40000 -200"),
-        dict(timestep=0.0005), dict(timestep=0.004), dict(integrator="RK4", timestep=0.0005), dict(integrator="implicit"),
+        dict(timestep=0.0005), dict(timestep=0.005), dict(integrator="RK4", timestep=0.0005), dict(integrator="implicit"),
         dict(integrator="implicitfast"), dict(solver="PGS"), dict(solver="CG"), dict(impratio=1), dict(friction=0.01),
         dict(config=key("time_constant", 0.04)), dict(config=key("most_pairs", 1)), dict(config=key("pairs", "")),
         dict(config=key("microslip", "no")), dict(config=key("microslip", "yes")), dict(config=key("microslip", "true")),
@@ -112,6 +112,32 @@ def shared_incline():
             law, math.degrees(incline.ANGLE), text=law.params._as_text(), impratio=1, config=key("time_constant", time_constant)
         )  # fmt: skip
         print(f"  the incline of all hosts, {name}: {right * (1 + error):.3f} m/s2")
+
+
+def check_floors():
+    """One body that many others touch at a time has room for all of them, without `most_pairs`."""
+    instance = asperity.mujoco.instance("film", FILM)
+    boxes = lambda count, more="": "".join(  # noqa: E731
+        f'<body pos="{0.3 * (i % 10) - 1.5} {0.3 * (i // 10) - 1.5} 0.05">{more}<freejoint/>{FLAT.format(mass=1)}</body>'
+        for i in range(count)
+    )
+    table = '<geom type="box" size="2 2 0.1" pos="0 0 -0.1"/>'
+    ours = '<plugin instance="film"/>'
+    floors = {
+        "20 boxes on a table": f'<body>{table}{ours}</body>{boxes(20)}',
+        "90 boxes on a table": f'<body>{table}{ours}</body>{boxes(90)}',
+        "a table of two geoms": f'<body>{table}{table.replace("-0.1", "-0.1001")}{ours}</body>{boxes(60)}',
+        "boxes with the surface on two floors": f'{table}<geom type="plane" size="9 9 0.1"/>{boxes(40, ours)}',
+    }  # fmt: skip
+    for name, bodies in floors.items():
+        model = mujoco.MjModel.from_xml_string(
+            f'<mujoco><extension><plugin plugin="asperity.friction">{instance}</plugin></extension><option cone="elliptic"/>'
+            f"<worldbody>{bodies}</worldbody></mujoco>"
+        )
+        data = mujoco.MjData(model)
+        for _ in range(100):
+            mujoco.mj_step(model, data)
+        print(f"  {name}: {data.ncon} contacts, {model.npluginstate} numbers of state")
 
 
 def check_refusals():
@@ -143,6 +169,7 @@ def main():
         altered = np.maximum(altered, abs(found[0]))
         impulse = np.maximum(impulse, abs(found[1]))
     check_refusals()
+    check_floors()
     if (slide(film, mass=10.0), bounce(film)) != first:
         raise RuntimeError("after the others the first model does not give the same bits again")
     lagged = abs(slide(film, mass=10.0, config=key("time_constant", 1e-9)))

@@ -13,6 +13,9 @@ extern "C" {
  * Returns how often it solved; -1, with a warning of MuJoCo's, if friction and normal force do not settle. */
 int asperity_mujoco_solve(const mjModel *m, mjData *d);
 
+/* Whether a plugin instance of a model, of m->nplugin, is one of asperity.friction. */
+int asperity_mujoco_has_plugin(const mjModel *m, int instance);
+
 #ifdef __cplusplus
 }
 #endif

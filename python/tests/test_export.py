@@ -246,7 +246,7 @@ def test_calculix_has_the_coefficient_of_the_pressure_that_is_asked_for(surface:
         ((_, mu), _) = exported(surface, "calculix", "--range", pressures, *at)
         told = re.search(r"coefficient, \S+ of 5\.8e\+07 Pa, up to (\S+)% off", capsys.readouterr().err)
         with Model(Params.from_toml(surface)) as model:
-            of = [model.state_at_load(float(p) * 1e6 * AREA).friction_coefficient for p in (58, *pressures.split(":"))]
+            of = [model.state_at_load(float(p) * 1e6 * AREA).friction_coefficient for p in ("58", *pressures.split(":"))]
         assert mu == pytest.approx(of[0], rel=1e-8)
         assert told and float(told[1]) == pytest.approx(100 * max(abs(mu / end - 1) for end in of[1:]), abs=0.1)
 

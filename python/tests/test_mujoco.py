@@ -1,5 +1,5 @@
-"""What `import asperity.mujoco` and `asperity.mujoco_warp` say where their host is missing. With it, `hosts/mujoco/run.sh` and
-`hosts/mujoco_warp/run.sh` test the modules."""
+"""What `import asperity.mujoco`, `asperity.mujoco_warp` and `asperity.mjx` say where their host is missing. With it, the `run.sh` of
+`hosts/mujoco`, `hosts/mujoco_warp` and `hosts/mjx` test the modules."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import pytest
 
 @pytest.mark.parametrize(("module", "host", "package"), [
     ("asperity.mujoco", "mujoco", "mujoco"), ("asperity.mujoco_warp", "mujoco_warp", "mujoco-warp"),
+    ("asperity.mjx", "mujoco", "mujoco-mjx"),
 ])  # fmt: skip
 def test_without_the_host_the_message_says_what_to_install(
     monkeypatch: pytest.MonkeyPatch, module: str, host: str, package: str

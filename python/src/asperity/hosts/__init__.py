@@ -1,1 +1,1 @@
-"""For other programs: what `asperity.jax`, `warp`, `mujoco`, `mujoco_warp` and `kratos` name, exports and FMUs."""
+"""For other programs: what `asperity.jax`, `warp`, `mujoco`, `mujoco_warp`, `mjx` and `kratos` name, exports and FMUs."""

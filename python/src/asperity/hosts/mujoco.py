@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import hashlib
+import importlib.abc
+import importlib.machinery
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
+import warnings
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 from xml.sax.saxutils import quoteattr
 
 try:
@@ -86,3 +93,49 @@ PLUGIN = str(_plugin())
 mujoco.mj_loadPluginLibrary(PLUGIN)
 _solve = ctypes.CDLL(PLUGIN).asperity_mujoco_solve
 _solve.argtypes = [ctypes.c_void_p, ctypes.c_void_p]
+_has_plugin = ctypes.CDLL(PLUGIN).asperity_mujoco_has_plugin
+_has_plugin.argtypes = [ctypes.c_void_p, ctypes.c_int]
+
+# The back ends of MuJoCo that drop engine plugins, and what has the law in them.
+_BACK_ENDS = {"mujoco.mjx": "asperity.mjx", "mujoco_warp": "asperity.mujoco_warp"}
+
+
+def _tell_dropped(back_end: ModuleType) -> None:
+    """Makes a back end say which instances it drops, where it is given a model."""
+    put_model = back_end.put_model
+
+    @functools.wraps(put_model)
+    def telling(*args: Any, **named: Any) -> Any:
+        for model in (each for each in (*args, *named.values()) if isinstance(each, mujoco.MjModel)):
+            for number in (each for each in range(model.nplugin) if _has_plugin(model._address, each)):
+                name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_PLUGIN, number)
+                message = (
+                    f"{back_end.__name__} drops the plugin asperity.friction, instance {name!r}: its geoms keep the "
+                    f"friction of the model. Give them the law with {_BACK_ENDS[back_end.__name__]}.attach"
+                )
+                warnings.warn(message, stacklevel=2)
+        return put_model(*args, **named)
+
+    back_end.put_model = telling  # type: ignore[attr-defined]
+
+
+class _Watch(importlib.abc.MetaPathFinder):
+    """Finds a back end that is imported later, as Python does, and has it say what it drops."""
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> importlib.machinery.ModuleSpec | None:
+        spec = importlib.machinery.PathFinder.find_spec(name, path) if name in _BACK_ENDS else None
+        if spec and spec.loader:
+            load = spec.loader.exec_module
+
+            def exec_module(module: ModuleType) -> None:
+                load(module)
+                _tell_dropped(module)
+
+            spec.loader.exec_module = exec_module  # type: ignore[method-assign]
+        return spec
+
+
+for _name in _BACK_ENDS:
+    if _name in sys.modules:
+        _tell_dropped(sys.modules[_name])
+sys.meta_path.insert(0, _Watch())

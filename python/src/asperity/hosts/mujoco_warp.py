@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Union
+from typing import Any
 
 import numpy as np
 
@@ -15,12 +15,13 @@ try:
     import mujoco
     import mujoco_warp
     import warp as wp
+
+    from .mujoco_pairs import Geoms, Pairs, demand
 except ImportError as error:
     raise ImportError(f"asperity.mujoco_warp needs MuJoCo Warp ({error}): pip install mujoco-warp") from None
 
 __all__ = ["Friction", "attach"]
 
-_Geoms = Union[str, tuple[str, str]]
 _vec5 = wp.types.vector(length=5, dtype=wp.float32)
 
 
@@ -46,18 +47,20 @@ def _take_loads(
     step = timestep[world % timestep.shape[0]]
     constant = time_constant
     if constant < 0.0:
-        constant = wp.max(0.05, 10.0 * step)
+        constant = wp.max(0.05, 40.0 * step)
+    if time[world] <= before[world] or apart[world, pair] > constant:  # reset, or open for long: a new contact
+        age[world, pair] = 0.0
+        mean[world, pair] = 0.0
     if load[world, pair] > 0.0:
         apart[world, pair] = 0.0
     else:
         apart[world, pair] += step
-    if time[world] <= before[world] or apart[world, pair] > constant:  # reset, or open for long: a new contact
-        age[world, pair] = 0.0
+    old = age[world, pair] > constant
     age[world, pair] += step
-    if age[world, pair] > constant:
-        mean[world, pair] += (load[world, pair] - mean[world, pair]) * wp.min(1.0, step / constant)
-    else:
-        mean[world, pair] = load[world, pair]
+    share = step / wp.clamp(age[world, pair], step, wp.max(step, constant))
+    mean[world, pair] += (load[world, pair] - mean[world, pair]) * share
+    if old:
+        load[world, pair] = mean[world, pair]
 
 
 @wp.kernel
@@ -79,43 +82,17 @@ def _set_friction(
         coefficients[contact] = given * (wp.max(friction(law, load), 1e-5) / given[0])
 
 
-def _laws_by_pair(model: mujoco.MjModel, laws: Mapping[_Geoms, Model]) -> dict[tuple[int, int], Model]:
-    """The law of each two geoms, the smaller number first; a pair that is named has its own."""
-    number = lambda name: model.geom(name).id  # noqa: E731  KeyError lists the names that there are
-    found: dict[tuple[int, int], Model] = {}
-    for geoms, of_one in laws.items():
-        for other in range(model.ngeom) if isinstance(geoms, str) else ():
-            pair = min(number(geoms), other), max(number(geoms), other)
-            if found.setdefault(pair, of_one) is not of_one:
-                names = tuple(model.geom(geom).name for geom in pair)
-                if names not in laws and names[::-1] not in laws:
-                    raise Error(f"geoms {names[0]!r} and {names[1]!r} have different surfaces: name the pair too")
-    for geoms, of_pair in laws.items():
-        if not isinstance(geoms, str):
-            a, b = map(number, geoms)
-            found[min(a, b), max(a, b)] = of_pair
-    return found
-
-
 class Friction:
     """What `attach` adds to a model: the loads of pairs in each world, which it keeps from step to step."""
 
-    def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[_Geoms, Model], time_constant: float | None, passes: int) -> None:
-        if time_constant is not None and not 0 < time_constant < np.inf:
-            raise Error(f"time_constant = {time_constant!r}: must be positive and finite")
-        if passes < 1:
-            raise Error(f"passes = {passes!r}: must be at least 1")
+    def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int) -> None:
         self.passes = passes
         self.time_constant = -1.0 if time_constant is None else time_constant
-        by_pair = _laws_by_pair(model, laws)
-        models = list({id(each): each for each in by_pair.values()}.values())
-        pairs = np.full((model.ngeom, model.ngeom), -1, dtype=np.int32)
-        for number, (a, b) in enumerate(by_pair):
-            pairs[a, b] = pairs[b, a] = number
-        device, shape = d.qpos.device, (d.nworld, max(1, len(by_pair)))
-        self._laws = [law(each, np.float32, device) for each in models]
-        self._pair_of = wp.array(pairs, dtype=int, device=device)
-        self._surface_of = wp.array([models.index(each) for each in by_pair.values()], dtype=int, device=device)
+        pairs = Pairs(model, laws)
+        device, shape = d.qpos.device, (d.nworld, max(1, pairs.count))
+        self._laws = [law(each, np.float32, device) for each in pairs.laws]
+        self._pair_of = wp.array(pairs.number, dtype=int, device=device)
+        self._surface_of = wp.array(pairs.law_of, dtype=int, device=device)
         self._load, self._mean, self._age, self._apart = (wp.zeros(shape, dtype=float, device=device) for _ in range(4))
         self._before = wp.full(d.nworld, -1.0, dtype=float, device=device)
 
@@ -141,14 +118,14 @@ class Friction:
         loads = [d.time, m.opt.timestep, self.time_constant, load, self._before, self._mean, self._age, self._apart]
         wp.launch(_take_loads, load.shape, loads, device=device)
         wp.copy(self._before, d.time)
-        set_friction(self._mean)
+        set_friction(load)
 
 
 def attach(
     model: mujoco.MjModel,
     m: Any,
     d: Any,
-    laws: Mapping[_Geoms, Model],
+    laws: Mapping[Geoms, Model],
     time_constant: float | None = None,
     passes: int = 2,
 ) -> Friction:
@@ -159,17 +136,14 @@ def attach(
         m: a `mujoco_warp.Model`, with elliptic cones; its control callback is called first, then the law.
         d: the `mujoco_warp.Data` that will be stepped.
         laws: for the names of two geoms, or of one for all that it touches, the law. Changes of `Params` need a new `attach`.
-        time_constant: of the mean of the loads [s]; 0.05, or ten steps if that is more, unless given.
+        time_constant: of the mean of the loads [s]; 0.05, or 40 steps if that is more, unless given.
         passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
 
     Raises:
         Error: pyramidal cones, RK4, actuation disabled, geoms with two surfaces, a time constant or passes that are none.
         KeyError: there is no such geom.
     """
-    if int(m.opt.cone) != int(mujoco.mjtCone.mjCONE_ELLIPTIC):
-        raise Error('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
-    if int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_RK4):
-        raise Error("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
+    demand(m, time_constant, passes)
     if int(m.opt.disableflags) & int(mujoco.mjtDisableBit.mjDSBL_ACTUATION):
         raise Error('needs <flag actuation="enable"/>: MuJoCo Warp calls no control callback without it')
     made = Friction(model, d, laws, time_constant, passes)

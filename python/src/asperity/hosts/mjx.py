@@ -1,0 +1,136 @@
+"""The law at the contacts of MuJoCo XLA; `asperity.mjx` has the names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import Error
+from ..model import Model
+
+try:
+    import jax.numpy as jnp
+    import mujoco
+    from mujoco import mjx
+except ImportError as error:
+    raise ImportError(f"asperity.mjx needs MuJoCo XLA ({error}): pip install mujoco-mjx") from None
+
+from .jax import friction
+from .mujoco_pairs import Geoms, Pairs, demand
+
+__all__ = ["Friction", "Loads", "attach"]
+
+
+class Loads(NamedTuple):
+    """What a world remembers from step to step: the time [s], and of each pair its load or mean load [force], for how long it has
+    touched and for how long it has been apart [s]."""
+
+    time: Any
+    mean: Any
+    age: Any
+    apart: Any
+
+
+class Friction:
+    """What `attach` returns: the step that has the friction of laws. Its methods are pure functions of their arguments, so that
+    `jax.jit`, `jax.vmap`, `jax.lax.scan` and `jax.grad` apply to them."""
+
+    def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int) -> None:
+        self.passes = passes
+        self.time_constant = time_constant
+        self._pairs = Pairs(model, laws)
+        self._dtype = d.qpos.dtype
+        self._laws = [friction(each, self._dtype) for each in self._pairs.laws]
+
+    def loads(self, *worlds: int) -> Loads:
+        """What is remembered at the start, where no pair has touched: of one world, or of so many for `jax.vmap`."""
+        zeros = jnp.zeros((*worlds, self._pairs.count), self._dtype)
+        return Loads(jnp.full(worlds, -jnp.inf, self._dtype), zeros, zeros, zeros)
+
+    def step(self, m: Any, d: Any, loads: Loads) -> tuple[Any, Loads]:
+        """One step, in place of `mjx.step(m, d)`: the data and the loads after it."""
+        d = mjx.fwd_position(m, d)
+        d = mjx.fwd_velocity(m, mjx.sensor_pos(m, d))
+        d = mjx.fwd_actuation(m, mjx.sensor_vel(m, d))
+        d = mjx.fwd_acceleration(m, d)
+        if d._impl.efc_J.size == 0:
+            d = d.replace(qacc=d.qacc_smooth)
+        else:
+            d, loads = self._solve(m, d, loads)
+            d = mjx.sensor_acc(m, d)
+        euler = int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_EULER)
+        return (mjx.euler if euler else mjx.implicit)(m, d), loads
+
+    def _solve(self, m: Any, d: Any, loads: Loads) -> tuple[Any, Loads]:
+        """The law at the mean load of pairs that have touched for long, and of others at the load of the step itself."""
+        step = m.opt.timestep
+        constant = jnp.maximum(0.05, 40 * step) if self.time_constant is None else self.time_constant
+        # A run that begins again, and a pair that was open for long, have no past.
+        age = jnp.where((d.time <= loads.time) | (loads.apart > constant), 0, loads.age)
+        old, load = age > constant, jnp.where(age > 0, loads.mean, 0)
+        for _ in range(self.passes):
+            d = mjx.solve(m, self._with_friction(d, load))
+            d = d.replace(qacc_warmstart=d.qacc)
+            load = jnp.where(old, load, self._load(d))
+        d = mjx.solve(m, self._with_friction(d, load))
+        load = self._load(d)
+        apart = jnp.where(load > 0, 0, loads.apart + step)
+        share = step / jnp.clip(age + step, step, jnp.maximum(step, constant))
+        mean = jnp.where(age > 0, loads.mean, 0)
+        mean = mean + (load - mean) * share
+        return d, Loads(*(jnp.asarray(value, self._dtype) for value in (d.time, mean, age + step, apart)))
+
+    def _pair_of(self, contact: Any) -> Any:
+        """The number of the pair of each contact; one more than the last for none."""
+        number = jnp.asarray(self._pairs.number)[contact.geom[:, 0], contact.geom[:, 1]]
+        return jnp.where((number >= 0) & (np.asarray(contact.dim) >= 3), number, self._pairs.count)
+
+    def _load(self, d: Any) -> Any:
+        """The sum of the normal forces of the points of each pair."""
+        contact = d._impl.contact
+        force = d._impl.efc_force[np.asarray(contact.efc_address)]
+        return jnp.zeros(self._pairs.count + 1, self._dtype).at[self._pair_of(contact)].add(force)[:-1]
+
+    def _with_friction(self, d: Any, load: Any) -> Any:
+        """The data with the coefficients of the laws at loads. The coefficients of a contact keep their ratios, on which its
+        regularisation rests."""
+        law = jnp.zeros(self._pairs.count + 1, self._dtype)
+        for number, of_law in enumerate(self._laws):
+            (ours,) = np.nonzero(self._pairs.law_of == number)
+            touching = load[ours] > 0
+            coefficient = jnp.maximum(of_law(jnp.where(touching, load[ours], 1)), mujoco.mjMINMU)
+            law = law.at[ours].set(jnp.where(touching, coefficient, 0))
+        contact = d._impl.contact
+        given, wanted = contact.friction, law[self._pair_of(contact)]
+        ratio = jnp.where(wanted > 0, wanted / jnp.maximum(given[:, 0], mujoco.mjMINMU), 1)
+        return d.tree_replace({"_impl.contact.friction": given * ratio[:, None]})
+
+
+def attach(
+    model: mujoco.MjModel,
+    m: Any,
+    d: Any,
+    laws: Mapping[Geoms, Model],
+    time_constant: float | None = None,
+    passes: int = 2,
+) -> Friction:
+    """The step of a model with which pairs of geoms have the friction of laws.
+
+    Args:
+        model: that of which `m` was made.
+        m: an `mjx.Model` of the back end JAX, with elliptic cones.
+        d: an `mjx.Data`, whose type the law has: float32, or float64 with `jax_enable_x64`.
+        laws: for the names of two geoms, or of one for all that it touches, the law. Changes of `Params` need a new `attach`.
+        time_constant: of the mean of the loads [s]; 0.05, or 40 steps if that is more, unless given.
+        passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
+
+    Raises:
+        Error: pyramidal cones, RK4, MJX's own back end of Warp, geoms with two surfaces, a time constant or passes that are none.
+        KeyError: there is no such geom.
+    """
+    if not hasattr(d._impl, "efc_J"):
+        raise Error("needs mjx.put_model(model, impl='jax'): for Warp there is asperity.mujoco_warp, with MuJoCo Warp's own step")
+    demand(m, time_constant, passes)
+    return Friction(model, d, laws, time_constant, passes)

@@ -1,0 +1,64 @@
+"""Which pairs of geoms have which law, and what a model must have, for the back ends of MuJoCo that take no plugin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Union
+
+import mujoco
+import numpy as np
+import numpy.typing as npt
+
+from ..errors import Error
+from ..model import Model
+
+Geoms = Union[str, tuple[str, str]]
+
+
+class Pairs:
+    """The pairs of geoms of a model that have a law; each has a number."""
+
+    def __init__(self, model: mujoco.MjModel, laws: Mapping[Geoms, Model]) -> None:
+        by_pair = _laws_by_pair(model, laws)
+        self.count = len(by_pair)
+        #: Each law once.
+        self.laws = list({id(each): each for each in by_pair.values()}.values())
+        #: The place in `laws` of the law of each pair.
+        self.law_of: npt.NDArray[np.int32] = np.array([self.laws.index(each) for each in by_pair.values()], dtype=np.int32)
+        #: The number of the pair of two geoms; -1 without a law.
+        self.number = np.full((model.ngeom, model.ngeom), -1, dtype=np.int32)
+        for number, (a, b) in enumerate(by_pair):
+            self.number[a, b] = self.number[b, a] = number
+
+
+def demand(m: Any, time_constant: float | None, passes: int) -> None:
+    """Refuses options with which the law cannot be right."""
+    if int(m.opt.cone) != int(mujoco.mjtCone.mjCONE_ELLIPTIC):
+        raise Error('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
+    if int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_RK4):
+        raise Error("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
+    if time_constant is not None and not 0 < time_constant < np.inf:
+        raise Error(f"time_constant = {time_constant!r}: must be positive and finite")
+    if passes < 1:
+        raise Error(f"passes = {passes!r}: must be at least 1")
+
+
+def _laws_by_pair(model: mujoco.MjModel, laws: Mapping[Geoms, Model]) -> dict[tuple[int, int], Model]:
+    """The law of each two geoms, the smaller number first; a pair that is named has its own."""
+
+    def number(name: str) -> int:
+        return int(model.geom(name).id)  # whose KeyError lists the names that there are
+
+    found: dict[tuple[int, int], Model] = {}
+    for geoms, of_one in laws.items():
+        for other in range(model.ngeom) if isinstance(geoms, str) else ():
+            pair = min(number(geoms), other), max(number(geoms), other)
+            if found.setdefault(pair, of_one) is not of_one:
+                names = tuple(model.geom(geom).name for geom in pair)
+                if names not in laws and names[::-1] not in laws:
+                    raise Error(f"geoms {names[0]!r} and {names[1]!r} have different surfaces: name the pair too")
+    for geoms, of_pair in laws.items():
+        if not isinstance(geoms, str):
+            a, b = map(number, geoms)
+            found[min(a, b), max(a, b)] = of_pair
+    return found
