@@ -21,7 +21,7 @@ for tool in "${PYTHON:-python3}" cargo cc; do
 done
 before="$(git status --porcelain)"
 
-quick=(c_interface command_line docstrings export layers library loads materials microslip model params
+quick=(c_interface command_line docstrings export host_pages layers library loads materials microslip model params
     surface_file threads uncertainty)
 if [ "${1:-}" = --quick ]; then
     environment="$(python/environment.sh quick)"

@@ -51,7 +51,9 @@ def _laws_by_pair(model: mujoco.MjModel, laws: Mapping[Geoms, Model]) -> dict[tu
 
     found: dict[tuple[int, int], Model] = {}
     for geoms, of_one in laws.items():
-        for other in range(model.ngeom) if isinstance(geoms, str) else ():
+        if not isinstance(geoms, str):
+            continue
+        for other in range(model.ngeom):
             pair = min(number(geoms), other), max(number(geoms), other)
             if found.setdefault(pair, of_one) is not of_one:
                 names = tuple(model.geom(geom).name for geom in pair)
