@@ -76,7 +76,7 @@ export function estimateText(library, text, load) {
  */
 function laid(library, text, load, room) {
   if (typeof text !== "string") throw new TypeError(`text = ${String(text)}: must be a string`);
-  const numbers = Float64Array.from(numbersOf(load));
+  const numbers = numbersOf("load", load);
   const bytes = new TextEncoder().encode(text).subarray(0, 2 ** 20 + 1);
   const behind = 8 * Math.ceil(bytes.length / 8);
   const at = library.room(Math.max(1, behind + 8 * numbers.length + room(numbers.length)));

@@ -18,7 +18,7 @@ import { calibrate, calibrateForce, paper, readEstimate, readText, toText, withI
 /**
  * One instance of the library, with a memory of its own.
  * @typedef {object} Instance
- * @property {new (params: Params) => Model} Model a friction law: `new Model(params)`
+ * @property {new (params: Params | string) => Model} Model a friction law: `new Model(params)`, or of the text of a surface
  * @property {string} version of the library
  * @property {(bits: number) => Warning[]} warningsOf the `warnings` of a state, in words
  * @property {(bits: number) => string} warningsText the same as one text, a line for each warning; "no warning" for 0
@@ -63,7 +63,7 @@ export async function instantiate(source) {
   const library = new Library(await WebAssembly.instantiate(module, {}));
   return {
     Model: class extends Model {
-      /** @param {Params} params */
+      /** @param {Params | string} params */
       constructor(params) {
         super(library, params);
       }

@@ -15,15 +15,45 @@ const TEXT_END = 12 * 1024;
 const ARRAYS = 16 * 1024;
 const BLOCK = ARRAYS + 3 * 8 * CHUNK;
 
+/** What is shown of a value that is no number. @param {unknown} value */
+function shown(value) {
+  if (typeof value === "string") return JSON.stringify(value);
+  if (typeof value === "bigint") return `${value}n`;
+  return typeof value === "object" && value !== null ? Object.prototype.toString.call(value).slice(8, -1) : String(value);
+}
+
 /**
- * Loads as numbers in a row.
- * @param {number | ArrayLike<number>} load
+ * A number as it is: WebAssembly would take null, "" and [] for 0.
+ * @param {string} name
+ * @param {unknown} value
+ * @param {string} [place]
  */
-export function numbersOf(load) {
-  const loads = typeof load === "number" ? [load] : load;
-  if (typeof loads !== "object" || loads === null || typeof loads.length !== "number")
-    throw new TypeError(`load = ${String(load)}: must be a number or an array of numbers`);
-  return loads;
+export function numberOf(name, value, place = "") {
+  if (typeof value !== "number") throw new TypeError(`${place}${name} = ${shown(value)}: must be a number`);
+  return value;
+}
+
+/** A count, or bits. @param {string} name @param {unknown} value @param {string} what it must be */
+export function wholeOf(name, value, what = "a whole number from 0") {
+  if (!Number.isSafeInteger(value) || Number(value) < 0) throw new TypeError(`${name} = ${shown(value)}: must be ${what}`);
+  return Number(value);
+}
+
+/**
+ * A copy of numbers in a row, each of which is one.
+ * @param {string} name
+ * @param {number | ArrayLike<number>} values
+ */
+export function numbersOf(name, values) {
+  if (typeof values === "number") return Float64Array.of(values);
+  const isRow = typeof values === "object" && values !== null && "length" in values;
+  if (!isRow) throw new TypeError(`${name} = ${shown(values)}: must be a number or an array of numbers`);
+  const numbers = new Float64Array(wholeOf(`${name}.length`, values.length));
+  for (let i = 0; i < numbers.length; i++) {
+    const value = values[i];
+    numbers[i] = typeof value === "number" ? value : numberOf(name, value, `element ${i}: `);
+  }
+  return numbers;
 }
 
 /** What the library refuses, in its own words. */
@@ -40,15 +70,16 @@ export class AsperityError extends Error {
   }
 }
 
-/** The C functions, by name; 64-bit integers are BigInts. @typedef {Record<string, (...values: any[]) => any>} Functions */
+/** The C functions, by name without its prefix; 64-bit integers are BigInts. @typedef {Record<string, (...values: any[]) => any>} Functions */
 
 /** One instance of the library. */
 export class Library {
   /** @param {WebAssembly.Instance} instance */
   constructor(instance) {
     this.memory = /** @type {WebAssembly.Memory} */ (instance.exports.memory);
-    this.functions = /** @type {Functions} */ (/** @type {unknown} */ (instance.exports));
-    const abi = this.functions.asperity_abi_version();
+    const named = Object.entries(instance.exports).map(([name, value]) => [name.replace("asperity_", ""), value]);
+    this.functions = /** @type {Functions} */ (Object.fromEntries(named));
+    const abi = this.functions.abi_version();
     if (abi !== CONSTANTS.ABI_VERSION)
       throw new Error(`asperity.wasm has ABI version ${abi}, this package needs ${CONSTANTS.ABI_VERSION}: build both anew`);
     this.block = this.memory.grow(Math.ceil(BLOCK / PAGE)) * PAGE;
@@ -78,6 +109,11 @@ export class Library {
     return this.view;
   }
 
+  /** So many numbers of the memory. @param {number} at @param {number} count */
+  numbers(at, count) {
+    return new Float64Array(this.memory.buffer, at, count);
+  }
+
   /**
    * Calls a C function. One that stops in the middle leaves the instance unusable.
    * @param {string} name without its prefix
@@ -85,11 +121,31 @@ export class Library {
    */
   call(name, ...values) {
     try {
-      return this.functions[`asperity_${name}`](...values);
+      return this.functions[name](...values);
     } catch (error) {
-      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-      throw new AsperityError(`${this.statusText(CONSTANTS.INTERNAL)} (${error.message})`, CONSTANTS.INTERNAL);
+      throw this.stopped(error);
     }
+  }
+
+  /**
+   * The same for one number of a model: without an array of arguments, which costs more than such a call.
+   * @param {string} name
+   * @param {number} model
+   * @param {number} argument
+   * @param {number} out receives a slope; 0 for none
+   */
+  number(name, model, argument, out) {
+    try {
+      return this.functions[name](model, argument, out);
+    } catch (error) {
+      throw this.stopped(error);
+    }
+  }
+
+  /** What is thrown for a call that stopped. @param {unknown} error */
+  stopped(error) {
+    if (!(error instanceof WebAssembly.RuntimeError)) return error;
+    return new AsperityError(`${this.statusText(CONSTANTS.INTERNAL)} (${error.message})`, CONSTANTS.INTERNAL);
   }
 
   /**
@@ -137,7 +193,7 @@ export class Library {
 
   /** @param {number} status */
   statusText(status) {
-    return this.string(this.functions.asperity_status_string(status));
+    return this.string(this.functions.status_string(status));
   }
 
   /** @param {number} pointer of a string that ends in NUL */

@@ -1,7 +1,7 @@
 // A friction law ready for use.
 import { CONSTANTS } from "./header.js";
-import { AsperityError, CHUNK, numbersOf } from "./library.js";
-import { readParams, writeParams } from "./params.js";
+import { AsperityError, CHUNK, numberOf, numbersOf, wholeOf } from "./library.js";
+import { readEstimate, readParams, writeParams } from "./params.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./header.js").State} State */
@@ -18,6 +18,19 @@ const WARNINGS = Object.entries(CONSTANTS)
 /** What a batch call reports of single loads: below pull-off is no error here, and what is one is answered with NaN. @type {number[]} */
 const OF_LOADS = [CONSTANTS.OK, CONSTANTS.SEPARATED, CONSTANTS.INVALID_LOAD, CONSTANTS.OUT_OF_RANGE];
 
+/** What is asked of a model, and the calls for one argument, with the slope, and for many. */
+const CALLS = {
+  friction: { one: "friction_at_load", withSlope: "friction_and_slope_at_load", many: "friction_at_loads", argument: "load" },
+  friction_force: { one: "friction_force_at_load", withSlope: "friction_force_and_slope_at_load", many: "friction_force_at_loads",
+    argument: "load" },
+  tangential_stiffness: { one: "tangential_stiffness_at_load", withSlope: "", many: "tangential_stiffness_at_loads", argument: "load" },
+  load: { one: "load_and_slope_at_gap", withSlope: "load_and_slope_at_gap", many: "loads_at_gaps", argument: "gap" },
+};
+/** @typedef {keyof typeof CALLS} Quantity */
+
+/** Surfaces that are given, or described by a text. @param {import("./library.js").Library} library @param {Params | string} params */
+const surfaces = (library, params) => (typeof params === "string" ? readEstimate(library, params) : params);
+
 /**
  * A friction law of two surfaces: friction against load, and exact states. Make it once, ask it often. It frees its memory
  * when it is no longer reachable, or at `free`. All quantities are in the units of the parameters.
@@ -28,13 +41,13 @@ export class Model {
 
   /**
    * @param {import("./library.js").Library} library the instance of the library
-   * @param {Params} params the surfaces
+   * @param {Params | string} params the surfaces, or a text of which `readEstimate` makes them
    * @throws {AsperityError} a parameter that the library refuses, or one that is missing: the message names it, its value and what is allowed
    */
   constructor(library, params) {
     /** @private */
     this.library = library;
-    writeParams(library, params);
+    writeParams(library, surfaces(library, params));
     library.run("create", library.struct, library.out);
     this.#pointer = library.data().getUint32(library.out, true);
     library.models.register(this, this.#pointer, this);
@@ -59,11 +72,11 @@ export class Model {
 
   /**
    * Gives the model other parameters; if that throws, the model is as before.
-   * @param {Params} params
+   * @param {Params | string} params as of `new Model`
    */
   setParams(params) {
     const pointer = this.#open;
-    writeParams(this.library, params);
+    writeParams(this.library, surfaces(this.library, params));
     this.library.run("set_params", pointer, this.library.struct);
   }
 
@@ -76,7 +89,7 @@ export class Model {
    * @throws {AsperityError} a load that is not finite, or too heavy; for an array the message has its index
    */
   frictionAtLoad(load) {
-    return this.#values("friction_at_loads", load);
+    return typeof load === "number" ? this.#value("friction", load) : this.#values("friction", load);
   }
 
   /**
@@ -86,7 +99,7 @@ export class Model {
    * @returns {T extends number ? number : Float64Array}
    */
   frictionForceAtLoad(load) {
-    return this.#values("friction_force_at_loads", load);
+    return typeof load === "number" ? this.#value("friction_force", load) : this.#values("friction_force", load);
   }
 
   /**
@@ -96,7 +109,7 @@ export class Model {
    * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
    */
   frictionAndSlopeAtLoad(load) {
-    return this.#valuesAndSlopes("friction_at_loads", load);
+    return this.#valuesAndSlopes("friction", load);
   }
 
   /**
@@ -106,7 +119,7 @@ export class Model {
    * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
    */
   frictionForceAndSlopeAtLoad(load) {
-    return this.#valuesAndSlopes("friction_force_at_loads", load);
+    return this.#valuesAndSlopes("friction_force", load);
   }
 
   /**
@@ -118,7 +131,7 @@ export class Model {
    * @returns {T extends number ? number : Float64Array}
    */
   tangentialStiffnessAtLoad(load) {
-    return this.#values("tangential_stiffness_at_loads", load);
+    return typeof load === "number" ? this.#value("tangential_stiffness", load) : this.#values("tangential_stiffness", load);
   }
 
   /**
@@ -128,7 +141,7 @@ export class Model {
    * @returns {T extends number ? number : Float64Array}
    */
   loadAtGap(gap) {
-    return this.#values("loads_at_gaps", gap);
+    return typeof gap === "number" ? this.#value("load", gap) : this.#values("load", gap);
   }
 
   /**
@@ -138,7 +151,7 @@ export class Model {
    * @returns {{ value: T extends number ? number : Float64Array, slope: T extends number ? number : Float64Array }}
    */
   loadAndSlopeAtGap(gap) {
-    return this.#valuesAndSlopes("loads_at_gaps", gap);
+    return this.#valuesAndSlopes("load", gap);
   }
 
   /**
@@ -149,7 +162,8 @@ export class Model {
    */
   tangentialAtLoad(load, displacement) {
     const { out } = this.library;
-    this.library.run("tangential_at_load", this.#open, load, displacement, out, out + 8);
+    const [at, by] = [numberOf("load", load), numberOf("displacement", displacement)];
+    this.library.run("tangential_at_load", this.#open, at, by, out, out + 8);
     return { force: this.library.data().getFloat64(out, true), stiffness: this.library.data().getFloat64(out + 8, true) };
   }
 
@@ -159,7 +173,7 @@ export class Model {
    * @returns {State}
    */
   stateAtLoad(load) {
-    return this.library.fill("asperity_state", "state_at_load", this.#open, load);
+    return this.library.fill("asperity_state", "state_at_load", this.#open, numberOf("load", load));
   }
 
   /**
@@ -168,7 +182,7 @@ export class Model {
    * @returns {State}
    */
   stateAtGap(gap) {
-    return this.library.fill("asperity_state", "state_at_gap", this.#open, gap);
+    return this.library.fill("asperity_state", "state_at_gap", this.#open, numberOf("gap", gap));
   }
 
   /**
@@ -180,8 +194,9 @@ export class Model {
    */
   specimensAtLoad(load, { specimens = 400, seed = 0 } = {}) {
     const at = this.library.array(0);
-    this.library.data().setFloat64(at, load, true);
-    return this.library.fill("asperity_specimens", "specimens_at_loads", this.#open, specimens, BigInt(seed), 1, at);
+    const [count, first] = [wholeOf("specimens", specimens), BigInt(wholeOf("seed", seed))];
+    this.library.data().setFloat64(at, numberOf("load", load), true);
+    return this.library.fill("asperity_specimens", "specimens_at_loads", this.#open, Math.min(count, 2 ** 32 - 1), first, 1, at);
   }
 
   /** The constants of the model: dimensionless groups, pull-off, extent and error of the table. @returns {Summary} */
@@ -196,62 +211,83 @@ export class Model {
    * @returns {Warning[]}
    */
   checkLoads(lightest, heaviest) {
-    this.library.run("check_loads", this.#open, lightest, heaviest, this.library.out);
+    const [from, to] = [numberOf("lightest", lightest), numberOf("heaviest", heaviest)];
+    this.library.run("check_loads", this.#open, from, to, this.library.out);
     return warningsOf(this.library, this.library.data().getBigUint64(this.library.out, true));
   }
 
   /**
-   * @param {string} name
-   * @param {number | Loads} load
+   * One number of a call for one load, which costs little more than the call.
+   * @param {Quantity} quantity
+   * @param {number} load
    * @returns {any}
    */
-  #values(name, load) {
-    const [values] = this.#batch(name, load);
-    return typeof load === "number" ? values[0] : values;
+  #value(quantity, load) {
+    // The last is for a slope, where the call has one: NULL. What a call does not take is left out.
+    const value = this.library.number(CALLS[quantity].one, this.#open, load, 0);
+    if (Number.isNaN(value)) this.#refuse(quantity, load, "");
+    return value;
   }
 
   /**
-   * @param {string} name
+   * @param {Quantity} quantity
    * @param {number | Loads} load
    * @returns {any}
    */
-  #valuesAndSlopes(name, load) {
-    const [value, slope] = this.#batch(name, load);
-    return typeof load === "number" ? { value: value[0], slope: slope[0] } : { value, slope };
+  #values(quantity, load) {
+    return this.#batch(quantity, numbersOf(CALLS[quantity].argument, load));
   }
 
   /**
-   * A batch call, in parts that fit the block. Stiffnesses have no slopes, and their call no place for them.
-   * @param {string} name
+   * @param {Quantity} quantity
    * @param {number | Loads} load
+   * @returns {any}
    */
-  #batch(name, load) {
-    const loads = numbersOf(load);
-    const inputs = this.library.array(0);
-    const outputs = [this.library.array(1), this.library.array(2)].slice(0, name.startsWith("tangential") ? 1 : 2);
-    const found = outputs.map(() => new Float64Array(loads.length));
-    for (let from = 0; from < loads.length; from += CHUNK) {
-      const count = Math.min(CHUNK, loads.length - from);
-      const into = new Float64Array(this.library.memory.buffer, inputs, count);
-      for (let i = 0; i < count; i++) into[i] = loads[from + i];
-      const status = this.library.call(name, this.#open, count, inputs, ...outputs);
-      if (!OF_LOADS.includes(status)) this.library.check(status);
-      outputs.forEach((output, i) => found[i].set(new Float64Array(this.library.memory.buffer, output, count), from));
+  #valuesAndSlopes(quantity, load) {
+    if (typeof load !== "number") {
+      const numbers = numbersOf(CALLS[quantity].argument, load);
+      const slope = new Float64Array(numbers.length);
+      return { value: this.#batch(quantity, numbers, slope), slope };
     }
-    const refused = found[0].findIndex(Number.isNaN);
-    if (refused >= 0) this.#refuse(name, loads[refused], typeof load === "number" ? "" : `element ${refused}: `);
-    return found;
+    const { out } = this.library;
+    const value = this.library.number(CALLS[quantity].withSlope, this.#open, load, out);
+    if (Number.isNaN(value)) this.#refuse(quantity, load, "");
+    return { value, slope: this.library.data().getFloat64(out, true) };
+  }
+
+  /**
+   * A batch call, in parts that fit the block. Values take the places of their loads.
+   * @param {Quantity} quantity
+   * @param {Float64Array} numbers loads, in the end values
+   * @param {Float64Array} [slope] receives the slopes
+   */
+  #batch(quantity, numbers, slope) {
+    const [inputs, values, slopes] = [this.library.array(0), this.library.array(1), slope ? this.library.array(2) : 0];
+    // Stiffnesses have no slopes, and their call no place for them.
+    const outputs = quantity === "tangential_stiffness" ? [values] : [values, slopes];
+    for (let from = 0; from < numbers.length; from += CHUNK) {
+      const part = numbers.subarray(from, from + CHUNK);
+      this.library.numbers(inputs, part.length).set(part);
+      const status = this.library.call(CALLS[quantity].many, this.#open, part.length, inputs, ...outputs);
+      if (!OF_LOADS.includes(status)) this.library.check(status);
+      const found = this.library.numbers(values, part.length);
+      const refused = found.findIndex(Number.isNaN);
+      if (refused >= 0) this.#refuse(quantity, part[refused], `element ${from + refused}: `);
+      part.set(found);
+      slope?.set(this.library.numbers(slopes, part.length), from);
+    }
+    return numbers;
   }
 
   /**
    * Throws the library's message about a load, or a gap, that it answered with NaN.
-   * @param {string} name of the call
+   * @param {Quantity} quantity
    * @param {number} argument
    * @param {string} place
    */
-  #refuse(name, argument, place) {
+  #refuse(quantity, argument, place) {
     try {
-      if (name === "loads_at_gaps") this.stateAtGap(argument);
+      if (quantity === "load") this.stateAtGap(argument);
       else this.stateAtLoad(argument);
     } catch (error) {
       if (error instanceof AsperityError) throw new AsperityError(place + error.message, error.status);
@@ -265,8 +301,7 @@ export class Model {
  * Bits as the C interface takes them. @param {string} name @param {number} bits
  */
 export function bitsOf(name, bits) {
-  if (!Number.isSafeInteger(bits) || bits < 0) throw new TypeError(`${name} = ${String(bits)}: must be a whole number, bits of warnings`);
-  return BigInt(bits);
+  return BigInt(wholeOf(name, bits, "a whole number, bits of warnings"));
 }
 
 /**

@@ -1,6 +1,6 @@
 // Parameters as JavaScript has them, names and numbers, into the struct of the C interface.
 import { CONSTANTS, LAYOUTS, WORDS } from "./header.js";
-import { AsperityError, CHUNK } from "./library.js";
+import { AsperityError, CHUNK, numberOf, numbersOf } from "./library.js";
 
 /**
  * Two rough surfaces. The numbers are in one consistent system of units; their names are those of `asperity_params`, and
@@ -187,17 +187,17 @@ export function number(name, value) {
     const known = Object.keys(words).map((word) => `"${word}"`).join(", ");
     throw new AsperityError(`${name} = "${value}": must be one of ${known}`, CONSTANTS.INVALID_PARAMETER);
   }
-  if (typeof value !== "number") throw new TypeError(`${name} = ${String(value)}: must be a number`);
-  return value;
+  return numberOf(name, value);
 }
 
 /**
  * @param {import("./library.js").Library} library
- * @param {ArrayLike<number>} height
- * @param {ArrayLike<number>} density
+ * @param {ArrayLike<number>} heights
+ * @param {ArrayLike<number>} densities
  * @param {string | undefined} distribution
  */
-function writeTable(library, height, density, distribution) {
+function writeTable(library, heights, densities, distribution) {
+  const [height, density] = [numbersOf("table_height", heights), numbersOf("table_density", densities)];
   if (height.length !== density.length) {
     const message = `table_density: ${density.length} numbers for ${height.length} heights`;
     throw new AsperityError(message, CONSTANTS.INVALID_PARAMETER);

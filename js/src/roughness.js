@@ -1,6 +1,8 @@
 // Spectral moments of a rough surface, from areal parameters or from a height map, as asperity.Params.from_iso25178 and
 // asperity.surface of the Python package compute them.
 
+import { numberOf } from "./library.js";
+
 /** Variances of height, slope and, where it is known, curvature along profiles. @typedef {{ m0: number, m2: number, m4?: number }} Moments */
 
 /**
@@ -29,7 +31,7 @@ export function momentsOfAreal({ Sq, Sdq, Sds, Ssc }) {
  *   principal mean square slope: 1 for isotropic surfaces, 0 for grooves, for which the model does not hold
  */
 export function momentsOfMap(heights, columns, dx, dy = dx) {
-  const rows = heights.length / columns;
+  const rows = heights.length / numberOf("columns", columns);
   if (!Number.isInteger(rows))
     throw new RangeError(`height map: ${heights.length} heights in rows of ${columns}: the last row is not whole`);
   if (!(rows >= 3 && columns >= 3))

@@ -51,3 +51,16 @@ test("the archive has what is needed and nothing else", () => {
     assert.ok(names.includes(name), name);
   assert.ok(names.every((name) => /^(dist\/.*\.(js|d\.ts|wasm|html)|package\.json|README\.md)$/.test(name)), names.join(" "));
 });
+
+test("a program of the guide is one file in the formats that await nothing", () => {
+  const page = readFileSync(resolve(root, "docs/javascript.md"), "utf8").replaceAll("\r\n", "\n");
+  const [, text, command, says] = page.match(/^```js first\.js\n([\s\S]*?)^```\n[\s\S]*?^    npx (esbuild first\.js .*)\n[\s\S]*?^```text\n([\s\S]*?)^```$/m);
+  writeFileSync(resolve(folder, "first.js"), text);
+  const esbuild = resolve(js, "node_modules/.bin/esbuild");
+  assert.ok(command.includes("--format=iife"));
+  for (const format of ["iife", "cjs", "esm"]) {
+    const words = command.replace("--format=iife", `--format=${format}`).replace("bundle.js", `${format}.${format === "esm" ? "m" : "c"}js`).split(" ").slice(1);
+    execFileSync(esbuild, [...words, "--log-level=error"], { cwd: folder });
+    assert.equal(execFileSync(process.execPath, [`${format}.${format === "esm" ? "m" : "c"}js`], { cwd: folder, encoding: "utf8" }), says, format);
+  }
+});

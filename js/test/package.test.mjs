@@ -41,6 +41,96 @@ test("loads that the library refuses are refused in its words, in arrays by thei
   assert.throws(() => model.frictionAtLoad(/** @type {any} */ ("1")), TypeError);
 });
 
+/** What is no row of numbers, and where it is not. */
+const NO_NUMBERS = [
+  [[1e-3, null], /^element 1: load = null: must be a number$/],
+  [JSON.parse(JSON.stringify([1e-3, NaN, 1e-2])), /^element 1: load = null: /],
+  [[""], /^element 0: load = "": /],
+  [["1e-3"], /^element 0: load = "1e-3": /],
+  [[1, true], /^element 1: load = true: /],
+  [[false], /^element 0: load = false: /],
+  [[[]], /^element 0: load = Array: /],
+  [[[1e-3]], /^element 0: load = Array: /],
+  [[1, 2n], /^element 1: load = 2n: /],
+  [new BigInt64Array(2), /^element 0: load = 0n: /],
+  [new BigUint64Array([1n]), /^element 0: load = 1n: /],
+  [[new Date(1)], /^element 0: load = Date: /],
+  [[1, , 3], /^element 1: load = undefined: /],
+  [new Array(3), /^element 0: load = undefined: /],
+  [[Symbol("x")], /^element 0: load = Symbol\(x\): /],
+  [[Object.create(null)], /^element 0: load = Object: /],
+  [[new Number(1)], /^element 0: load = Number: /],
+  [new String("12"), /^element 0: load = "1": /],
+  [{ length: 2, 0: 1e-3 }, /^element 1: load = undefined: /],
+  [{ length: -1 }, /^load\.length = -1: must be a whole number/],
+  [{ length: "2" }, /^load\.length = "2": /],
+  ["1e-3", /^load = "1e-3": must be a number or an array of numbers$/],
+  [null, /^load = null: /],
+  [undefined, /^load = undefined: /],
+  [true, /^load = true: /],
+  [1n, /^load = 1n: /],
+  [new Date(1), /^load = Date: /],
+  [new DataView(new ArrayBuffer(8)), /^load = DataView: /],
+  [new Set([1e-3]), /^load = Set: /],
+  [{}, /^load = Object: /],
+];
+
+test("what is no number is refused where it is", () => {
+  const model = new Model(silicon);
+  const calls = ["frictionAtLoad", "frictionForceAtLoad", "frictionAndSlopeAtLoad", "frictionForceAndSlopeAtLoad", "tangentialStiffnessAtLoad"];
+  for (const [value, message] of NO_NUMBERS)
+    for (const call of calls) assert.throws(() => model[call](value), { name: "TypeError", message }, `${call}: ${message}`);
+  assert.throws(() => model.loadAtGap([0, null]), { name: "TypeError", message: /^element 1: gap = null: / });
+  assert.throws(() => model.loadAndSlopeAtGap([[]]), { name: "TypeError", message: /^element 0: gap = Array: / });
+  assert.throws(() => estimate('pair = "Si/Si"', [1, null]), { name: "TypeError", message: /^element 1: load = null: / });
+  for (const none of [null, undefined, "", [], true, 1n, new Date(1)]) {
+    const one = { name: "TypeError", message: /must be a number$/ };
+    for (const call of [() => model.stateAtLoad(none), () => model.stateAtGap(none), () => model.checkLoads(1e-3, none),
+      () => model.checkLoads(none, 1), () => model.tangentialAtLoad(none, 0), () => model.tangentialAtLoad(1e-3, none),
+      () => calibrate(silicon, 1e-2, none), () => calibrateForce(silicon, none, 1)]) assert.throws(call, one);
+    for (const name of ["height_std", "table_height"])
+      if (none !== undefined) assert.throws(() => new Model({ ...silicon, table_density: [0, 1, 0], [name]: name === "height_std" ? none : [0, none, 2] }), TypeError);
+  }
+  assert.throws(() => model.frictionAtLoad([1e-3, NaN]), { message: "element 1: load = NaN: must be finite", status: Status.INVALID_LOAD });
+});
+
+test("numbers of every typed array are read, and left as they are", () => {
+  const model = new Model(silicon);
+  const found = [...model.frictionForceAtLoad([1, 2, 3])];
+  for (const Row of [Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array, Float64Array]) {
+    const loads = Row.of(1, 2, 3);
+    assert.deepEqual([...model.frictionForceAtLoad(loads)], found, Row.name);
+    assert.deepEqual([...loads], [1, 2, 3]);
+  }
+  assert.deepEqual([...model.frictionForceAtLoad(new Float64Array(new SharedArrayBuffer(24)))], [0, 0, 0].fill(model.frictionForceAtLoad(0)));
+  assert.deepEqual([...model.frictionForceAtLoad({ length: 1, 0: 2 })], [found[1]]);
+  // One that asks the model while it is read.
+  const asking = { length: 2, 0: 1, get 1() { return model.frictionForceAtLoad([5, 6, 7]).length; } };
+  assert.deepEqual([...model.frictionForceAtLoad(asking)], [found[0], found[2]]);
+});
+
+test("a text is the surfaces that an estimate takes", () => {
+  const text = 'pair = "steel/steel"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n[roughness]\nprocess = "ground"\nRa = 0.8e-6\n';
+  const [model, other] = [new Model(text), new Model(readEstimate(text))];
+  assert.deepEqual(model.params, other.params);
+  assert.equal(model.frictionAtLoad(10), other.frictionAtLoad(10));
+  const changed = new Model(silicon);
+  changed.setParams(text);
+  assert.deepEqual(changed.params, other.params);
+  assert.throws(() => new Model("pair = 'Si/Sy'"), { name: "AsperityError", message: /^line 1: / });
+  assert.throws(() => new Model(""), { name: "AsperityError" });
+  for (const none of [null, undefined, 1, 1n, true]) assert.throws(() => new Model(none), TypeError);
+});
+
+test("a call for one load costs little more than its share of many", () => {
+  const cost = () => JSON.parse(execFileSync(process.execPath, [new URL("cost.mjs", import.meta.url).pathname], { encoding: "utf8" }));
+  const runs = Array.from({ length: 3 }, cost);
+  const least = (name) => Math.min(...runs.map((run) => run[name]));
+  // 1.2 and 3 on a machine of its own, 16 where a call passed through an array of one.
+  assert.ok(least("one") < 6 * least("many"), JSON.stringify(runs));
+  assert.ok(least("one_with_slope") < 10 * least("many_with_slope"), JSON.stringify(runs));
+});
+
 test("an array gives what its loads give one by one, however long it is", () => {
   const model = new Model(silicon);
   const many = Float64Array.from({ length: 5001 }, (_, i) => -1e-7 + 1e-9 * i ** 2);
