@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod allocations;
 mod contract;
 mod domains;
 mod estimate;

@@ -1,6 +1,7 @@
 //! The C interface as programs in C and C++ see it: `tests/c/` and `tests/cpp/`, each a program that checks for itself.
 
-use crate::common::c_compiler::{root, Compiler, Language, Linking};
+use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
+use crate::fuzz_calls::table::CALLS;
 use std::path::PathBuf;
 
 /// What the library's own headers are free of, besides -Wall, -Wextra and -Wpedantic; not asked of MSVC.
@@ -43,15 +44,18 @@ fn no_call_raises_a_floating_point_trap_in_any_environment() {
 #[test]
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 fn every_call_keeps_to_the_stack_that_is_promised() {
-    let read =
-        |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
-    let (header, calls) = (read("include/asperity.h"), read("tests/c/stack.c"));
-    let code = |line: &&str| !line.starts_with([' ', '/', '#', '*']);
-    for line in header.lines().filter(code).filter(|line| line.contains('(')) {
-        let name = line.split('(').next().and_then(|start| start.split("asperity_").last()).expect("a name");
-        assert!(calls.contains(&format!(", {name}, (")), "tests/c/stack.c does not call asperity_{name}");
+    let program = c_source("stack.c");
+    let calls = std::fs::read_to_string(&program).expect("tests/c/stack.c");
+    let mut text = String::new();
+    for call in CALLS {
+        let name = call.name.trim_start_matches("asperity_");
+        assert!(calls.contains(&format!("X({name}, , (")), "tests/c/stack.c does not call {}", call.name);
+        text += &format!("#define STACK_{} {}\n", call.name, call.needs.stack);
     }
-    passes("stack.c");
+    let source = source("stack_promised.c", &format!("{text}#include \"{}\"\n", program.display()));
+    for compiler in Compiler::all(Language::C, "c11") {
+        print!("{}", compiler.program(&source, Linking::Shared).succeeds(&["all"]));
+    }
 }
 
 /// `asperity_loads.h` is for C99 and C++.

@@ -45,9 +45,36 @@ pub use Is::*;
 /// A function, with its arguments in order.
 pub struct Call {
     pub name: &'static str,
+    pub needs: Needs,
     pub arguments: &'static [(&'static str, Is)],
     run: fn(&[Word]) -> Told,
 }
+
+/// What a call takes of the system, in its dearest form: `docs/c.md`, `SECURITY.md` and `tests/c/stack.c` have it from here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Needs {
+    /// Free stack [KiB] of x86-64 Linux.
+    pub stack: usize,
+    pub allocates: bool,
+    pub opens_files: bool,
+}
+
+const fn needs(stack: usize) -> Needs {
+    Needs { stack, allocates: false, opens_files: false }
+}
+
+/// What answers one number, or tells what is there.
+const ANSWER: Needs = needs(8);
+/// The same where a list is made on the way.
+const LIST: Needs = Needs { allocates: true, ..ANSWER };
+/// What answers for many.
+const BATCH: Needs = needs(32);
+const SORTED: Needs = needs(64);
+/// What integrates over the summits; what makes a model, or calibrates.
+const EXACT: Needs = Needs { allocates: true, ..BATCH };
+const MAKE: Needs = Needs { allocates: true, ..SORTED };
+const READ: Needs = Needs { opens_files: true, ..MAKE };
+const ESTIMATE: Needs = Needs { allocates: true, ..needs(96) };
 
 /// The bits of an argument.
 #[derive(Clone, Copy, Debug)]
@@ -112,9 +139,10 @@ tell! {
 }
 
 macro_rules! calls {
-    ($($function:ident($($argument:ident: $is:expr),*);)*) => {
+    ($($function:ident[$needs:ident]($($argument:ident: $is:expr),*);)*) => {
         &[$(Call {
             name: stringify!($function),
+            needs: $needs,
             arguments: &[$((stringify!($argument), $is)),*],
             run: |words| {
                 let mut _words = words.iter().copied();
@@ -132,56 +160,56 @@ pub const STATE: usize = 42;
 
 #[rustfmt::skip]
 pub const CALLS: &[Call] = calls! {
-    asperity_estimate_at_loads(surface: Text(SURFACE), length: Length, n: Count, load: In(1, 10.0), estimates: Struct(size_of::<asperity_estimate>()));
-    asperity_estimate_text(surface: Text(SURFACE), length: Length, n: Count, load: In(1, 10.0), buffer: Buffer, buffer_length: Room);
-    asperity_params_init(params: ChangedParams, struct_size: Whole(size_of::<asperity_params>() as u64));
-    asperity_params_set_dimensionless(params: ChangedParams, alpha: Number(0.1), beta: Number(4.0), gamma: Number(1e-3), b_over_h: Number(1.0), poisson: Number(0.3));
-    asperity_params_set_materials(params: ChangedParams, E1: Number(2e11), nu1: Number(0.3), E2: Number(1e11), nu2: Number(0.2));
-    asperity_params_set_spectral_moments(params: ChangedParams, m0: Number(1e-16), m2: Number(1e-4), m4: Number(1e10), nominal_area: Number(1e-6));
-    asperity_params_set_pair(params: ChangedParams, name: Text(c"Si/Si"));
-    asperity_params_set_units(params: ChangedParams, length: Number(1e-3), force: Number(1.0));
-    asperity_params_set_values(params: ChangedParams, count: Count, names: Names(c"rms_slope"), values: In(1, 0.2));
-    asperity_params_get_value(params: Params, name: Text(c"rms_slope"), value: Out(1));
-    asperity_params_calibrate(params: ChangedParams, load: Number(1.0), friction_coefficient: Number(0.3));
-    asperity_params_calibrate_force(params: ChangedParams, load: Number(1.0), friction_force: Number(0.3));
-    asperity_params_set_text(params: ChangedParams, text: Text(c"rms_slope = 0.2"), length: Length);
-    asperity_params_set_estimate(params: ChangedParams, surface: Text(SURFACE), length: Length);
-    asperity_params_text(params: Params, buffer: Buffer, length: Room);
-    asperity_params_read(params: ChangedParams, path: Text(c"hosts/surface.toml"));
-    asperity_create(params: Params, model: NewModel);
-    asperity_set_params(model: ChangedModel, params: Params);
-    asperity_get_params(model: Model, params: Struct(size_of::<asperity_params>()));
-    asperity_free(model: FreedModel);
-    asperity_name(kind: Whole(1), index: Whole(0));
-    asperity_describe(kind: Whole(1), name: Text(c"Si"), buffer: Buffer, length: Room);
-    asperity_friction_at_load(model: Model, load: Number(LOAD));
-    asperity_friction_force_at_load(model: Model, load: Number(LOAD));
-    asperity_friction_at_loads(model: Model, n: Count, load: In(1, LOAD), mu: MayOut(1), dmu_dload: MayOut(1));
-    asperity_friction_force_at_loads(model: Model, n: Count, load: In(1, LOAD), force: MayOut(1), dforce_dload: MayOut(1));
-    asperity_friction_and_slope_at_load(model: Model, load: Number(LOAD), dmu_dload: MayOut(1));
-    asperity_friction_force_and_slope_at_load(model: Model, load: Number(LOAD), dforce_dload: MayOut(1));
-    asperity_friction_force_at_loads_of(models: Models, models_length: Whole(1), n: Count, which: Which, load: In(1, LOAD), force: MayOut(1), dforce_dload: MayOut(1));
-    asperity_tangential_stiffness_at_load(model: Model, load: Number(LOAD));
-    asperity_tangential_stiffness_at_loads(model: Model, n: Count, load: In(1, LOAD), stiffness: MayOut(1));
-    asperity_tangential_at_load(model: Model, load: Number(LOAD), displacement: Number(1e-3), force: MayOut(1), stiffness: MayOut(1));
-    asperity_microslip_length(model: Model);
-    asperity_microslip_step(model: Model, load: Number(LOAD), increment: In(2, 1e-3), before: In(STATE, 0.0), after: MayOut(STATE), out: Struct(size_of::<asperity_microslip>()));
-    asperity_microslip_steps(model: Model, n: Count, load: In(1, LOAD), increment: In(2, 1e-3), before: In(STATE, 0.0), after: MayOut(STATE), force: MayOut(2), stiffness: MayOut(4));
-    asperity_microslip_turn(state: Out(STATE), cosine: Number(1.0), sine: Number(0.5));
-    asperity_load_and_slope_at_gap(model: Model, gap: Number(1e-2), dload_dgap: MayOut(1));
-    asperity_loads_at_gaps(model: Model, n: Count, gap: In(1, 1e-2), load: MayOut(1), dload_dgap: MayOut(1));
-    asperity_state_at_load(model: Model, load: Number(LOAD), state: Struct(size_of::<asperity_state>()));
-    asperity_state_at_gap(model: Model, gap: Number(1e-2), state: Struct(size_of::<asperity_state>()));
-    asperity_summary_of(model: Model, summary: Struct(size_of::<asperity_summary>()));
-    asperity_specimens_at_loads(model: Model, specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), found: Struct(size_of::<asperity_specimens>()));
-    asperity_each_specimen_at_loads(model: Model, first: Whole(0), specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), values: MayOut(12));
-    asperity_check_loads(model: Model, lightest: Number(1e-3), heaviest: Number(1e-2), warnings: Out(1));
-    asperity_warnings_text(warnings: Whole(u64::MAX), buffer: Buffer, length: Room);
-    asperity_last_error(buffer: Buffer, length: Room);
-    asperity_status_string(status: Whole(5));
-    asperity_abi_version();
-    asperity_version();
-    asperity_table_of(model: Model, kind: Whole(1), table: Struct(size_of::<asperity_table>()));
+    asperity_estimate_at_loads[ESTIMATE](surface: Text(SURFACE), length: Length, n: Count, load: In(1, 10.0), estimates: Struct(size_of::<asperity_estimate>()));
+    asperity_estimate_text[ESTIMATE](surface: Text(SURFACE), length: Length, n: Count, load: In(1, 10.0), buffer: Buffer, buffer_length: Room);
+    asperity_params_init[ANSWER](params: ChangedParams, struct_size: Whole(size_of::<asperity_params>() as u64));
+    asperity_params_set_dimensionless[ANSWER](params: ChangedParams, alpha: Number(0.1), beta: Number(4.0), gamma: Number(1e-3), b_over_h: Number(1.0), poisson: Number(0.3));
+    asperity_params_set_materials[ANSWER](params: ChangedParams, E1: Number(2e11), nu1: Number(0.3), E2: Number(1e11), nu2: Number(0.2));
+    asperity_params_set_spectral_moments[ANSWER](params: ChangedParams, m0: Number(1e-16), m2: Number(1e-4), m4: Number(1e10), nominal_area: Number(1e-6));
+    asperity_params_set_pair[LIST](params: ChangedParams, name: Text(c"Si/Si"));
+    asperity_params_set_units[ANSWER](params: ChangedParams, length: Number(1e-3), force: Number(1.0));
+    asperity_params_set_values[MAKE](params: ChangedParams, count: Count, names: Names(c"rms_slope"), values: In(1, 0.2));
+    asperity_params_get_value[LIST](params: Params, name: Text(c"rms_slope"), value: Out(1));
+    asperity_params_calibrate[MAKE](params: ChangedParams, load: Number(1.0), friction_coefficient: Number(0.3));
+    asperity_params_calibrate_force[MAKE](params: ChangedParams, load: Number(1.0), friction_force: Number(0.3));
+    asperity_params_set_text[MAKE](params: ChangedParams, text: Text(c"rms_slope = 0.2"), length: Length);
+    asperity_params_set_estimate[ESTIMATE](params: ChangedParams, surface: Text(SURFACE), length: Length);
+    asperity_params_text[MAKE](params: Params, buffer: Buffer, length: Room);
+    asperity_params_read[READ](params: ChangedParams, path: Text(c"hosts/surface.toml"));
+    asperity_create[MAKE](params: Params, model: NewModel);
+    asperity_set_params[MAKE](model: ChangedModel, params: Params);
+    asperity_get_params[ANSWER](model: Model, params: Struct(size_of::<asperity_params>()));
+    asperity_free[ANSWER](model: FreedModel);
+    asperity_name[ANSWER](kind: Whole(1), index: Whole(0));
+    asperity_describe[LIST](kind: Whole(1), name: Text(c"Si"), buffer: Buffer, length: Room);
+    asperity_friction_at_load[ANSWER](model: Model, load: Number(LOAD));
+    asperity_friction_force_at_load[ANSWER](model: Model, load: Number(LOAD));
+    asperity_friction_at_loads[BATCH](model: Model, n: Count, load: In(1, LOAD), mu: MayOut(1), dmu_dload: MayOut(1));
+    asperity_friction_force_at_loads[BATCH](model: Model, n: Count, load: In(1, LOAD), force: MayOut(1), dforce_dload: MayOut(1));
+    asperity_friction_and_slope_at_load[ANSWER](model: Model, load: Number(LOAD), dmu_dload: MayOut(1));
+    asperity_friction_force_and_slope_at_load[ANSWER](model: Model, load: Number(LOAD), dforce_dload: MayOut(1));
+    asperity_friction_force_at_loads_of[SORTED](models: Models, models_length: Whole(1), n: Count, which: Which, load: In(1, LOAD), force: MayOut(1), dforce_dload: MayOut(1));
+    asperity_tangential_stiffness_at_load[ANSWER](model: Model, load: Number(LOAD));
+    asperity_tangential_stiffness_at_loads[BATCH](model: Model, n: Count, load: In(1, LOAD), stiffness: MayOut(1));
+    asperity_tangential_at_load[EXACT](model: Model, load: Number(LOAD), displacement: Number(1e-3), force: MayOut(1), stiffness: MayOut(1));
+    asperity_microslip_length[ANSWER](model: Model);
+    asperity_microslip_step[BATCH](model: Model, load: Number(LOAD), increment: In(2, 1e-3), before: In(STATE, 0.0), after: MayOut(STATE), out: Struct(size_of::<asperity_microslip>()));
+    asperity_microslip_steps[BATCH](model: Model, n: Count, load: In(1, LOAD), increment: In(2, 1e-3), before: In(STATE, 0.0), after: MayOut(STATE), force: MayOut(2), stiffness: MayOut(4));
+    asperity_microslip_turn[ANSWER](state: Out(STATE), cosine: Number(1.0), sine: Number(0.5));
+    asperity_load_and_slope_at_gap[ANSWER](model: Model, gap: Number(1e-2), dload_dgap: MayOut(1));
+    asperity_loads_at_gaps[BATCH](model: Model, n: Count, gap: In(1, 1e-2), load: MayOut(1), dload_dgap: MayOut(1));
+    asperity_state_at_load[EXACT](model: Model, load: Number(LOAD), state: Struct(size_of::<asperity_state>()));
+    asperity_state_at_gap[EXACT](model: Model, gap: Number(1e-2), state: Struct(size_of::<asperity_state>()));
+    asperity_summary_of[ANSWER](model: Model, summary: Struct(size_of::<asperity_summary>()));
+    asperity_specimens_at_loads[EXACT](model: Model, specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), found: Struct(size_of::<asperity_specimens>()));
+    asperity_each_specimen_at_loads[EXACT](model: Model, first: Whole(0), specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), values: MayOut(12));
+    asperity_check_loads[EXACT](model: Model, lightest: Number(1e-3), heaviest: Number(1e-2), warnings: Out(1));
+    asperity_warnings_text[ANSWER](warnings: Whole(u64::MAX), buffer: Buffer, length: Room);
+    asperity_last_error[ANSWER](buffer: Buffer, length: Room);
+    asperity_status_string[ANSWER](status: Whole(5));
+    asperity_abi_version[ANSWER]();
+    asperity_version[ANSWER]();
+    asperity_table_of[ANSWER](model: Model, kind: Whole(1), table: Struct(size_of::<asperity_table>()));
 };
 
 /// What memory holds that a call must leave as it is.
