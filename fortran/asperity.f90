@@ -79,17 +79,6 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_LOW = 2  ! The 2.5 % quantile: one specimen in forty has less
   integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_MEDIAN = 3  ! The median
   integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_HIGH = 4  ! The 97.5 % quantile
-  ! A quantity of asperity_each_specimen_at_loads: the friction force [force], >= 0; 0 where the specimen is apart
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_FRICTION_FORCE = 0
-  ! Tangential force by displacement while all contacts stick [force/length]
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS = 1
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_NORMAL_STIFFNESS = 2  ! Minus d(load)/d(gap) [force/length]
-  ! The gap between the mean planes [length]; NaN where the specimen is apart
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_GAP = 3
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_CONTACTS = 4  ! Number of summits in contact [-]
-  ! The largest pull that the specimen withstands [force], >= 0; the same at each load
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_PULL_OFF_FORCE = 5
-  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_LENGTH = 6  ! How many quantities there are
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, but the contact law is elastic
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act independently
   ! contacts are not small compared with their summits
@@ -780,10 +769,14 @@ module asperity
       integer(c_int32_t) :: asperity_specimens_at_loads
     end function asperity_specimens_at_loads
 
-    ! The specimens of asperity_specimens_at_loads one by one, or a range of them: so that threads may share them
-    function asperity_each_specimen_at_loads(model, first, specimens, seed, n, load, values) bind(c)
+    ! The specimens of asperity_specimens_at_loads one by one, or a range of them, so that threads may share them; also
+    ! rough spheres
+    function asperity_each_specimen_at_loads(model, sphere_radius, first, specimens, seed, n, load, friction_force, &
+        tangential_stiffness, normal_stiffness, gap, contacts, pull_off_force) &
+        bind(c)
       import
       type(c_ptr), intent(in), value :: model
+      real(c_double), intent(in), value :: sphere_radius ! R [length]; 0: the surface is flat
       integer(c_int64_t), intent(in), value :: first
                                                     ! the first specimen, from 0; those before it count among the
                                                     ! summits that may be drawn
@@ -791,9 +784,20 @@ module asperity
       integer(c_int64_t), intent(in), value :: seed ! as of asperity_specimens_at_loads
       integer(c_size_t), intent(in), value :: n
       type(c_ptr), intent(in), value :: load        ! real(c_double): as of asperity_specimens_at_loads
-      type(c_ptr), intent(in), value :: values      ! real(c_double): receives specimens times n times
-                                                    ! ASPERITY_SPECIMEN_LENGTH numbers: of each specimen, of each load,
-                                                    ! the quantities
+      type(c_ptr), intent(in), value :: friction_force
+                                                    ! real(c_double): receives F [force] of each specimen at each load,
+                                                    ! loads of one specimen next to each other; 0 if it is apart
+      type(c_ptr), intent(in), value :: tangential_stiffness ! real(c_double): receives K_t [force/length] likewise
+      type(c_ptr), intent(in), value :: normal_stiffness
+                                                    ! real(c_double): receives minus d(load)/d(gap) [force/length]
+                                                    ! likewise
+      type(c_ptr), intent(in), value :: gap         ! real(c_double): receives the gaps [length] likewise; NaN if it is
+                                                    ! apart
+      type(c_ptr), intent(in), value :: contacts    ! real(c_double): receives numbers of summits in contact [-]
+                                                    ! likewise
+      type(c_ptr), intent(in), value :: pull_off_force
+                                                    ! real(c_double): receives the largest pull that the specimen
+                                                    ! withstands [force], >= 0, the same at each load
       integer(c_int32_t) :: asperity_each_specimen_at_loads
     end function asperity_each_specimen_at_loads
 

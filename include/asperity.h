@@ -128,20 +128,6 @@
 #define ASPERITY_SPREAD_MEDIAN 3
 /** The 97.5 % quantile. */
 #define ASPERITY_SPREAD_HIGH 4
-/** A quantity of `asperity_each_specimen_at_loads`: the friction force [force], >= 0; 0 where the specimen is apart. */
-#define ASPERITY_SPECIMEN_FRICTION_FORCE 0
-/** Tangential force by displacement while all contacts stick [force/length]. */
-#define ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS 1
-/** Minus d(load)/d(gap) [force/length]. */
-#define ASPERITY_SPECIMEN_NORMAL_STIFFNESS 2
-/** The gap between the mean planes [length]; NaN where the specimen is apart. */
-#define ASPERITY_SPECIMEN_GAP 3
-/** Number of summits in contact [-]. */
-#define ASPERITY_SPECIMEN_CONTACTS 4
-/** The largest pull that the specimen withstands [force], >= 0; the same at each load. */
-#define ASPERITY_SPECIMEN_PULL_OFF_FORCE 5
-/** How many quantities there are. */
-#define ASPERITY_SPECIMEN_LENGTH 6
 /** Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
  * hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
  * a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding. */
@@ -1023,22 +1009,28 @@ asperity_status asperity_summary_of(const struct asperity_model *model, struct a
 asperity_status asperity_specimens_at_loads(const struct asperity_model *model, size_t specimens, uint64_t seed,
     size_t n, const double *load, struct asperity_specimens *found);
 
-/** The specimens of `asperity_specimens_at_loads` one by one, or a range of them: so that threads may share them.
+/** The specimens of `asperity_specimens_at_loads` one by one, or a range of them, so that threads may share them; also rough spheres.
  *
- * ```c
- * double values[400][ASPERITY_SPECIMEN_LENGTH], load = 1e-6;
- * asperity_each_specimen_at_loads(model, 0, 400, 1, 1, &load, &values[0][0]);
- * printf("the friction force of the first: %g N\n", values[0][ASPERITY_SPECIMEN_FRICTION_FORCE]);
- * ```
+ * A rough sphere (a bead, a ball) has `asperity_count` summits on each `nominal_area`, which stand on its curved surface. It bears on
+ * those about its lowest point, and its pull-off force is theirs. The sphere itself does not flatten: loads are refused from which it
+ * does, where the radius of Hertz' contact of the smooth sphere exceeds (R sigma)^(1/2), and so are spheres on which fewer than 3
+ * summits stand within sigma of the lowest point.
  *
- * @param first      the first specimen, from 0; those before it count among the summits that may be drawn
- * @param specimens  how many
- * @param seed,load  as of `asperity_specimens_at_loads`
- * @param values     receives `specimens` times n times `ASPERITY_SPECIMEN_LENGTH` numbers: of each specimen, of each load, the
- *                   quantities
+ * @param sphere_radius  R [length]; 0: the surface is flat
+ * @param first          the first specimen, from 0; those before it count among the summits that may be drawn
+ * @param specimens      how many
+ * @param seed,load      as of `asperity_specimens_at_loads`
+ * @param friction_force        receives F [force] of each specimen at each load, loads of one specimen next to each other; 0 if it
+ *                              is apart
+ * @param tangential_stiffness  receives K_t [force/length] likewise
+ * @param normal_stiffness      receives minus d(load)/d(gap) [force/length] likewise
+ * @param gap                   receives the gaps [length] likewise; NaN if it is apart
+ * @param contacts              receives numbers of summits in contact [-] likewise
+ * @param pull_off_force        receives the largest pull that the specimen withstands [force], >= 0, the same at each load
  * @return as `asperity_specimens_at_loads` */
-asperity_status asperity_each_specimen_at_loads(const struct asperity_model *model, uint64_t first, size_t specimens,
-    uint64_t seed, size_t n, const double *load, double *values);
+asperity_status asperity_each_specimen_at_loads(const struct asperity_model *model, double sphere_radius,
+    uint64_t first, size_t specimens, uint64_t seed, size_t n, const double *load, double *friction_force,
+    double *tangential_stiffness, double *normal_stiffness, double *gap, double *contacts, double *pull_off_force);
 
 /* ---- Limits: which assumptions fail at which loads, and the remedy. ---- */
 

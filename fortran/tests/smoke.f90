@@ -14,8 +14,8 @@ program smoke
   type(asperity_table) :: table
   type(asperity_params) :: changed
   type(c_ptr) :: model
-  type(c_ptr), target :: models(1), names(1), out(8)
-  real(c_double), target :: given(256), found(256, 8)
+  type(c_ptr), target :: models(1), names(1), out(13)
+  real(c_double), target :: given(256), found(256, 13)
   integer(c_int32_t), target :: which(1)
   integer(c_int64_t) :: bits
   character(kind=c_char), target :: text(1000), name(9) = ['h', 'a', 'r', 'd', 'n', 'e', 's', 's', c_null_char]
@@ -29,7 +29,7 @@ program smoke
   names = c_loc(name)
   given = 0
   found = 0
-  out = [(c_loc(found(1, i)), i=1, 8)]
+  out = [(c_loc(found(1, i)), i=1, 13)]
   which = 0
   call check('asperity_params_set_dimensionless', is_status(asperity_params_set_dimensionless(changed, 0.4_c_double, &
       0.4_c_double, 0.4_c_double, 0.4_c_double, 0.4_c_double)))
@@ -80,8 +80,9 @@ program smoke
   call check('asperity_summary_of', is_status(asperity_summary_of(model, summary)))
   call check('asperity_specimens_at_loads', is_status(asperity_specimens_at_loads(model, 1_c_size_t, &
       ASPERITY_WARNING_FEW, 1_c_size_t, c_loc(given), specimens)))
-  call check('asperity_each_specimen_at_loads', is_status(asperity_each_specimen_at_loads(model, ASPERITY_WARNING_FEW, &
-      1_c_size_t, ASPERITY_WARNING_FEW, 1_c_size_t, c_loc(given), out(7))))
+  call check('asperity_each_specimen_at_loads', is_status(asperity_each_specimen_at_loads(model, 0.4_c_double, &
+      ASPERITY_WARNING_FEW, 1_c_size_t, ASPERITY_WARNING_FEW, 1_c_size_t, c_loc(given), out(8), out(9), out(10), &
+      out(11), out(12), out(13))))
   call check('asperity_check_loads', is_status(asperity_check_loads(model, 0.4_c_double, 0.4_c_double, bits)))
   call check('asperity_warnings_text', asperity_warnings_text(ASPERITY_WARNING_FEW, c_loc(text), 1000_c_size_t) > 0)
   call check('asperity_last_error', asperity_last_error(c_loc(text), 1000_c_size_t) > 0)

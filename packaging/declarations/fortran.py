@@ -104,7 +104,8 @@ def function_lines(function, header, wrappers):
     listed = ", ".join(one.name for one in function.arguments)
     opening = f"    {'pure ' if pure else ''}{kind} {name}({listed}) {bound}"
     if len(opening) > WIDTH:
-        opening = opening.replace(f") {bound}", f") &\n        {bound}")
+        lines = wrapped(opening.strip().replace(f") {bound}", ")"), "    ", "        ")
+        opening = "".join(f"{line} &\n" for line in lines) + f"        {bound}"
     yield opening
     yield "      import"
     for one in function.arguments:
@@ -191,8 +192,8 @@ program smoke
 """
 BEGIN = """  type(asperity_params) :: changed
   type(c_ptr) :: model
-  type(c_ptr), target :: models(1), names(1), out(8)
-  real(c_double), target :: given(256), found(256, 8)
+  type(c_ptr), target :: models(1), names(1), out(13)
+  real(c_double), target :: given(256), found(256, 13)
   integer(c_int32_t), target :: which(1)
   integer(c_int64_t) :: bits
   character(kind=c_char), target :: text(1000), name(9) = ['h', 'a', 'r', 'd', 'n', 'e', 's', 's', c_null_char]
@@ -206,7 +207,7 @@ BEGIN = """  type(asperity_params) :: changed
   names = c_loc(name)
   given = 0
   found = 0
-  out = [(c_loc(found(1, i)), i=1, 8)]
+  out = [(c_loc(found(1, i)), i=1, 13)]
   which = 0
 """
 END = """  call finish('every function of the C interface')

@@ -63,7 +63,7 @@ RIGHT: dict[str, tuple[Callable[[], Any], Callable[[], dict[str, Any]]]] = {
         lambda: asperity,
         lambda: {"params": PAPER, "spread": {"gamma": 0.1}, "loads": LOADS, "quantity": "mu", "samples": 0, "seed": 0, "coverage": 0.95},
     ),
-    "pads": (lambda: asperity, lambda: {"params": PAPER.replace(asperity_count=100.0), "loads": [10.0], "count": 2, "seed": 0}),
+    "pads": (lambda: asperity, lambda: {"params": PAPER.replace(asperity_count=100.0), "loads": [10.0], "count": 2, "sphere_radius": 0.0, "seed": 0}),
     "study.study": (
         lambda: study,
         lambda: {"params": PAPER, "vary": {"gamma": 0.1}, "loads": LOADS, "samples": 2, "seed": 0, "sampling": "sobol", "progress": False}
@@ -118,7 +118,7 @@ RIGHT: dict[str, tuple[Callable[[], Any], Callable[[], dict[str, Any]]]] = {
     "Microslip.step": (lambda: model().microslip(2), lambda: {"load": 1.0, "increment": 0.1}),
     "Microslip.turn": (lambda: model().microslip(2), lambda: {"angle": 0.1}),
     "Model.set_params": (lambda: Model(PAPER), lambda: {"params": PAPER}),
-    "Model.each_specimen_at_loads": (model, lambda: {"load": 10.0, "specimens": 2, "seed": 0, "first": 0}),
+    "Model.each_specimen_at_loads": (model, lambda: {"load": 10.0, "specimens": 2, "sphere_radius": 0.0, "seed": 0, "first": 0}),
     "Model.table": (model, lambda: {"dtype": np.float64}),
     "Model.tangential": (model, lambda: {"load": 1.0, "displacement": 0.1}),
     "Fit.predict": (fitted, lambda: {"load": LOADS}),

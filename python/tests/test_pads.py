@@ -163,3 +163,56 @@ def test_what_no_specimen_has_is_refused_with_what_to_do(silicon: Params) -> Non
         pads(silicon, [1e4], 400)
     with pytest.raises(Error, match="must be finite"):
         pads(silicon, [1e-6, math.nan], 2)
+
+
+# ---- Rough spheres ----
+
+BEAD_WAVES = 2 * math.pi / 250e-9
+
+
+def bead(rms_height: float, work: float) -> Params:
+    """Glass with waves of 250 nm of this height."""
+    m0 = rms_height**2
+    return Params.from_spectral_moments(
+        m0=m0, m2=m0 * BEAD_WAVES**2 / 2, m4=0.3825 * m0 * BEAD_WAVES**4, E1=70e9, nu1=0.2, E2=70e9, nu2=0.2,
+        work_of_adhesion=work, adhesion_range=0.3e-9, burgers_vector=0.3e-9, nominal_area=1e-10,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("work", [0.0, 0.05])
+def test_a_sphere_of_many_contacts_is_the_sum_over_its_rings(work: float) -> None:
+    """At a height s above the lowest point a ring of the sphere is as far from the flat as there: 2 pi R ds of each area."""
+    params, radius = bead(20e-9, work), 500e-6
+    loads = np.array([0.9, 0.3]) * 4 * params.composite_modulus / (3 * radius) * (radius * params.height_std) ** 1.5
+    found = pads(params, loads, 300, sphere_radius=radius)
+    with Model(params.replace(nominal_area=0.0)) as model:
+        gaps = np.linspace(-1, 7, 801) * params.height_std
+        states = [model.state_at_gap(gap) for gap in gaps]
+    ring = 2 * math.pi * radius / params.nominal_area * (gaps[1] - gaps[0])
+    load, force = (ring * np.cumsum([getattr(state, name) for state in states][::-1]) for name in ("load", "friction_force"))
+    assert found.contacting.mean(axis=0)[1] > 50 and np.isnan(found.bias).all()
+    assert found.mean_force == pytest.approx(np.interp(loads, load, force), rel=0.02)
+
+
+def test_the_pull_off_of_a_bead_is_that_of_its_summits() -> None:
+    """Over 2 pi w R beside Rabinovich's estimate for these waves: .0054, .0109 and .0221."""
+    radius, work = 10e-6, 0.05
+    for rms_height, expected in [(20e-9, 0.0054), (10e-9, 0.0109), (5e-9, 0.0221)]:
+        found = pads(bead(rms_height, work), [0.0], 400, sphere_radius=radius)
+        over = found.pull_off_force / (2 * math.pi * work * radius)
+        assert np.median(over) == pytest.approx(expected, rel=0.15) and 0.7 * expected < np.quantile(over, 0.025) and over.max() < 1
+        assert (found.friction_force > 0).all()
+
+
+def test_spheres_that_flatten_or_have_few_summits_are_refused() -> None:
+    params = bead(20e-9, 0.0)
+    for radius, load, message in [
+        (500e-6, 10.0, "sphere_radius = 0.0005: under this load the sphere itself flattens"),
+        (1e-6, 1e-9, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill"),
+        (-1.0, 1e-9, "sphere_radius = -1: must be finite and >= 0"),
+        (math.nan, 1e-9, "sphere_radius = NaN: must be finite"),
+    ]:
+        with pytest.raises(Error, match=message):
+            pads(params, [load], 2, sphere_radius=radius)
+    with pytest.raises(Error, match="nominal_area: must be set, since a sphere needs the summits per area"):
+        pads(params.replace(nominal_area=0.0), [1e-6], 2, sphere_radius=500e-6)

@@ -18,21 +18,6 @@ pub const ASPERITY_SPREAD_MEDIAN: i32 = 3;
 /// The 97.5 % quantile.
 pub const ASPERITY_SPREAD_HIGH: i32 = 4;
 
-/// A quantity of `asperity_each_specimen_at_loads`: the friction force [force], >= 0; 0 where the specimen is apart.
-pub const ASPERITY_SPECIMEN_FRICTION_FORCE: i32 = 0;
-/// Tangential force by displacement while all contacts stick [force/length].
-pub const ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS: i32 = 1;
-/// Minus d(load)/d(gap) [force/length].
-pub const ASPERITY_SPECIMEN_NORMAL_STIFFNESS: i32 = 2;
-/// The gap between the mean planes [length]; NaN where the specimen is apart.
-pub const ASPERITY_SPECIMEN_GAP: i32 = 3;
-/// Number of summits in contact [-].
-pub const ASPERITY_SPECIMEN_CONTACTS: i32 = 4;
-/// The largest pull that the specimen withstands [force], >= 0; the same at each load.
-pub const ASPERITY_SPECIMEN_PULL_OFF_FORCE: i32 = 5;
-/// How many quantities there are.
-pub const ASPERITY_SPECIMEN_LENGTH: i32 = 6;
-
 /// Specimens of a surface pair under one load. Each quantity has five numbers: `found.gap[ASPERITY_SPREAD_MEDIAN]`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -66,16 +51,14 @@ const MOST_SPECIMENS: u64 = 10_000_000;
 /// As that of every entry point.
 unsafe fn held(
     model: *const asperity_model,
-    first: u64,
-    specimens: usize,
-    seed: u64,
+    asked: Specimens,
     n: usize,
     load: *const f64,
 ) -> Result<(Vec<f64>, Vec<Held>), Failure> {
     let model = model::of(model)?;
-    if specimens as u64 > MOST_SPECIMENS {
+    if asked.count as u64 > MOST_SPECIMENS {
         let allowed = "must be at most 1e7; 400 give the mean within some 1 %";
-        return Err(Error::out_of_range("specimens", specimens as f64, allowed).into());
+        return Err(Error::out_of_range("specimens", asked.count as f64, allowed).into());
     }
     if n > 0 {
         not_null(load, "load")?;
@@ -84,7 +67,7 @@ unsafe fn held(
     for (i, &load) in loads.iter().enumerate() {
         model.validate_specimens_load(load).map_err(|error| Failure::of_element(i, &error))?;
     }
-    let found = model.specimens_at_loads(Specimens { first, count: specimens, seed }, &loads)?;
+    let found = model.specimens_at_loads(asked, &loads)?;
     Ok((loads, found))
 }
 
@@ -132,7 +115,7 @@ pub unsafe extern "C" fn asperity_specimens_at_loads(
         if specimens == 0 {
             return Err(Failure::invalid(format_args!("specimens = 0: must be 1 or more")));
         }
-        let (loads, held) = held(model, 0, specimens, seed, n, load)?;
+        let (loads, held) = held(model, Specimens { count: specimens, seed, ..Specimens::default() }, n, load)?;
         for (i, &load) in loads.iter().enumerate() {
             let of_load = || held.iter().skip(i).step_by(n);
             let five = |quantity: fn(&Held) -> f64| {
@@ -163,44 +146,52 @@ pub unsafe extern "C" fn asperity_specimens_at_loads(
 /// No struct of a later version is larger [bytes].
 const LARGEST: u64 = 4096;
 
-/// The specimens of `asperity_specimens_at_loads` one by one, or a range of them: so that threads may share them.
+/// The specimens of `asperity_specimens_at_loads` one by one, or a range of them, so that threads may share them; also rough spheres.
 ///
-/// ```c
-/// double values[400][ASPERITY_SPECIMEN_LENGTH], load = 1e-6;
-/// asperity_each_specimen_at_loads(model, 0, 400, 1, 1, &load, &values[0][0]);
-/// printf("the friction force of the first: %g N\n", values[0][ASPERITY_SPECIMEN_FRICTION_FORCE]);
-/// ```
+/// A rough sphere (a bead, a ball) has `asperity_count` summits on each `nominal_area`, which stand on its curved surface. It bears on
+/// those about its lowest point, and its pull-off force is theirs. The sphere itself does not flatten: loads are refused from which it
+/// does, where the radius of Hertz' contact of the smooth sphere exceeds (R sigma)^(1/2), and so are spheres on which fewer than 3
+/// summits stand within sigma of the lowest point.
 ///
-/// @param first      the first specimen, from 0; those before it count among the summits that may be drawn
-/// @param specimens  how many
-/// @param seed,load  as of `asperity_specimens_at_loads`
-/// @param values     receives `specimens` times n times `ASPERITY_SPECIMEN_LENGTH` numbers: of each specimen, of each load, the
-///                   quantities
+/// @param sphere_radius  R [length]; 0: the surface is flat
+/// @param first          the first specimen, from 0; those before it count among the summits that may be drawn
+/// @param specimens      how many
+/// @param seed,load      as of `asperity_specimens_at_loads`
+/// @param friction_force        receives F [force] of each specimen at each load, loads of one specimen next to each other; 0 if it
+///                              is apart
+/// @param tangential_stiffness  receives K_t [force/length] likewise
+/// @param normal_stiffness      receives minus d(load)/d(gap) [force/length] likewise
+/// @param gap                   receives the gaps [length] likewise; NaN if it is apart
+/// @param contacts              receives numbers of summits in contact [-] likewise
+/// @param pull_off_force        receives the largest pull that the specimen withstands [force], >= 0, the same at each load
 /// @return as `asperity_specimens_at_loads`
 #[no_mangle]
+#[allow(clippy::too_many_arguments)] // As many as there are quantities.
 pub unsafe extern "C" fn asperity_each_specimen_at_loads(
     model: *const asperity_model,
+    sphere_radius: f64,
     first: u64,
     specimens: usize,
     seed: u64,
     n: usize,
     load: *const f64,
-    values: *mut f64,
+    friction_force: *mut f64,
+    tangential_stiffness: *mut f64,
+    normal_stiffness: *mut f64,
+    gap: *mut f64,
+    contacts: *mut f64,
+    pull_off_force: *mut f64,
 ) -> asperity_status {
     boundary::status(|| {
-        let (_, held) = held(model, first, specimens, seed, n, load)?;
+        let asked = Specimens { sphere_radius, first, count: specimens, seed };
+        let (_, held) = held(model, asked, n, load)?;
         for (i, one) in held.iter().enumerate() {
-            let quantities = [
-                one.friction_force,
-                one.tangential_stiffness,
-                one.normal_stiffness,
-                one.gap,
-                one.contacts,
-                one.pull_off_force,
-            ];
-            for (k, value) in quantities.into_iter().enumerate() {
-                write(values, i * quantities.len() + k, value);
-            }
+            write(friction_force, i, one.friction_force);
+            write(tangential_stiffness, i, one.tangential_stiffness);
+            write(normal_stiffness, i, one.normal_stiffness);
+            write(gap, i, one.gap);
+            write(contacts, i, one.contacts);
+            write(pull_off_force, i, one.pull_off_force);
         }
         Ok(())
     })

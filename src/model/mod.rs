@@ -307,6 +307,11 @@ impl Model {
         self.law.gap_at(separation)
     }
 
+    /// The same where neighbours change nothing.
+    pub(crate) fn gap_of_lone(&self, separation: f64) -> f64 {
+        self.law.gap().lengths().callers(separation)
+    }
+
     /// Whether the surfaces can carry a load.
     ///
     /// # Errors

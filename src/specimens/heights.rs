@@ -21,8 +21,33 @@ const LEAST_FRACTION: f64 = 1e-60;
 
 /// Heights, in sigma, by the fraction of summits above.
 pub struct Heights {
-    /// ln(Q/(1 - Q)) with the height and its slope, falling from the lowest height to the highest.
-    rows: Vec<(f64, f64, f64)>,
+    /// From the lowest height to the highest.
+    rows: Vec<Row>,
+}
+
+/// A height z with ln(Q/(1 - Q)) of the fraction Q of summits above, its slope dz/d(that), and the integral of Q from z up.
+#[derive(Clone, Copy)]
+struct Row {
+    logit: f64,
+    z: f64,
+    slope: f64,
+    area: f64,
+}
+
+impl Row {
+    fn fraction(&self) -> f64 {
+        1.0 / (1.0 + exp(-self.logit))
+    }
+
+    /// dQ/dz.
+    fn fall(&self) -> f64 {
+        let fraction = self.fraction();
+        if self.slope < 0.0 {
+            fraction * (1.0 - fraction) / self.slope
+        } else {
+            0.0
+        }
+    }
 }
 
 impl Heights {
@@ -41,6 +66,15 @@ impl Heights {
             let [from, to] = [(ends[i], above[i], below), (ends[i + 1], above[i + 1], below + part)];
             found.divide(heights, from, to, all);
             below += part;
+        }
+        let mut above: Option<Row> = None;
+        for row in found.rows.iter_mut().rev() {
+            if let Some(above) = above {
+                let width = above.z - row.z;
+                let ends = row.fraction() + above.fraction();
+                row.area = above.area + width * (0.5 * ends + width / 12.0 * (row.fall() - above.fall()));
+            }
+            above = Some(*row);
         }
         found
     }
@@ -63,16 +97,41 @@ impl Heights {
         } else if to.1 > least && from.2 > least {
             let density = exp(heights.log_density(from.0));
             let slope = -from.1 * from.2 / all / density;
-            self.rows.push((logit(from), from.0, if slope.is_finite() { slope } else { 0.0 }));
+            let slope = if slope.is_finite() { slope } else { 0.0 };
+            self.rows.push(Row { logit: logit(from), z: from.0, slope, area: 0.0 });
         }
     }
 
     /// The height that the fraction 1 - exp(-hazard) of all summits exceeds.
     pub fn of_hazard(&self, hazard: f64) -> f64 {
-        let logit = log(-expm1(-hazard)) + hazard;
-        let i = self.rows.partition_point(|row| row.0 > logit).clamp(1, self.rows.len() - 1);
-        let (from, to) = (self.rows[i - 1], self.rows[i]);
-        Cubic::new(from, to).at(logit).clamp(from.1, to.1)
+        self.of_logit(log(-expm1(-hazard)) + hazard)
+    }
+
+    fn of_logit(&self, logit: f64) -> f64 {
+        let (from, to) = self.about(|row| row.logit > logit);
+        Cubic::new((from.logit, from.z, from.slope), (to.logit, to.z, to.slope)).at(logit).clamp(from.z, to.z)
+    }
+
+    /// The rows before and behind where this ends to hold.
+    fn about(&self, is_before: impl Fn(&Row) -> bool) -> (Row, Row) {
+        let i = self.rows.partition_point(is_before).clamp(1, self.rows.len() - 1);
+        (self.rows[i - 1], self.rows[i])
+    }
+
+    /// A summit on a sphere: how far it stands above the lowest point of the mean sphere, and its own height there. So many summits
+    /// as `area` times 2 pi R eta sigma stand farther above; of those that stand as far it is higher than the part `share`.
+    pub fn on_sphere(&self, area: f64, share: f64) -> (f64, f64) {
+        let (from, to) = self.about(|row| row.area > area);
+        if area > from.area {
+            // Below the lowest summit all are above.
+            return (from.z - (area - from.area), self.of_logit(log(share / (1.0 - share))));
+        }
+        let along = |row: Row| (log(row.area), row.z, -row.area / row.fraction());
+        let above =
+            if to.area > 0.0 { Cubic::new(along(from), along(to)).at(log(area)).clamp(from.z, to.z) } else { to.z };
+        let fraction = from.fraction() + (to.fraction() - from.fraction()) * (above - from.z) / (to.z - from.z);
+        let fraction = fraction * share;
+        (above, self.of_logit(log(fraction / (1.0 - fraction))).max(above))
     }
 }
 

@@ -11,9 +11,14 @@ mod unload;
 use crate::error::Error;
 use crate::model::Model;
 use crate::numerics::float_bits::finite;
+use crate::params::Params;
 use heights::Heights;
 pub use statistics::Spread;
-use unload::{too_many, Specimen, MOST_DRAWN};
+use std::f64::consts::PI;
+use unload::{too_many, Specimen, Sphere, MOST_DRAWN};
+
+/// On a sphere with fewer summits about its lowest point Poisson's statistics do not hold.
+const FEWEST_ON_SPHERE: f64 = 3.0;
 
 /// A specimen under one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +38,10 @@ pub struct Held {
 }
 
 /// Which specimens are asked for.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Specimens {
+    /// R [length] of rough spheres, which bear on the summits about their lowest point; 0: specimens are flat.
+    pub sphere_radius: f64,
     /// The first one, from 0.
     pub first: u64,
     /// How many.
@@ -72,7 +79,8 @@ impl Model {
         let population = self.population();
         let (lowest, highest) = population.extent();
         let heights = Heights::new(population.heights(), lowest, highest);
-        let specimen = |index: u64| Specimen::new(population, &heights, count, asked.seed, index);
+        let sphere = self.sphere(asked.sphere_radius, heaviest * of_one)?;
+        let specimen = |index: u64| Specimen::new(population, &heights, (count, sphere), asked.seed, index);
         // One that is like the others says where to begin and how many summits are drawn, with all ranges before this one.
         let mut typical = specimen(u64::MAX);
         let from = typical.pressed(-population.range_of_adhesion(), heaviest)?;
@@ -106,14 +114,45 @@ impl Model {
         Ok(found)
     }
 
+    /// A rough sphere under a load; `None` for a plane.
+    fn sphere(&self, radius: f64, load: f64) -> Result<Option<Sphere>, Error> {
+        let refused = |value: f64, allowed| Err(Error::out_of_range("sphere_radius", value, allowed));
+        let Params { height_std, asperity_count, nominal_area, summit_radius, composite_modulus, .. } = *self.params();
+        if radius == 0.0 {
+            return Ok(None);
+        }
+        if !finite(radius) || radius < 0.0 {
+            return Err(Error::invalid("sphere_radius", radius, "must be finite and >= 0; 0 is a plane"));
+        }
+        if nominal_area == 0.0 {
+            return Err(Error::Missing {
+                name: "nominal_area",
+                says: "must be set, since a sphere needs the summits per area",
+            });
+        }
+        let number = 2.0 * PI * radius * height_std * asperity_count / nominal_area;
+        if number < FEWEST_ON_SPHERE {
+            return refused(radius, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill, a specimen of one \
+                                    summit of this radius");
+        }
+        let touched = (0.75 * load * radius / composite_modulus).powf(2.0 / 3.0);
+        if touched > radius * height_std {
+            return refused(radius, "under this load the sphere itself flattens, beyond Hertz' radius of (R height_std)^(1/2): take a flat \
+                                    specimen of the area pi (a^2 + 1.5 R height_std), with a of Hertz");
+        }
+        Ok(Some(Sphere { number, sharper: summit_radius / radius }))
+    }
+
     fn held(&self, one: &mut Specimen, approach: f64, pull_off_force: f64) -> Result<Held, Error> {
         let (contacts, units) = (one.contacts(approach)?, self.units());
-        let psi = self.population().psi(contacts.area / units.count);
+        // Summits on a sphere have neighbours on one side.
+        let psi = if one.is_flat() { self.population().psi(contacts.area / units.count) } else { 1.0 };
+        let separation = one.tallest() - approach;
         Ok(Held {
             friction_force: contacts.friction * units.force / units.count,
             tangential_stiffness: contacts.radius / psi * units.stiffness / units.count,
             normal_stiffness: contacts.stiffness / psi * (units.load / units.count) / units.length,
-            gap: self.gap_at(one.tallest() - approach),
+            gap: if one.is_flat() { self.gap_at(separation) } else { self.gap_of_lone(separation) },
             contacts: contacts.number,
             pull_off_force,
         })

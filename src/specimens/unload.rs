@@ -47,6 +47,15 @@ pub struct Contacts {
     pub stiffness: f64,
 }
 
+/// A rough sphere.
+#[derive(Debug, Clone, Copy)]
+pub struct Sphere {
+    /// 2 pi R eta sigma: how many summits stand within sigma of its lowest point.
+    pub number: f64,
+    /// The mean radius of the summits over its own.
+    pub sharper: f64,
+}
+
 /// A specimen with the summits that were drawn, the tallest first.
 pub struct Specimen<'a> {
     population: &'a Population,
@@ -54,24 +63,36 @@ pub struct Specimen<'a> {
     seed: u64,
     index: u64,
     count: f64,
+    sphere: Option<Sphere>,
     hazard: f64,
     tallest: f64,
     summits: Vec<OneSummit>,
 }
 
 impl<'a> Specimen<'a> {
-    pub fn new(population: &'a Population, heights: &'a Heights, count: f64, seed: u64, index: u64) -> Self {
+    /// Of so many summits on a plane, or on a sphere.
+    pub fn new(
+        population: &'a Population,
+        heights: &'a Heights,
+        (count, sphere): (f64, Option<Sphere>),
+        seed: u64,
+        index: u64,
+    ) -> Self {
         let one_more = uniform(bits(seed, index, u64::MAX)) < count - count.floor();
-        let count = count.floor() + f64::from(u8::from(one_more));
-        let mut specimen =
-            Self { population, heights, seed, index, count, hazard: 0.0, tallest: 0.0, summits: Vec::new() };
+        let count = if sphere.is_some() { f64::INFINITY } else { count.floor() + f64::from(u8::from(one_more)) };
+        let (hazard, tallest, summits) = (0.0, 0.0, Vec::new());
+        let mut specimen = Self { population, heights, seed, index, count, sphere, hazard, tallest, summits };
         specimen.draw();
         specimen
     }
 
-    /// The height of its tallest summit.
+    /// The height of its tallest summit, above the mean of the heights, on a sphere above that at its lowest point.
     pub fn tallest(&self) -> f64 {
         self.tallest
+    }
+
+    pub fn is_flat(&self) -> bool {
+        self.sphere.is_none()
     }
 
     /// How many summits were drawn.
@@ -82,12 +103,24 @@ impl<'a> Specimen<'a> {
     /// Draws the next summit.
     fn draw(&mut self) {
         let j = self.summits.len();
-        self.hazard += exponential(self.seed, self.index, j) / (self.count - j as f64);
-        let z = self.heights.of_hazard(self.hazard);
+        let step = exponential(self.seed, self.index, j);
+        let (above, z, sharper) = match self.sphere {
+            None => {
+                self.hazard += step / (self.count - j as f64);
+                let z = self.heights.of_hazard(self.hazard);
+                (z, z, 0.0)
+            }
+            Some(Sphere { number, sharper }) => {
+                self.hazard += step / number;
+                let share = uniform(bits(!self.seed, self.index, j as u64));
+                let (above, z) = self.heights.on_sphere(self.hazard, share);
+                (above, z, sharper)
+            }
+        };
         if j == 0 {
-            self.tallest = z;
+            self.tallest = above;
         }
-        self.summits.push(self.population.one_summit(z, self.tallest - z, 0.0));
+        self.summits.push(self.population.one_summit(z, self.tallest - above, sharper));
     }
 
     /// Draws all summits that are near at an approach; returns how many there are.

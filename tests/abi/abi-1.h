@@ -41,13 +41,6 @@
 #define ASPERITY_SPREAD_LOW 2
 #define ASPERITY_SPREAD_MEDIAN 3
 #define ASPERITY_SPREAD_HIGH 4
-#define ASPERITY_SPECIMEN_FRICTION_FORCE 0
-#define ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS 1
-#define ASPERITY_SPECIMEN_NORMAL_STIFFNESS 2
-#define ASPERITY_SPECIMEN_GAP 3
-#define ASPERITY_SPECIMEN_CONTACTS 4
-#define ASPERITY_SPECIMEN_PULL_OFF_FORCE 5
-#define ASPERITY_SPECIMEN_LENGTH 6
 #define ASPERITY_WARNING_PLASTIC 1
 #define ASPERITY_WARNING_CROWDED 2
 #define ASPERITY_WARNING_STEEP 4
@@ -214,7 +207,7 @@ uint32_t asperity_abi_version(void);
 asperity_status asperity_check_loads(const struct asperity_model *, double, double, uint64_t *);
 asperity_status asperity_create(const struct asperity_params *, struct asperity_model **);
 size_t asperity_describe(int32_t, const char *, char *, size_t);
-asperity_status asperity_each_specimen_at_loads(const struct asperity_model *, uint64_t, size_t, uint64_t, size_t, const double *, double *);
+asperity_status asperity_each_specimen_at_loads(const struct asperity_model *, double, uint64_t, size_t, uint64_t, size_t, const double *, double *, double *, double *, double *, double *, double *);
 asperity_status asperity_estimate_at_loads(const char *, size_t, size_t, const double *, struct asperity_estimate *);
 size_t asperity_estimate_text(const char *, size_t, size_t, const double *, char *, size_t);
 void asperity_free(struct asperity_model *);

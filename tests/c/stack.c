@@ -91,7 +91,7 @@ static asperity_estimate estimates[FEW];
     X(load_and_slope_at_gap, _beyond, (model, 1e30, out)) \
     X(loads_at_gaps, , (model, N, rate, out, more)) \
     X(specimens_at_loads, , (model, 2, 1, 1, in, &specimens)) \
-    X(each_specimen_at_loads, , (model, 0, 2, 1, 1, in, states)) \
+    X(each_specimen_at_loads, , (model, 0, 0, 2, 1, 1, in, out, more, out, more, out, more)) \
     X(state_at_load, , (model, in[0], &state)) \
     X(state_at_load, _pulled, (model, -1e30, &state)) \
     X(state_at_load, _of_no_load, (model, NAN, &state)) \

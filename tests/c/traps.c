@@ -79,7 +79,7 @@ static void ask_at(const asperity_model *model, uint64_t bits)
     asperity_state state = { .struct_size = sizeof state };
     asperity_microslip slip = { .struct_size = sizeof slip };
     asperity_specimens specimens = { .struct_size = sizeof specimens };
-    double x, in[2], out[2], slope[2], values[ASPERITY_SPECIMEN_LENGTH];
+    double x, in[2], out[2], slope[2];
     uint64_t warnings;
 
     /* The largest number less a pull-off load is infinite where numbers are rounded upwards. */
@@ -104,7 +104,7 @@ static void ask_at(const asperity_model *model, uint64_t bits)
     ASK(0, tangential_at_load, model, x, 1e-9, out, slope);
     ASK(0, tangential_at_load, model, 1.0, x, out, slope);
     ASK(0, specimens_at_loads, model, 2, bits, 1, in, &specimens);
-    ASK(0, each_specimen_at_loads, model, bits, 1, 1, 1, in, values);
+    ASK(0, each_specimen_at_loads, model, x, bits, 1, 1, 1, in, out, out, out, out, out, out);
     ASK(0, state_at_load, model, x, &state);
     ASK(0, state_at_gap, model, x, &state);
     ASK(0, check_loads, model, x, x, &warnings);

@@ -160,7 +160,7 @@ fn adhesion_of_small_hard_summits_adds_two_pi_w_r() {
     let added = 2.0 * std::f64::consts::PI * params.work_of_adhesion * params.summit_radius;
     let friction = |load: f64, pressure_coefficient: f64| {
         let params = Params { pressure_coefficient, asperity_count: 1.0, ..params.clone() };
-        let alone = Specimens { first: 0, count: 1, seed: 0 };
+        let alone = Specimens { count: 1, ..Specimens::default() };
         model(&params).specimens_at_loads(alone, &[load]).expect("a summit")[0].friction_force
     };
     for load in [0.1 * added, added] {

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 const SUMMITS: f64 = 3000.0;
 
 fn held(model: &Model, count: usize, loads: &[f64]) -> Vec<Held> {
-    model.specimens_at_loads(Specimens { first: 0, count, seed: 1 }, loads).expect("specimens")
+    model.specimens_at_loads(Specimens { count, seed: 1, ..Specimens::default() }, loads).expect("specimens")
 }
 
 /// The surfaces of tests/physics/specimens.csv.
@@ -126,7 +126,7 @@ fn a_specimen_holds_down_to_its_pull_off_load() {
     for params in [params.clone(), Params { radius_amplitude: -0.6, radius_rate: 0.8, ..params }] {
         let model = model(&params);
         for i in 0..5 {
-            let asked = Specimens { first: i, count: 1, seed: 3 };
+            let asked = Specimens { first: i, count: 1, seed: 3, ..Specimens::default() };
             let pull = model.specimens_at_loads(asked, &[0.0]).expect("a specimen")[0].pull_off_force;
             let [above, below] = [-0.999 * pull, -1.001 * pull];
             let found = model.specimens_at_loads(asked, &[below, 0.0, above]).expect("a specimen");
@@ -143,14 +143,21 @@ fn a_specimen_is_the_same_whatever_is_asked_beside_it() {
         let model = model(&Params { asperity_count: 500.5, ..params });
         let heavy = model.state_at_gap(1.5 * model.params().height_std).expect("a state").load;
         let loads = [0.1 * heavy, heavy, 0.0, 0.1 * heavy];
-        let all = model.specimens_at_loads(Specimens { first: 0, count: 30, seed: 9 }, &loads).expect("specimens");
-        let some = model.specimens_at_loads(Specimens { first: 20, count: 10, seed: 9 }, &loads).expect("specimens");
+        let all = model
+            .specimens_at_loads(Specimens { first: 0, count: 30, seed: 9, ..Specimens::default() }, &loads)
+            .expect("specimens");
+        let some = model
+            .specimens_at_loads(Specimens { first: 20, count: 10, seed: 9, ..Specimens::default() }, &loads)
+            .expect("specimens");
         assert_eq!(format!("{:?}", &all[80..]), format!("{some:?}"));
-        let others = model.specimens_at_loads(Specimens { first: 0, count: 30, seed: 10 }, &loads).expect("specimens");
+        let others = model
+            .specimens_at_loads(Specimens { first: 0, count: 30, seed: 10, ..Specimens::default() }, &loads)
+            .expect("specimens");
         assert!(all[1].friction_force != others[1].friction_force && all[0] == all[3]);
         // From another heaviest load the last digits may differ.
-        let alone =
-            model.specimens_at_loads(Specimens { first: 0, count: 30, seed: 9 }, &loads[..1]).expect("specimens");
+        let alone = model
+            .specimens_at_loads(Specimens { first: 0, count: 30, seed: 9, ..Specimens::default() }, &loads[..1])
+            .expect("specimens");
         for (one, together) in alone.iter().zip(all.iter().step_by(4)) {
             assert_near(one.friction_force, together.friction_force, 1e-9, "friction force");
             assert_near(one.gap, together.gap, 1e-9, "gap");
@@ -190,8 +197,9 @@ fn specimens_that_cannot_be_are_refused_with_what_to_do() {
         ),
     ] {
         let model = model(&Params { asperity_count: count, ..params.clone() });
-        let error: Error =
-            model.specimens_at_loads(Specimens { first: 0, count: 400, seed: 0 }, &[load]).expect_err("refused");
+        let error: Error = model
+            .specimens_at_loads(Specimens { first: 0, count: 400, seed: 0, ..Specimens::default() }, &[load])
+            .expect_err("refused");
         assert!(error.to_string().contains(message), "{error}");
     }
     let model = model(&params);

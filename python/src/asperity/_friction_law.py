@@ -338,30 +338,33 @@ class FrictionLaw:
                 where = f"between the loads {lightest:g} and {heaviest:g}" if lightest < heaviest else f"at the load {lightest:g}"
                 caller.warn(f"{where}: {kind}", ValidityWarning)
 
-    def each_specimen_at_loads(self, load: npt.ArrayLike, specimens: int, *, seed: int = 0, first: int = 0) -> _Array:
+    def each_specimen_at_loads(
+        self, load: npt.ArrayLike, specimens: int, *, sphere_radius: float = 0.0, seed: int = 0, first: int = 0
+    ) -> _Array:
         """Single specimens with the summits that they happen to have, one by one; `asperity.pads` is the way to ask for them.
 
         Args:
             load: normal loads [force], a number or a one-dimensional array; also 0 and, with adhesion, negative ones.
             specimens: how many.
+            sphere_radius: of rough spheres [length]; 0: they are flat.
             seed: of the random numbers.
             first: the first of them: ranges of specimens may be asked for in threads.
 
         Returns:
-            Array of shape (specimens, loads, 6): friction force, tangential and normal stiffness, gap, contacts and pull-off force;
+            Array of shape (6, specimens, loads): friction force, tangential and normal stiffness, gap, contacts and pull-off force;
             the gap is NaN where the specimen is apart.
 
         Raises:
-            Error: a load that cannot be, or more than 1e7 summits that would have to be drawn.
+            Error: a load that cannot be, more than 1e7 summits that would have to be drawn, or a sphere that flattens.
         """
         loads = checks.one_or_more("load", load)
         most = 2**64 - 1
         specimens, seed, first = (
             checks.whole("specimens", specimens, 1, 10**7), checks.whole("seed", seed, 0, most), checks.whole("first", first, 0, most)
         )  # fmt: skip
-        found = np.empty((specimens, loads.size, _header.ASPERITY_SPECIMEN_LENGTH))
-        pointer = self._open().pointer
-        check(LIBRARY.asperity_each_specimen_at_loads(pointer, first, specimens, seed, loads.size, _data(loads), _data(found)))
+        radius, found = checks.real("sphere_radius", sphere_radius), np.empty((6, specimens, loads.size))
+        pointer, outputs = self._open().pointer, [_data(one) for one in found]
+        check(LIBRARY.asperity_each_specimen_at_loads(pointer, radius, first, specimens, seed, loads.size, _data(loads), *outputs))
         return found
 
     def summary(self) -> Summary:

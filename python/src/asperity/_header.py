@@ -45,13 +45,6 @@ ASPERITY_SPREAD_DEVIATION = 1
 ASPERITY_SPREAD_LOW = 2
 ASPERITY_SPREAD_MEDIAN = 3
 ASPERITY_SPREAD_HIGH = 4
-ASPERITY_SPECIMEN_FRICTION_FORCE = 0
-ASPERITY_SPECIMEN_TANGENTIAL_STIFFNESS = 1
-ASPERITY_SPECIMEN_NORMAL_STIFFNESS = 2
-ASPERITY_SPECIMEN_GAP = 3
-ASPERITY_SPECIMEN_CONTACTS = 4
-ASPERITY_SPECIMEN_PULL_OFF_FORCE = 5
-ASPERITY_SPECIMEN_LENGTH = 6
 ASPERITY_WARNING_PLASTIC = 1
 ASPERITY_WARNING_CROWDED = 2
 ASPERITY_WARNING_STEEP = 4
@@ -289,7 +282,10 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_state_at_gap": (c_int32, [_model, c_double, _state]),
     "asperity_summary_of": (c_int32, [_model, _summary]),
     "asperity_specimens_at_loads": (c_int32, [_model, c_size_t, c_uint64, c_size_t, _double, _specimens]),
-    "asperity_each_specimen_at_loads": (c_int32, [_model, c_uint64, c_size_t, c_uint64, c_size_t, _double, _double]),
+    "asperity_each_specimen_at_loads": (
+        c_int32,
+        [_model, c_double, c_uint64, c_size_t, c_uint64, c_size_t, _double, _double, _double, _double, _double, _double, _double],
+    ),
     "asperity_check_loads": (c_int32, [_model, c_double, c_double, POINTER(c_uint64)]),
     "asperity_warnings_text": (c_size_t, [c_uint64, POINTER(c_char), c_size_t]),
     "asperity_last_error": (c_size_t, [POINTER(c_char), c_size_t]),

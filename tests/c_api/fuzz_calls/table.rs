@@ -202,7 +202,7 @@ pub const CALLS: &[Call] = calls! {
     asperity_state_at_gap[EXACT](model: Model, gap: Number(1e-2), state: Struct(size_of::<asperity_state>()));
     asperity_summary_of[ANSWER](model: Model, summary: Struct(size_of::<asperity_summary>()));
     asperity_specimens_at_loads[EXACT](model: Model, specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), found: Struct(size_of::<asperity_specimens>()));
-    asperity_each_specimen_at_loads[EXACT](model: Model, first: Whole(0), specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), values: MayOut(12));
+    asperity_each_specimen_at_loads[EXACT](model: Model, sphere_radius: Number(0.0), first: Whole(0), specimens: Times(2), seed: Whole(1), n: Count, load: In(1, LOAD), friction_force: MayOut(2), tangential_stiffness: MayOut(2), normal_stiffness: MayOut(2), gap: MayOut(2), contacts: MayOut(2), pull_off_force: MayOut(2));
     asperity_check_loads[EXACT](model: Model, lightest: Number(1e-3), heaviest: Number(1e-2), warnings: Out(1));
     asperity_warnings_text[ANSWER](warnings: Whole(u64::MAX), buffer: Buffer, length: Room);
     asperity_last_error[ANSWER](buffer: Buffer, length: Room);

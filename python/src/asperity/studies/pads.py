@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .. import _header
 from ..errors import Error
 from ..model import Model
 from ..params import Params
@@ -46,6 +45,7 @@ class _Range(NamedTuple):
     """Specimens of a surface under loads."""
 
     params: Params
+    sphere_radius: float
     first: int
     count: int
     seed: int
@@ -66,7 +66,7 @@ class Pads:
         contacting: summits in contact.
         apart: whether the load is below the pull-off load of the specimen.
         pull_off_force: the largest pull that each specimen withstands [force], >= 0; shape (specimens,).
-        model_force: the friction force of the model at the loads [force]; shape (loads,).
+        model_force: the friction force of the model at the loads [force]; shape (loads,). NaN for spheres.
         seed: of the random numbers.
     """
 
@@ -149,6 +149,7 @@ def pads(
     loads: npt.ArrayLike,
     count: int = 100,
     *,
+    sphere_radius: float = 0.0,
     seed: int = 0,
     progress: Progress = None,
     executor: Executor | None = None,
@@ -163,6 +164,8 @@ def pads(
         params: the surface, with its true number of summits.
         loads: normal loads [force], one or a one-dimensional array, in any order; also 0 and, with adhesion, negative ones.
         count: number of specimens, 2 or more. 400 give means within 1 %.
+        sphere_radius: of rough spheres [length], as beads and balls, which bear on the summits about their lowest point; 0: they are
+            flat. Refused where the sphere itself flattens, or has fewer than 3 summits there.
         seed: of the random numbers, >= 0: the same specimens for the same seed, whatever their number and the loads.
         progress: whether to tell how far it is, on the error stream, or a function of the part done, 0 to 1, and of what is
             being done; by default for more than 100,000 states.
@@ -175,23 +178,24 @@ def pads(
         TypeError: no `Params`, or no whole numbers.
     """
     checks.instance("params", params, Params)
+    sphere_radius = checks.real("sphere_radius", sphere_radius)
     load = checks.one_or_more("loads", loads)
     count, seed = checks.whole("count", count, 2), checks.whole("seed", seed, 0, 2**64 - 1)
     with Model(params) as model:
-        model_force = model.friction_force_at_load(load)
-    values = np.empty((count, load.size, _header.ASPERITY_SPECIMEN_LENGTH))
+        model_force = np.full(load.shape, math.nan) if sphere_radius else model.friction_force_at_load(load)
+    values = np.empty((6, count, load.size))
     tell = teller(progress, count * load.size > _MANY, "asperity.pads")
     # The last ones first: they are refused if all are too many.
-    blocks = ((i, _Range(params, i, min(_BLOCK, count - i), seed, load)) for i in reversed(range(0, count, _BLOCK)))
+    blocks = ((i, _Range(params, sphere_radius, i, min(_BLOCK, count - i), seed, load)) for i in reversed(range(0, count, _BLOCK)))
     done = 0
     tell(0.0, "specimens")
     from ..tools.blocks import completed
 
     for first, found in completed(_unloaded, blocks, executor):
-        values[first : first + len(found)] = found
-        done += len(found)
+        values[:, first : first + found.shape[1]] = found
+        done += found.shape[1]
         tell(done / count, "specimens")
-    friction, tangential, normal, gap, contacts, pull_off = np.moveaxis(values, -1, 0)
+    friction, tangential, normal, gap, contacts, pull_off = values
     arrays = (load, friction, tangential, normal, gap, contacts.astype(np.intp), np.isnan(gap), pull_off[:, 0], model_force)
     for array in arrays:
         array.setflags(write=False)
@@ -200,7 +204,9 @@ def pads(
 
 def _unloaded(asked: _Range) -> Array:
     with Model(asked.params) as model:
-        return model.each_specimen_at_loads(asked.loads, asked.count, seed=asked.seed, first=asked.first)
+        return model.each_specimen_at_loads(
+            asked.loads, asked.count, sphere_radius=asked.sphere_radius, seed=asked.seed, first=asked.first
+        )
 
 
 def _draw(pads: Pads, file: str | os.PathLike[str] | None) -> Figure:
