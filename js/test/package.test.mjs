@@ -247,6 +247,15 @@ Ra = [0.8e-6, 0.4e-6]
 RSm = [80e-6, 60e-6]
 `;
 
+test("single specimens have mean, scatter and quantiles", () => {
+  const model = new Model(silicon);
+  const found = model.specimensAtLoad(1e-5, { specimens: 50, seed: 3 });
+  const [mean, deviation, low, median, high] = found.friction_force;
+  assert.ok(mean > 0 && deviation > 0 && low < median && median < high && found.load === 1e-5 && found.apart === 0);
+  assert.deepEqual(model.specimensAtLoad(1e-5, { specimens: 50, seed: 3 }), found);
+  assert.throws(() => model.specimensAtLoad(NaN), /load = NaN: must be finite/);
+});
+
 test("a text in TOML is a surface", () => {
   const params = readText(STEEL);
   assert.equal(params.contact_law, "elastic-plastic");

@@ -68,6 +68,7 @@ class Pads:
         pull_off_force: the largest pull that each specimen withstands [force], >= 0; shape (specimens,).
         model_force: the friction force of the model at the loads [force]; shape (loads,). NaN for spheres.
         seed: of the random numbers.
+        sphere_radius: of rough spheres [length]; 0: they are flat.
     """
 
     params: Params
@@ -81,6 +82,7 @@ class Pads:
     pull_off_force: Array
     model_force: Array
     seed: int
+    sphere_radius: float
 
     @property
     def count(self) -> int:
@@ -127,9 +129,15 @@ class Pads:
         """
         return _draw(self, file)
 
+    @property
+    def _kind(self) -> str:
+        if self.sphere_radius:
+            return f"{self.count} spheres of radius {self.sphere_radius:g}"
+        return f"{self.count} specimens of {self.params.asperity_count:.6g} summits"
+
     def __str__(self) -> str:
         lines = [
-            f"{self.count} specimens of {self.params.asperity_count:.6g} summits",
+            self._kind,
             "load  contacts  mean force  mean/model  scatter  95 % of the specimens",
         ]
         low, _, high = self.quantiles
@@ -199,7 +207,7 @@ def pads(
     arrays = (load, friction, tangential, normal, gap, contacts.astype(np.intp), np.isnan(gap), pull_off[:, 0], model_force)
     for array in arrays:
         array.setflags(write=False)
-    return Pads(params, *arrays, seed)
+    return Pads(params, *arrays, seed, sphere_radius)
 
 
 def _unloaded(asked: _Range) -> Array:
@@ -224,8 +232,7 @@ def _draw(pads: Pads, file: str | os.PathLike[str] | None) -> Figure:
         figure = Figure(figsize=(7.5, 5), layout="constrained")
         axes = figure.add_subplot()
         axes.fill_between(load, low, high, color="C0", alpha=0.25, lw=0, label="95 % of the specimens")
-        named = f"mean of {pads.count} specimens of {pads.params.asperity_count:.6g} summits"
-        axes.plot(load, mean, "o-", ms=4, color="C0", label=named)
+        axes.plot(load, mean, "o-", ms=4, color="C0", label=f"mean of {pads._kind}")
         axes.plot(load, model, "--", color="black", label="model: sums at fixed separation")
         if presses:
             axes.set_xscale("log")
