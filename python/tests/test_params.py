@@ -196,6 +196,13 @@ def test_parameters_remember_that_they_are_in_si_units(params: Params, tmp_path:
         with pytest.raises(Error, match=r"^in_si = False: .*in SI units: convert by in_units, then replace\(in_si=True\)"):
             other.to_toml(tmp_path / "surface.toml")
     assert not (tmp_path / "surface.toml").exists()
+    millimetres = steel.in_units(length=1e-3, force=1.0)
+    with pytest.raises(Error, match="^length_unit = 0.001: must be 1 for this"):
+        millimetres.in_units(length=1e-3, force=1.0)
+    again = Params.from_text(millimetres._as_text())
+    assert again == millimetres and not again.in_si and again.length_unit == 1e-3
+    with pytest.raises(Error, match="length_unit = 1: must be 0.001"):
+        Params.from_text("skew = 0.1", start=millimetres)
     with pytest.raises(TypeError, match="^in_si = 'SI': must be True or False"):
         params.replace(in_si="SI")
 

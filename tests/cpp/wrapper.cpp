@@ -157,6 +157,8 @@ void parameters_come_from_what_is_known(const std::string &path) {
     EXPECT(same(params, by_hand) && same(Params(by_hand).calibrate_force(1000.0, 160.0), by_hand));
     EXPECT(same(Params().set_text(params.text()), params));
     EXPECT(close(Params(params).set_units(1e-3, 1.0).nominal_area(), 100.0, 1e-14));
+    EXPECT(refused([&] { Params(params).set_units(1e-3, 1.0).set_units(1e-3, 1.0); }));
+    EXPECT(refused([&] { Params(params).set_units(1e-3, 1.0).set_text(STEEL); }));
 
     std::FILE *file = std::fopen(path.c_str(), "wb");
     EXPECT(file != nullptr && std::fputs(STEEL, file) >= 0 && std::fclose(file) == 0);

@@ -622,7 +622,7 @@ class Params:
 
     @classmethod
     def _of_struct(cls, struct: Any, in_si: bool) -> Params:
-        values: dict[str, Any] = {"in_si": in_si}
+        values: dict[str, Any] = {"in_si": in_si and struct.length_unit == struct.force_unit == 1.0}
         for name in _of_library():
             value = getattr(struct, name)
             if name in _header.WORDS:
@@ -704,14 +704,14 @@ class Params:
             force: the new unit of force in the present one, > 0.
 
         Raises:
-            Error: a unit that is not finite and > 0.
+            Error: a unit that is not finite and > 0; parameters in SI units that were converted before.
         """
         struct: Any = self._as_struct()
         units = checks.real("length", length), checks.real("force", force)
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
         if not self.in_si:  # of units that are not known nothing is kept
             struct.length_unit = struct.force_unit = 1.0
-        return self._of_struct(struct, self.in_si and units == (1.0, 1.0))
+        return self._of_struct(struct, self.in_si)
 
     def elastic_plastic(self, hardness: float) -> Params:
         """A copy whose summits yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
