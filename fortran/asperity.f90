@@ -280,8 +280,8 @@ module asperity
     real(c_double) :: min_table_load                ! Lightest load of the compiled table [force]
     real(c_double) :: max_table_load                ! Heaviest load of the compiled table [force]
     real(c_double) :: table_error                   ! Largest relative error of the compiled friction force [-] at the
-                                                    ! samples that were compared when the model was made; between
-                                                    ! samples it may be four times as large, or 1e-9 where that is more
+                                                    ! samples that were compared when the model was made, times what
+                                                    ! errors between samples are larger by
   end type asperity_summary
 
   ! Specimens of a surface pair under one load

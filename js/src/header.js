@@ -339,7 +339,7 @@ export const FUNCTIONS = {
  * @property {number} stiffness_per_radius 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
  * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
- * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made; between samples it may be four times as large, or 1e-9 where that is more.
+ * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made, times what errors between samples are larger by.
  */
 
 /**

@@ -14,9 +14,9 @@ const GAP_BLOCK: usize = 128;
 ///
 /// The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
 /// pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
-/// adhesion the load goes to 0 at the highest asperity; if heights have no end, it is taken to 0 smoothly below about 1e-24 of the
-/// load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-8
-/// of exact ones, slopes within 1e-6, relative to the load or to the pull-off load, whichever is larger, or within what the
+/// adhesion the load goes to 0 at the highest asperity; if heights have no end, it is taken to 0 smoothly below about 1e-15 of the
+/// load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-6
+/// of exact ones, slopes within 1e-4, relative to the load or to the pull-off load, whichever is larger, or within what the
 /// rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
 /// the load goes on as a power of the depth below the mean height.
 ///

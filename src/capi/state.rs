@@ -107,7 +107,7 @@ pub struct asperity_summary {
     /// below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
-    /// made; between samples it may be four times as large, or 1e-9 where that is more.
+    /// made, times what errors between samples are larger by.
     pub table_error: f64,
 }
 

@@ -14,11 +14,14 @@ use crate::numerics::root::MOST_STEPS;
 use crate::population::{Population, Sums};
 use fall::Fall;
 use pull_off::End;
+use std::sync::OnceLock;
 
 /// No separation on the branch is smaller, in sigma: the softest summits that flow carry more than the heaviest load there.
 const CLOSEST: f64 = -1e90;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
+/// Where the load is above pull-off by more than this part of that load, their difference has all digits that it needs.
+const FARTHEST_FALL: f64 = 0.05;
 /// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
 const LOG_LIGHTEST_LOAD: f64 = -690.0;
 
@@ -28,8 +31,8 @@ pub struct Branch {
     population: Population,
     kinks: Vec<f64>,
     end: End,
-    /// The load minus the pull-off load near that, if there is one.
-    fall: Option<Fall>,
+    /// The load minus the pull-off load near that, if there is one, once it is asked for.
+    fall: OnceLock<Fall>,
 }
 
 /// A state on the branch.
@@ -52,18 +55,13 @@ impl Branch {
     pub fn new(population: Population) -> Result<Self, Error> {
         let end = End::of(&population)?;
         let kinks = population.kinks();
-        Ok(Self { population, kinks, end, fall: None }.with_fall())
+        Ok(Self { population, kinks, end, fall: OnceLock::new() })
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
-        Ok(Self { end, ..self }.with_fall())
-    }
-
-    fn with_fall(self) -> Self {
-        let fall = self.end.pull_off.map(|pull_off| Fall::new(&self.population, &self.kinks, &pull_off));
-        Self { fall, ..self }
+        Ok(Self { end, fall: OnceLock::new(), ..self })
     }
 
     /// Gives back what is tabulated of the population until sums are asked for.
@@ -96,11 +94,25 @@ impl Branch {
         self.end.farthest
     }
 
+    /// The state at a separation on the branch; next to pull-off with few digits of ln(load - pull-off load).
+    pub fn point(&self, separation: f64) -> BranchPoint {
+        let sums = self.population.at_separation(separation);
+        Self::point_of(sums, sums.load() - self.pull_off_load())
+    }
+
     /// The state at a separation on the branch.
     pub fn log_excess(&self, separation: f64) -> BranchPoint {
         let sums = self.population.at_separation(separation);
-        let fall = self.fall.as_ref().and_then(|fall| fall.from(&self.population, separation));
-        let excess = fall.unwrap_or_else(|| sums.load() - self.pull_off_load());
+        let difference = sums.load() - self.pull_off_load();
+        let is_near = difference < FARTHEST_FALL * -self.pull_off_load();
+        let fall = self.end.pull_off.filter(|_| is_near).and_then(|pull_off| {
+            let fall = self.fall.get_or_init(|| Fall::new(&self.population, &self.kinks, &pull_off));
+            fall.from(&self.population, separation)
+        });
+        Self::point_of(sums, fall.unwrap_or(difference))
+    }
+
+    fn point_of(sums: Sums, excess: f64) -> BranchPoint {
         // A logarithm as small as can be stands for that of nothing, but not in its slope.
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }
     }

@@ -43,7 +43,7 @@ fn the_load_above_pull_off_changes_as_its_slope_says_however_near() {
             let distance = 0.5_f64.powi(halvings);
             let (from, to) = (end - 1.2 * distance, end - distance);
             integrated +=
-                usize::from(branch.fall.as_ref().is_some_and(|fall| fall.from(branch.population(), from).is_some()));
+                usize::from(branch.fall.get().is_some_and(|fall| fall.from(branch.population(), from).is_some()));
             // Next to a kink the slope is a root.
             if branch.kinks().iter().any(|&kink| kink > from - distance && kink < end) {
                 continue;

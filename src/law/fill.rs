@@ -1,10 +1,8 @@
 //! Rows filled from the law: whole, or in as many parts as it takes.
 
-use super::row::{
-    compared, polynomial, PieceBasis, Row, RowBasis, DIVISIONS, PIECE_CHECKS, PIECE_NODES, ROW_CHECKS, ROW_NODES,
-};
+use super::row::{compared, polynomial, Row, RowBasis, DIVISIONS, ROW_CHECKS, ROW_NODES};
 use super::table::Table;
-use super::tolerance::{self, larger};
+use super::tolerance::larger;
 use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log, log1p};
 use std::f64::consts::LN_2;
@@ -21,7 +19,7 @@ const MOST_PIECES_OF_ROW: usize = LINKED * LINKED * LINKED;
 /// pieces: by this factor.
 const NEXT_TO_JOINT: f64 = 0.125;
 /// No piece is shorter than this part of its row: x has few digits more.
-const SHORTEST_PIECE: f64 = 1e-9;
+const SHORTEST_PIECE: f64 = 1e-8;
 
 /// The law, as rows are filled from it: a value in the caller's units and its slope by ln x. The places of a call are near to each
 /// other. x is in the units of the model.
@@ -43,51 +41,32 @@ pub struct Filling<'a, S> {
     /// Rows per binade, and the part of a mantissa that each takes.
     per_binade: u64,
     width: f64,
+    basis: RowBasis,
 }
 
 impl<'a, S: Source> Filling<'a, S> {
     /// From a source, of which 1 is so much in the caller's units of x, rows of a fraction 1/2^`fraction` of a binade.
     pub fn new(source: &'a S, unit: f64, fraction: u32) -> Self {
         let per_binade = 1 << fraction;
-        Self { source, log_unit: log(unit), per_binade, width: 1.0 / per_binade as f64 }
+        Self { source, log_unit: log(unit), per_binade, width: 1.0 / per_binade as f64, basis: RowBasis::new() }
     }
 
     /// Fills so many rows of a table. Those that miss the law are divided into pieces, as far as a table of `most` rows and pieces has
     /// room. The largest error found.
     pub fn rows(&self, table: &mut Table, count: usize, most: usize) -> f64 {
-        let basis = RowBasis::new();
-        // ln(mantissa), the same in every binade.
-        let mantissas: Vec<[f64; ROW_PARTS.len()]> =
-            (0..self.per_binade).map(|row| ROW_PARTS.map(|part| log1p((row as f64 + part) * self.width))).collect();
-        let points_of = |row: u64| {
-            let within = row % self.per_binade;
-            let log_binade = log_binade(row / self.per_binade) - self.log_unit;
-            let mut points = self.source.at(mantissas[within as usize].map(|log| log + log_binade));
-            for (point, part) in points.iter_mut().zip(ROW_PARTS) {
-                point.1 = point.1 * self.width / (1.0 + (within as f64 + part) * self.width);
-            }
-            points
-        };
         let (mut worst, mut missed) = (0.0_f64, Vec::new());
         table.rows.reserve(count);
-        let mut left = points_of(table.base - 1)[7];
+        let mut left = None;
         for index in 0..count {
-            let row = table.base + index as u64;
-            // In the next binade the same part of a row is twice as long.
-            if row % self.per_binade == 0 {
-                left.1 *= 2.0;
-            }
-            let points = points_of(row);
-            let interior = [points[0].0, points[1].0, points[2].0, points[3].0];
-            let coefficients = basis.coefficients(left, points[7], interior);
-            let (error, miss) = self.error_of(&coefficients, self.width, ROW_CHECKS.into_iter().zip(&points[4..7]));
-            table.rows.push(Row::of_length(coefficients, self.width));
-            if miss <= 1.0 {
-                worst = worst.max(error);
+            let place = self.place(table.base + index as u64);
+            let piece = self.piece(&place, (0.0, self.width), left);
+            table.rows.push(piece.row);
+            if piece.is_good {
+                worst = worst.max(piece.error);
             } else {
-                missed.push((index, error));
+                missed.push((index, piece.error));
             }
-            left = points[7];
+            left = Some(piece.right);
         }
         table.row_count = count;
         // The heaviest first.
@@ -96,6 +75,15 @@ impl<'a, S: Source> Filling<'a, S> {
         }
         table.rows.shrink_to_fit();
         worst
+    }
+
+    fn place(&self, row: u64) -> Place {
+        let start = (row % self.per_binade) as f64 * self.width;
+        let log_binade = log_binade(row / self.per_binade) - self.log_unit;
+        let mut place = Place { start, log_binade, joints: Vec::new() };
+        let joints = self.source.joints(place.log(0.0), place.log(self.width));
+        place.joints = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
+        place
     }
 
     /// Replaces a row by a link to pieces, if there is room for so many more rows; the largest error of these.
@@ -109,13 +97,8 @@ impl<'a, S: Source> Filling<'a, S> {
     fn pieces(&self, row: u64, room: usize) -> Option<(Vec<(f64, Row)>, f64)> {
         // Links take room too: one for each LINKED rows that they lead to.
         let most = MOST_PIECES_OF_ROW.min((room * DIVISIONS / LINKED).checked_sub(1).filter(|&most| most > 0)?);
-        let basis = PieceBasis::new();
-        let start = (row % self.per_binade) as f64 * self.width;
-        let log_binade = log_binade(row / self.per_binade) - self.log_unit;
-        let log_of = |t: f64| log1p(start + t) + log_binade;
-        let joints = self.source.joints(log_of(0.0), log_of(self.width));
-        let joints: Vec<f64> = joints.into_iter().map(|joint| exp(joint - log_binade) - 1.0 - start).collect();
-        let fill = |begin: f64, end: f64| self.piece(&basis, start, (begin, end), log_binade);
+        let place = self.place(row);
+        let fill = |begin: f64, end: f64| self.piece(&place, (begin, end), None);
         let mut pieces = vec![fill(0.0, self.width)];
         // The longest first: if there is not room for all, those that miss the law are short.
         let mut shortest = 1.0;
@@ -124,7 +107,7 @@ impl<'a, S: Source> Filling<'a, S> {
             while i < pieces.len() {
                 let RowPiece { begin, end, is_good, .. } = pieces[i];
                 if !is_good && end - begin >= shortest * self.width && pieces.len() < most {
-                    let at = division(&joints, begin, end);
+                    let at = division(&place.joints, begin, end);
                     pieces.splice(i..=i, [fill(begin, at), fill(at, end)]);
                 } else {
                     i += 1;
@@ -136,43 +119,52 @@ impl<'a, S: Source> Filling<'a, S> {
         Some((pieces.iter().map(|piece| (piece.begin, piece.row)).collect(), worst))
     }
 
-    /// The polynomial of a part of a row that begins at a mantissa, less one.
-    fn piece(&self, basis: &PieceBasis, row: f64, (begin, end): (f64, f64), log_binade: f64) -> RowPiece {
-        const ASKED: usize = PIECE_NODES.len() + PIECE_CHECKS.len();
-        let parts: [f64; ASKED] = std::array::from_fn(|i| {
-            if i < PIECE_NODES.len() {
-                PIECE_NODES[i]
-            } else {
-                PIECE_CHECKS[i - PIECE_NODES.len()]
-            }
-        });
+    /// The polynomial of a part of a row, of which the value and the slope by ln x where it begins may be known.
+    fn piece(&self, place: &Place, (begin, end): (f64, f64), left: Option<(f64, f64)>) -> RowPiece {
         let length = end - begin;
-        let mantissas = parts.map(|part| row + begin + part * length);
-        let law = self.source.at(mantissas.map(|mantissa| log1p(mantissa) + log_binade));
-        let points: [(f64, f64); ASKED] = std::array::from_fn(|i| (law[i].0, law[i].1 * length / (1.0 + mantissas[i])));
-        let slopes = std::array::from_fn(|i| points[i].1);
-        let coefficients = basis.coefficients(points[0].0, slopes);
-        let at_end = (1.0, &points[PIECE_NODES.len() - 1]);
-        let between = PIECE_CHECKS.into_iter().zip(&points[PIECE_NODES.len()..]);
-        let (error, miss) = self.error_of(&coefficients, length, between);
-        let (jump, miss_at_end) = self.error_of(&coefficients, length, [at_end].into_iter());
-        let is_good = miss <= 1.0 && miss_at_end <= 1.0 && jump <= tolerance::JUMP;
-        RowPiece { begin, end, row: Row::of_length(coefficients, length), error: larger(error, jump), is_good }
+        let left = left.unwrap_or_else(|| self.source.at([place.log(begin)])[0]);
+        let law = self.source.at(ROW_PARTS.map(|part| place.log(begin + part * length)));
+        // By the part of the piece.
+        let rate = |(value, slope): (f64, f64), part: f64| {
+            (value, slope * length / (1.0 + place.start + begin + part * length))
+        };
+        let interior = [law[0].0, law[1].0, law[2].0, law[3].0];
+        let coefficients = self.basis.coefficients(rate(left, 0.0), rate(law[7], 1.0), interior);
+        let (mut error, mut miss) = (0.0, 0.0);
+        for (part, exact) in ROW_CHECKS.into_iter().zip(&law[4..7]) {
+            let found = self.compared(polynomial(&coefficients, part), rate(*exact, part), length);
+            (error, miss) = (larger(error, found.0), larger(miss, found.1));
+        }
+        // Where the law is not smooth within it, it is farthest off.
+        for &joint in place.joints.iter().filter(|&&joint| joint > begin && joint < end) {
+            let part = (joint - begin) / length;
+            let [exact] = self.source.at([place.log(joint)]);
+            let found = self.compared(polynomial(&coefficients, part), rate(exact, part), length);
+            (error, miss) = (larger(error, found.0), larger(miss, found.1));
+        }
+        let row = Row::of_length(coefficients, length);
+        RowPiece { begin, end, row, error, is_good: miss <= 1.0, right: law[7] }
     }
 
-    /// The largest error of the polynomial of a part of so long a mantissa where it is compared, and the largest of it and its slope
-    /// over the tolerance.
-    fn error_of<'b>(
-        &self,
-        coefficients: &[f64; 8],
-        length: f64,
-        compared_with: impl Iterator<Item = (f64, &'b (f64, f64))>,
-    ) -> (f64, f64) {
-        let least = (self.source.least(), self.source.least() * length);
-        compared_with.fold((0.0, 0.0), |(worst, worst_miss), (part, exact)| {
-            let (error, miss) = compared(polynomial(coefficients, part), *exact, least);
-            (larger(worst, error), larger(worst_miss, miss))
-        })
+    /// The error of a value, and that of it or its slope over their tolerance; the slope is by so much of the mantissa.
+    fn compared(&self, found: (f64, f64), exact: (f64, f64), length: f64) -> (f64, f64) {
+        let least = self.source.least();
+        compared(found, exact, (least, least * length))
+    }
+}
+
+/// Where a row begins, by mantissa less one, and ln of the beginning of its binade in the units of the model.
+struct Place {
+    start: f64,
+    log_binade: f64,
+    /// How far into it the law is not smooth, by mantissa.
+    joints: Vec<f64>,
+}
+
+impl Place {
+    /// ln x at so much of the mantissa beyond its beginning.
+    fn log(&self, t: f64) -> f64 {
+        log1p(self.start + t) + self.log_binade
     }
 }
 
@@ -184,6 +176,8 @@ struct RowPiece {
     row: Row,
     error: f64,
     is_good: bool,
+    /// Value and slope by ln x where it ends.
+    right: (f64, f64),
 }
 
 /// The row of a piece, or a link to those of several, which are appended to `rows`.
@@ -338,7 +332,7 @@ mod tests {
         assert!(full.rows.len() > 1 + LINKED + 1 && error < 2.0 * tolerance::VALUE, "{}, {error:e}", full.rows.len());
         assert_on_the_law(&full, wiggly(4.0), scale, 1.0 + WIDTH);
         // Where there are too many, or too little room, the law is followed less well, and the error says so.
-        for (per_row, room) in [(1000.0, 100), (4.0, 12), (4.0, 5)] {
+        for (per_row, room) in [(1000.0, 100), (16.0, 12), (8.0, 5)] {
             let (cramped, error) = filled(wiggly(per_row), None, scale, 1, room);
             assert!(error > 5.0 * tolerance::VALUE, "{error:e}");
             for x in [1.01, 1.1, 1.24] {

@@ -17,11 +17,6 @@ use crate::numerics::root;
 
 /// Rows per binade of x, as a power of two: the fewest of which nearly all are good.
 const GAP_FRACTION: u32 = 3;
-/// Without a pull-off load, rows end this far from the highest summit, in sigma: nearer, the separation has few digits of the distance,
-/// and the load is a power of it, also where the density of heights jumps to 0 there.
-const NEAREST_TO_HIGHEST: f64 = 1e-9;
-/// The table reaches no farther above the mean height than this.
-const FARTHEST_GAP: f64 = 2e3;
 /// The largest power by which the load goes to 0 beyond the lightest that is compiled, where the highest summit is far.
 const TAIL_POWER: f64 = 7.0;
 
@@ -63,8 +58,8 @@ impl Gap {
         // Next to pull-off the curve may end a few last bits before.
         let pull_off = branch.pull_off().filter(|_| reach.has_pull_off);
         let first = match pull_off {
-            Some(_) => end,
-            None => lightest(branch, curve),
+            Some(point) => point.separation,
+            None => curve.separation(reach.log_lightest).unwrap_or(end),
         };
         // A length over which the load changes by its own size there.
         let scale = match pull_off {
@@ -159,14 +154,6 @@ impl Gap {
     }
 }
 
-/// The lightest load that is compiled where the load decays without end, and the separation at which it is carried.
-fn lightest(branch: &Branch, curve: &Curve) -> f64 {
-    let (begin, end) = curve.separation_range();
-    // Farther, lengths have too few digits to tell separations among the heights apart.
-    let highest = branch.farthest() - NEAREST_TO_HIGHEST * (1.0 + branch.farthest().abs());
-    highest.min(FARTHEST_GAP - branch.population().heights().origin()).max(begin).min(end)
-}
-
 /// The separation at which the load is 0, where it pulls at the end.
 fn zero_load(curve: &Curve, end: f64) -> f64 {
     // x = |pull-off load|.
@@ -205,7 +192,7 @@ impl Source for Distances<'_> {
 
     fn joints(&self, lower: f64, upper: f64) -> Vec<f64> {
         let log_x = |gap: f64| log(self.anchor - gap);
-        let joints = self.curve.joints().rev().map(|joint| self.curve.gap(joint));
+        let joints = self.curve.kinks().iter().rev().map(|kink| self.curve.gap(kink.0));
         let joints = joints.filter(|&joint| joint < self.end).chain([self.begin]).map(log_x);
         joints.filter(|&joint| joint > lower && joint < upper).collect()
     }

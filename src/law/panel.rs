@@ -1,29 +1,17 @@
 //! A panel of the curve: polynomials through exact states with their slopes, of friction and stiffness against s, and of s against
-//! separation, by which the curve is read the other way.
+//! position, by which the curve is read the other way.
 
-use super::position::Positions;
 use super::tolerance::{self, larger};
 use super::Quantity;
-use crate::numerics::elementary::{cos, log};
-use crate::numerics::quadrature;
 use crate::numerics::root;
 
-/// Exact states per panel.
-pub const PANEL_NODES: usize = 10;
-/// Where its node j lies, from -1 to 1.
-pub fn chebyshev(j: usize) -> f64 {
-    -cos(std::f64::consts::PI * (j as f64 + 0.5) / PANEL_NODES as f64)
-}
-
+/// Exact states per panel, at equal distances of position, its ends among them.
+pub const PANEL_NODES: usize = 5;
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * PANEL_NODES;
-/// Where a panel is compared between its nodes, from -1 to 1.
-pub const PANEL_CHECKS: [f64; 2] = [0.1, 0.8];
-/// Next to a kink the slope of the stiffness is harder to resolve than that of friction: it need only be as good as values ask for, which
-/// leaves it within 1e-3 where the load is within 1 % of a kink, and within 1e-6 elsewhere.
-const SLACK: f64 = 2.0;
-/// In panels that span less than this of s, differences of logarithms have lost the digits that its slopes have.
-const NARROW: f64 = 2e-4;
+
+/// A panel that ends at pull-off is farther off next to that than where it is compared, by up to so many times more than others.
+const FARTHER_AT_PULL_OFF: f64 = 2.0;
 
 /// A number for each quantity.
 pub type PerQuantity = [f64; Quantity::COUNT];
@@ -32,97 +20,57 @@ pub type PerQuantity = [f64; Quantity::COUNT];
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     pub separation: f64,
-    /// 1 - psi, and its slope by separation.
-    pub crowding: (f64, f64),
+    pub position: f64,
+    /// d(gap)/d(position), and its slope.
+    pub gap_rate: (f64, f64),
     /// ln(load - pull-off load).
     pub log_excess: f64,
     pub s: f64,
-    pub s_by_separation: f64,
-    /// ln of the quantities over the references of the curve.
+    /// ds/d(position); no number at pull-off.
+    pub s_by_position: f64,
+    /// What the load changes by with s, relative to it or to the pull-off load, whichever is larger.
+    pub load_by_s: f64,
+    /// ln of the quantities.
     pub log_value: PerQuantity,
-    /// The quantities themselves: differences of logarithms lose fewer digits with them.
-    pub value: PerQuantity,
-    /// Slopes of the logarithms by s.
+    /// Slopes of these by s; no numbers at pull-off.
     pub slope: PerQuantity,
 }
 
-/// A stretch of the curve, with s falling as separation grows.
+impl Sample {
+    /// Whether it lies beyond the branch, where only gaps are known.
+    pub fn is_beyond(&self) -> bool {
+        self.s.is_nan()
+    }
+}
+
+/// A stretch of the curve, with s falling as position grows.
 #[derive(Debug, Clone)]
 pub struct CurvePanel {
     /// s at its ends.
     pub lowest: f64,
     pub highest: f64,
-    /// The separations there.
+    /// The positions there.
     pub begin: f64,
     pub end: f64,
     log_value: [Hermite; Quantity::COUNT],
-    length: Length,
     s: Hermite,
 }
 
-/// What lengths in separation are measured in.
-#[derive(Debug, Clone, Copy)]
-pub enum Length {
-    Separation,
-    Position(Positions),
-}
-
-impl Length {
-    /// The length of a panel from one separation to another.
-    pub fn of(positions: Positions, from: f64, to: f64) -> Self {
-        match positions.is_short(from, to) {
-            true => Self::Separation,
-            false => Self::Position(positions),
-        }
-    }
-
-    /// The separation at a place.
-    pub fn beyond(self, from: f64, place: f64) -> f64 {
-        match self {
-            Self::Separation => from + place,
-            Self::Position(positions) => positions.separation(positions.position(from) + place),
-        }
-    }
-
-    /// The second derivative of a separation by its place.
-    pub fn bend(self, separation: f64) -> f64 {
-        match self {
-            Self::Separation => 0.0,
-            Self::Position(positions) => positions.bend(separation),
-        }
-    }
-
-    /// From one separation to another, and its slope by the latter.
-    pub fn between(self, from: f64, to: f64) -> (f64, f64) {
-        match self {
-            Self::Separation => (to - from, 1.0),
-            Self::Position(positions) => (positions.position(to) - positions.position(from), positions.density(to)),
-        }
-    }
-}
-
 impl CurvePanel {
-    /// From one state to another, through the states at its nodes.
-    pub fn new(from: &Sample, to: &Sample, positions: Positions, nodes: &[Sample; PANEL_NODES]) -> Self {
-        let is_narrow = from.s - to.s < NARROW;
-        let length = Length::of(positions, from.separation, to.separation);
+    /// Through the states at its nodes.
+    pub fn new(nodes: &[Sample; PANEL_NODES]) -> Self {
+        let of = |number: fn(&Sample) -> f64| nodes.each_ref().map(number);
+        let (position, s) = (of(|node| node.position), of(|node| node.s));
         let log_value = std::array::from_fn(|quantity| {
-            let rise = |node: &Sample| log(node.value[quantity] / nodes[0].value[quantity]);
-            let (places, slopes) =
-                (nodes.each_ref().map(|node| node.s), nodes.each_ref().map(|node| node.slope[quantity]));
-            let values = if is_narrow { integrals(&places, slopes) } else { nodes.each_ref().map(rise) };
-            Hermite::new(nodes[0].log_value[quantity], places, values, slopes)
+            let [values, slopes] = [
+                nodes.each_ref().map(|node| node.log_value[quantity]),
+                nodes.each_ref().map(|node| node.slope[quantity]),
+            ];
+            Hermite::new(s, values, slopes)
         });
-        let places = nodes.each_ref().map(|node| length.between(from.separation, node.separation));
-        let slopes = std::array::from_fn(|i| nodes[i].s_by_separation / places[i].1);
-        let places = places.map(|(place, _)| place);
-        let values = match is_narrow {
-            true => integrals(&places, slopes),
-            false => nodes.each_ref().map(|node| node.s - nodes[0].s),
-        };
-        let s = Hermite::new(nodes[0].s, places, values, slopes);
-        let (begin, end) = (from.separation, to.separation);
-        Self { lowest: to.s, highest: from.s, begin, end, log_value, length, s }
+        let (from, to) = (&nodes[0], &nodes[PANEL_NODES - 1]);
+        let s = Hermite::new(position, s, of(|node| node.s_by_position));
+        Self { lowest: to.s, highest: from.s, begin: from.position, end: to.position, log_value, s }
     }
 
     pub fn holds(&self, s: f64) -> bool {
@@ -135,82 +83,62 @@ impl CurvePanel {
         s.map(|s| self.log_value[quantity as usize].at(s))
     }
 
-    /// s and ds/d(separation) at a separation.
-    pub fn s_at(&self, separation: f64) -> (f64, f64) {
-        let (place, density) = self.length.between(self.begin, separation);
-        let (s, slope) = self.s.at(place);
-        (s, slope * density)
+    /// s and ds/d(position) at a position.
+    pub fn s_at(&self, position: f64) -> (f64, f64) {
+        self.s.at(position)
     }
 
-    /// s at a place, and its slope by that.
-    pub fn s_at_place(&self, place: f64) -> (f64, f64) {
-        self.s.at(place)
+    /// The position at s.
+    pub fn position_at(&self, s: f64) -> f64 {
+        root::bracketed(|position| self.s_at(position).0 - s, self.begin, self.end)
     }
 
-    /// The separation at s.
-    pub fn separation_at(&self, s: f64) -> f64 {
-        root::bracketed(|separation| self.s_at(separation).0 - s, self.begin, self.end)
-    }
-
-    /// How far exact states that are not its nodes lie from it, over the tolerance, which is so many times larger for slopes.
-    pub fn error_over_tolerance(&self, slope_slack: f64, states: &[&Sample]) -> f64 {
-        let errors = states.iter().flat_map(|state| {
-            let friction = self.error_at(Quantity::Friction, state, slope_slack);
-            [friction, self.error_at(Quantity::Radius, state, SLACK * slope_slack), self.error_of_s(state, slope_slack)]
+    /// The error of the logarithm of each quantity at a state that is not a node, and the largest of all that is compared over its
+    /// tolerance, which is so many times larger for slopes.
+    pub fn error_at(&self, state: &Sample, slack: f64) -> (PerQuantity, f64) {
+        let more = if self.lowest == 0.0 { FARTHER_AT_PULL_OFF } else { 1.0 };
+        let mut worst = more * self.error_of_load(state, slack);
+        let errors = Quantity::ALL.map(|quantity| {
+            let [(value, slope)] = self.log_value_at(quantity, [state.s]);
+            let error = more * (value - state.log_value[quantity as usize]).abs();
+            let slope_error = more * (slope / state.slope[quantity as usize] - 1.0).abs();
+            worst = larger(worst, larger(error / tolerance::VALUE, slope_error / (slack * tolerance::SLOPE)));
+            error
         });
-        errors.fold(0.0, larger)
+        (errors, worst)
     }
 
-    /// How far a quantity of a state lies from the curve, over the tolerance, which is so many times larger for slopes.
-    fn error_at(&self, quantity: Quantity, state: &Sample, slack: f64) -> f64 {
-        let [(value, slope)] = self.log_value_at(quantity, [state.s]);
-        let exact = (state.log_value[quantity as usize], state.slope[quantity as usize]);
-        error_over_tolerance((value, slope), exact, slack)
+    /// How far the load at the position of a state lies from its load, relative to that or the pull-off load, over the tolerance.
+    fn error_of_load(&self, state: &Sample, slack: f64) -> f64 {
+        let (s, slope) = self.s_at(state.position);
+        let error = state.load_by_s * (s - state.s).abs();
+        let slope_error = state.load_by_s.min(1.0) * (slope / state.s_by_position - 1.0).abs();
+        larger(error / tolerance::VALUE, slope_error / (slack * tolerance::SLOPE))
     }
-
-    fn error_of_s(&self, state: &Sample, slack: f64) -> f64 {
-        error_over_tolerance(self.s_at(state.separation), (state.s, state.s_by_separation), slack)
-    }
-}
-
-/// The error of a value and of its slope over the tolerance, whichever is larger; infinite where either is not a number. Slopes are not
-/// known at pull-off itself.
-fn error_over_tolerance((value, slope): (f64, f64), exact: (f64, f64), slack: f64) -> f64 {
-    let error = (value - exact.0).abs() / tolerance::VALUE;
-    let slope_error = if exact.1.is_nan() { 0.0 } else { (slope / exact.1 - 1.0).abs() / (slack * tolerance::SLOPE) };
-    larger(error, slope_error)
 }
 
 /// A polynomial with given values and slopes at its nodes.
 #[derive(Debug, Clone)]
 pub struct Hermite {
-    /// The value at the first node, to which the others are relative.
-    reference: f64,
     nodes: [f64; PANEL_NODES],
     /// The coefficients of Newton's form, each node twice.
     coefficients: [f64; CONDITIONS],
 }
 
 impl Hermite {
-    /// With these values, relative to a reference, and slopes.
-    pub fn new(
-        reference: f64,
-        nodes: [f64; PANEL_NODES],
-        values: [f64; PANEL_NODES],
-        slopes: [f64; PANEL_NODES],
-    ) -> Self {
-        // Divided differences; between the two copies of a node they are the slope.
-        let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
-        for order in 1..CONDITIONS {
-            for i in (order..CONDITIONS).rev() {
-                let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
-                coefficients[i] = match order == 1 && i % 2 == 1 {
-                    true => slopes[i / 2],
-                    false => (coefficients[i] - coefficients[i - 1]) / (b - a),
-                };
-            }
+    /// With these values and slopes. A slope at the last node that is no number is left to the polynomial, of a degree less.
+    pub fn new(nodes: [f64; PANEL_NODES], values: [f64; PANEL_NODES], slopes: [f64; PANEL_NODES]) -> Self {
+        let with = |last: f64| {
+            let mut slopes = slopes;
+            slopes[PANEL_NODES - 1] = last;
+            divided_differences(&nodes, &values, &slopes)
+        };
+        let last = slopes[PANEL_NODES - 1];
+        if !last.is_nan() {
+            return Self { nodes, coefficients: with(last) };
         }
-        Self { reference, nodes, coefficients }
+        let [without, unit] = [0.0, 1.0].map(|last| with(last)[CONDITIONS - 1]);
+        Self { nodes, coefficients: with(without / (without - unit)) }
     }
 
     /// The value and the slope.
@@ -224,28 +152,25 @@ impl Hermite {
                 value = value * distance + coefficient;
             }
         }
-        (self.reference + value, slope)
+        (value, slope)
     }
 }
 
-/// What a function rises by from the first node to each, of which these are the slopes.
-fn integrals(nodes: &[f64; PANEL_NODES], mut slopes: [f64; PANEL_NODES]) -> [f64; PANEL_NODES] {
-    // Newton's form of the polynomial through the slopes.
-    for order in 1..PANEL_NODES {
-        for i in (order..PANEL_NODES).rev() {
-            slopes[i] = (slopes[i] - slopes[i - 1]) / (nodes[i] - nodes[i - order]);
+/// Those of Newton's form; between the two copies of a node they are the slope.
+fn divided_differences(
+    nodes: &[f64; PANEL_NODES],
+    values: &[f64; PANEL_NODES],
+    slopes: &[f64; PANEL_NODES],
+) -> [f64; CONDITIONS] {
+    let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
+    for order in 1..CONDITIONS {
+        for i in (order..CONDITIONS).rev() {
+            let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
+            coefficients[i] = match order == 1 && i % 2 == 1 {
+                true => slopes[i / 2],
+                false => (coefficients[i] - coefficients[i - 1]) / (b - a),
+            };
         }
     }
-    let slope = |at: f64| {
-        let higher = slopes[..PANEL_NODES - 1].iter().zip(nodes).rev();
-        higher.fold(slopes[PANEL_NODES - 1], |value, (coefficient, node)| value * (at - node) + coefficient)
-    };
-    let mut sum = 0.0;
-    std::array::from_fn(|i| {
-        if i > 0 {
-            let rise: f64 = quadrature::nodes(nodes[i - 1], nodes[i]).map(|(at, weight)| weight * slope(at)).sum();
-            sum += rise * (nodes[i] - nodes[i - 1]).signum();
-        }
-        sum
-    })
+    coefficients
 }

@@ -1,76 +1,62 @@
-//! Positions, in which lengths of panels are measured: equal to separations among the heights, logarithmic far from them,
-//! where what matters is the part by which a separation changes.
+//! Positions, in which lengths of panels are measured: the coordinate in which loads are smooth, rising with separation.
 
-use crate::numerics::elementary::{exp, log};
+use crate::equilibrium::Branch;
+use crate::numerics::elementary::{exp, log, log1p, sinh};
 
-/// Positions turn from separations to their logarithms this far from the mean height, in sigma.
+/// Positions turn from separations to their logarithms this far from the mean height, in sigma, or as far as adhesion reaches, and grow
+/// by this per power of e.
 const TURN: f64 = 3.7;
-/// Panels shorter than this are as long in separation.
-const SHORT_PANEL: f64 = 0.1;
+/// Heights that end farther above their mean than this, in sigma, are as if they did not end.
+const FARTHEST_END: f64 = 100.0;
 
-/// Positions of separations.
+/// How separations follow from positions.
 #[derive(Debug, Clone, Copy)]
-pub struct Positions {
-    /// The separation at which the flat is at the mean height.
-    pub middle: f64,
+pub enum Positions {
+    /// As separations among the heights, about their mean, and logarithmic far from them.
+    Around { middle: f64, turn: f64 },
+    /// Logarithmic in the distance from the highest summit, towards which load goes to 0.
+    Below { highest: f64 },
 }
 
 impl Positions {
-    /// What panels are long in: arsinh of the distance from the mean height.
-    pub fn position(&self, separation: f64) -> f64 {
-        let distance = (separation - self.middle) / TURN;
-        let size = distance.abs();
-        (TURN * log(size + (1.0 + size * size).sqrt())).copysign(distance)
+    /// Of a branch: of one that ends at pull-off, or far off, around its heights.
+    pub fn of(branch: &Branch, has_pull_off: bool) -> Self {
+        let population = branch.population();
+        let (middle, turn) = (-population.heights().origin(), TURN.max(population.range_of_adhesion()));
+        match has_pull_off || population.heights().support().1 - middle > FARTHEST_END {
+            true => Self::Around { middle, turn },
+            false => Self::Below { highest: branch.farthest() },
+        }
+    }
+
+    /// The position of a separation.
+    pub fn position(self, separation: f64) -> f64 {
+        match self {
+            Self::Around { middle, turn } => {
+                let size = ((separation - middle) / turn).abs();
+                (TURN * log1p(size + size * size / (1.0 + (1.0 + size * size).sqrt()))).copysign(separation - middle)
+            }
+            Self::Below { highest } => -log(highest - separation),
+        }
     }
 
     /// The separation at a position.
-    pub fn separation(&self, position: f64) -> f64 {
-        let growth = exp(position.abs() / TURN);
-        self.middle + (0.5 * TURN * (growth - 1.0 / growth)).copysign(position)
-    }
-
-    /// Whether a panel is so short that positions have too few digits.
-    pub fn is_short(&self, from: f64, to: f64) -> bool {
-        (to - from) * self.density(from) < SHORT_PANEL
-    }
-
-    /// How long a panel between two separations is.
-    pub fn distance(&self, from: f64, to: f64) -> f64 {
-        if self.is_short(from, to) {
-            (to - from) * self.density(from)
-        } else {
-            self.position(to) - self.position(from)
+    pub fn separation(self, position: f64) -> f64 {
+        match self {
+            Self::Around { middle, turn } => middle + turn * sinh(position / TURN),
+            Self::Below { highest } => highest - exp(-position),
         }
     }
 
-    /// The separation at a distance beyond another.
-    pub fn beyond(&self, from: f64, length: f64) -> f64 {
-        if length < SHORT_PANEL {
-            from + length / self.density(from)
-        } else {
-            self.separation(self.position(from) + length)
+    /// d(separation)/d(position) at a separation, and d^2(separation)/d(position)^2.
+    pub fn rates(self, separation: f64) -> (f64, f64) {
+        match self {
+            Self::Around { middle, turn } => {
+                let distance = (separation - middle) / turn;
+                (turn / TURN * (1.0 + distance * distance).sqrt(), (separation - middle) / (TURN * TURN))
+            }
+            Self::Below { highest } => (highest - separation, separation - highest),
         }
-    }
-
-    /// The separation at a part of a panel, -1 at its beginning and 1 at its end.
-    pub fn between(&self, from: f64, to: f64, part: f64) -> f64 {
-        let at = |from: f64, to: f64| 0.5 * (from + to) + 0.5 * part * (to - from);
-        if self.is_short(from, to) {
-            at(from, to)
-        } else {
-            self.separation(at(self.position(from), self.position(to)))
-        }
-    }
-
-    /// d^2(separation)/d(position)^2.
-    pub fn bend(&self, separation: f64) -> f64 {
-        (separation - self.middle) / (TURN * TURN)
-    }
-
-    /// d(position)/d(separation).
-    pub fn density(&self, separation: f64) -> f64 {
-        let distance = (separation - self.middle) / TURN;
-        1.0 / (1.0 + distance * distance).sqrt()
     }
 }
 
@@ -80,14 +66,17 @@ mod tests {
     use crate::numerics::near;
 
     #[test]
-    fn positions_are_separations_among_the_heights_and_logarithms_far_from_them() {
-        let positions = Positions { middle: 3.0 };
-        for separation in [-5e8, -100.0, 2.0, 3.0, 3.1, 40.0] {
-            let position = positions.position(separation);
-            assert!(near(positions.separation(position), separation, 1e-12), "{separation}");
+    fn positions_and_separations_follow_from_each_other_with_their_rates() {
+        for positions in [Positions::Around { middle: 3.0, turn: 20.0 }, Positions::Below { highest: 50.0 }] {
+            for separation in [-5e8, -100.0, 2.0, 3.0, 3.1, 40.0] {
+                let position = positions.position(separation);
+                assert!(near(positions.separation(position), separation, 1e-12), "{separation}");
+                let [before, after] = [-1e-4, 1e-4].map(|step| positions.separation(position + step));
+                let (rate, bend) = positions.rates(separation);
+                assert!(near((after - before) / 2e-4, rate, 1e-8), "{separation}");
+                let rates = [before, after].map(|separation| positions.rates(separation).0);
+                assert!((rates[1] - rates[0]) / 2e-4 - bend < 1e-7 * rate, "{separation}");
+            }
         }
-        assert!([1e-7, -1e-7].iter().all(|&step| near(positions.position(3.0 + step), step, 1e-8)));
-        let decade = positions.position(-1e6) - positions.position(-1e7);
-        assert!((decade - TURN * 10_f64.ln()).abs() < 1e-5, "{decade}");
     }
 }

@@ -9,17 +9,6 @@ pub const COEFFICIENTS: usize = 8;
 /// The parts of a row at which values determine it, beside values and slopes at its ends; where it is compared.
 pub const ROW_NODES: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
 pub const ROW_CHECKS: [f64; 3] = [0.05, 0.5, 0.95];
-/// The parts of a piece at which slopes determine it: Lobatto's points, of which two are its ends; where it is compared.
-pub const PIECE_NODES: [f64; 7] = [
-    0.0,
-    0.084_888_051_860_716_54,
-    0.265_575_603_264_642_9,
-    0.5,
-    0.734_424_396_735_357_1,
-    0.915_111_948_139_283_5,
-    1.0,
-];
-pub const PIECE_CHECKS: [f64; 3] = [0.17, 0.62, 0.97];
 /// The places at which a link divides a row: as many as it has room for.
 pub const DIVISIONS: usize = COEFFICIENTS - 2;
 /// No division: beyond the end of any row.
@@ -150,41 +139,6 @@ impl RowBasis {
     }
 }
 
-/// The polynomial of a piece from its value where it begins and its slopes, both by part of the piece: slopes have digits
-/// where differences of values have lost them.
-pub struct PieceBasis {
-    /// From the slopes to the coefficients of powers 1 to 7.
-    integrals: [[f64; PIECE_NODES.len()]; PIECE_NODES.len()],
-}
-
-impl PieceBasis {
-    pub fn new() -> Self {
-        let mut integrals = [[0.0; PIECE_NODES.len()]; PIECE_NODES.len()];
-        for (i, &node) in PIECE_NODES.iter().enumerate() {
-            // Lagrange's polynomial in power form.
-            let mut lagrange = [0.0; PIECE_NODES.len()];
-            lagrange[0] = 1.0;
-            for &other in PIECE_NODES.iter().filter(|&&other| other != node) {
-                for k in (0..PIECE_NODES.len()).rev() {
-                    let lower = if k > 0 { lagrange[k - 1] } else { 0.0 };
-                    lagrange[k] = (lower - other * lagrange[k]) / (node - other);
-                }
-            }
-            for (k, coefficient) in lagrange.into_iter().enumerate() {
-                integrals[k][i] = coefficient / (k + 1) as f64;
-            }
-        }
-        Self { integrals }
-    }
-
-    pub fn coefficients(&self, value: f64, slopes: [f64; PIECE_NODES.len()]) -> [f64; COEFFICIENTS] {
-        std::array::from_fn(|k| match k {
-            0 => value,
-            k => self.integrals[k - 1].iter().zip(slopes).map(|(integral, slope)| integral * slope).sum(),
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -210,14 +164,6 @@ mod tests {
     #[test]
     fn a_row_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
         let found = RowBasis::new().coefficients(horner(0.0), horner(1.0), ROW_NODES.map(|u| horner(u).0));
-        for (found, expected) in found.into_iter().zip(C) {
-            assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
-        }
-    }
-
-    #[test]
-    fn a_piece_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
-        let found = PieceBasis::new().coefficients(horner(0.0).0, PIECE_NODES.map(|u| horner(u).1));
         for (found, expected) in found.into_iter().zip(C) {
             assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
         }

@@ -3,7 +3,7 @@
 //! Those of a system's own library have other last bits where the processor has no fused multiply-add, or another version
 //! of the library is installed; a law compiled from them would too.
 
-pub use libm::{cbrt, cos, expm1, log, log1p, pow, sincos, sinh};
+pub use libm::{cbrt, expm1, log, log1p, pow, sincos, sinh};
 use std::f64::consts::LOG2_E;
 
 /// (x^2 + y^2)^(1/2), where that is a number.

@@ -1,4 +1,4 @@
-//! The whole admitted box of parameters: every surface is answered to 1e-8, against a second evaluation that shares no
+//! The whole admitted box of parameters: every surface is answered to 1e-8, by its compiled law to 1e-6, against a second evaluation that shares no
 //! code with the library (`common/second_evaluation/`), or refused with a reason; no call takes longer than a second of
 //! processor time where the map is drawn, or than ten elsewhere.
 //!
@@ -19,13 +19,11 @@ use crate::common::surfaces::params_of;
 use asperity::{Error, HeightFamily, Model, Params, State, Value};
 use std::time::{Duration, Instant};
 
-/// What the library promises against the second evaluation.
+/// What the library promises of exact states against the second evaluation, and of the compiled law against exact states.
 const ACCURACY: f64 = 1e-8;
+const COMPILED: f64 = 1e-6;
 /// What is promised of a call, in processor time.
 const PROMISED: Duration = Duration::from_secs(1);
-/// No more than this part of the surfaces has a `table_error` above the accuracy, and none has a larger one than this.
-const MOST_COARSE: f64 = 0.002;
-const COARSEST: f64 = 1e-7;
 /// Smaller sums, in E* b^2, G* b^2, b^2 or summits per summit, are not compared: no surface has them, and densities so small
 /// magnify the rounding of what they are computed from.
 const NOTHING: f64 = 1e-60;
@@ -218,7 +216,11 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
         if state.friction_force > NOTHING && is_compiled {
             let table = timed(&mut answer, || model.friction_force_at_load(load));
             let error = (table / state.friction_force - 1.0).abs();
-            answer.note("table", load, error);
+            // It bounds what is found, but for what the load changes by in its last bits.
+            if error > summary.table_error + 1e-11 {
+                answer.complaint =
+                    Some(format!("load {load:e}: table_error {:e}, found {error:e}", summary.table_error));
+            }
         }
     }
     if pull_off < 0.0 {
@@ -338,9 +340,9 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
         let folder = std::path::Path::new(&folder);
         std::fs::write(folder.join(format!("{name}.md")), &report).expect("the table is written");
     }
-    let (part, worst) = map.table_errors(ACCURACY);
-    println!("{name}: table_error above {ACCURACY:e} for {:.2} % of the surfaces, at most {worst:.1e}", 100.0 * part);
-    assert!(part <= MOST_COARSE && worst <= COARSEST, "{part}, {worst:e}");
+    let worst = map.table_error();
+    println!("{name}: table_error at most {worst:.1e}");
+    assert!(worst <= COMPILED, "{worst:e}");
     let failures = map.failures(ACCURACY, longest_call());
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures[..failures.len().min(40)].join("\n"));
 }
@@ -364,8 +366,7 @@ fn and_so_is_every_one_that_long_sweeps_found_wrong() {
             map.add(&surface, examine(&surface, part));
         }
     }
-    let (_, worst) = map.table_errors(ACCURACY);
-    assert!(worst <= COARSEST, "{worst:e}");
+    assert!(map.table_error() <= COMPILED, "{:e}", map.table_error());
     let failures = map.failures(ACCURACY, longest_call());
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

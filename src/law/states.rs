@@ -1,0 +1,224 @@
+//! The exact states of the curve: those between which its panels lie at first, and those of panels and of their halves.
+
+use super::coordinate::Coordinate;
+use super::panel::{Sample, PANEL_NODES};
+use super::position::Positions;
+use super::{Quantity, Reach};
+use crate::equilibrium::{Branch, BranchPoint, PullOff};
+use crate::numerics::elementary::log;
+use crate::population::Sums;
+
+/// The ends of the loads are looked for in steps between these, in position, of so much more than slopes tell.
+const STEPS: (f64, f64) = (1.0, 9.0);
+const STEP_MORE: f64 = 1.15;
+/// Beyond the branch 1 - psi is followed to where its integral to infinity is about this, in sigma, from states so far apart.
+const CLEAR: f64 = 1e-8;
+const STEP_BEYOND: f64 = 1.5;
+/// No panel is shorter, and no kink is nearer to the next or to an end: what is then not resolved is too short to matter.
+pub const SHORTEST: f64 = 1e-8;
+
+/// At this separation the load rises already, or cannot be had: the branch ends before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unfollowed {
+    pub separation: f64,
+}
+
+/// The states of a stretch at eighths of its length in position, as far as they are known but for its ends: at even ones are the nodes
+/// of a panel.
+#[derive(Clone, Copy)]
+pub struct Stretch {
+    pub from: Sample,
+    pub to: Sample,
+    between: [Option<Sample>; 7],
+}
+
+impl Stretch {
+    pub fn new(from: Sample, to: Sample) -> Self {
+        Self { from, to, between: [None; 7] }
+    }
+
+    pub fn length(&self) -> f64 {
+        self.to.position - self.from.position
+    }
+
+    /// Whether it is of the branch, and not beyond it.
+    pub fn is_on_branch(&self) -> bool {
+        !self.to.is_beyond()
+    }
+
+    /// The state at an eighth, if it is known.
+    fn known(&self, eighth: usize) -> Option<Sample> {
+        match eighth {
+            0 => Some(self.from),
+            8 => Some(self.to),
+            _ => self.between[eighth - 1],
+        }
+    }
+
+    /// Its halves, with their ends, if it has the states of its nodes.
+    pub fn halves(&self) -> Option<[Self; 2]> {
+        let middle = self.known(4)?;
+        let [mut near, mut far] = [Self::new(self.from, middle), Self::new(middle, self.to)];
+        for eighth in 1..4 {
+            near.between[2 * eighth - 1] = self.known(eighth);
+            far.between[2 * eighth - 1] = self.known(4 + eighth);
+        }
+        Some([near, far])
+    }
+}
+
+/// The states between which panels lie at first, in ascending order, and separation and ln x of the kinks among them.
+pub struct Knots {
+    pub states: Vec<Sample>,
+    pub kinks: Vec<(f64, f64)>,
+}
+
+/// Asks a branch for states.
+pub struct States<'a> {
+    pub branch: &'a Branch,
+    pub coordinate: Coordinate,
+    pub positions: Positions,
+    /// How many were asked for.
+    pub count: usize,
+}
+
+impl States<'_> {
+    /// The state at a position on the branch.
+    fn at(&mut self, position: f64) -> Result<Sample, Unfollowed> {
+        self.of(position, self.positions.separation(position), true)
+    }
+
+    /// The state at a position, of which this is the separation, on the branch or beyond it.
+    fn of(&mut self, position: f64, separation: f64, is_on_branch: bool) -> Result<Sample, Unfollowed> {
+        self.count += 1;
+        if !is_on_branch {
+            return Ok(self.beyond(position, separation, &self.branch.population().at_separation(separation)));
+        }
+        let BranchPoint { log_excess, rate, sums } = self.branch.point(separation);
+        // A load below that of the end is as far above it as can be told.
+        if !(rate < 0.0 && sums.friction > 0.0 && log_excess > log(f64::MIN_POSITIVE)) {
+            return Err(Unfollowed { separation });
+        }
+        let (s, s_rate) = self.coordinate.at(log_excess);
+        let values = Quantity::ALL.map(|quantity| quantity.of(&sums));
+        Ok(Sample {
+            log_excess,
+            s,
+            s_by_position: s_rate * rate * self.positions.rates(separation).0,
+            load_by_s: self.coordinate.load_by_s(s),
+            log_value: values.map(|(value, _)| log(value)),
+            slope: values.map(|(value, slope)| slope / value / rate / s_rate),
+            ..self.beyond(position, separation, &sums)
+        })
+    }
+
+    /// A state beyond the branch, of which only psi is known.
+    fn beyond(&self, position: f64, separation: f64, sums: &Sums) -> Sample {
+        let ((rate, bend), psi) = (self.positions.rates(separation), sums.psi());
+        Sample {
+            separation,
+            position,
+            gap_rate: (psi * rate, psi * bend - sums.crowding.1 * rate * rate),
+            log_excess: f64::NEG_INFINITY,
+            s: f64::NAN,
+            s_by_position: f64::NAN,
+            load_by_s: f64::NAN,
+            log_value: [f64::NAN; Quantity::COUNT],
+            slope: [f64::NAN; Quantity::COUNT],
+        }
+    }
+
+    /// Pull-off itself, if the branch ends there.
+    fn pull_off(&self) -> Option<Sample> {
+        self.coordinate.log_pull_off?;
+        let PullOff { separation, sums, .. } = self.branch.pull_off()?;
+        let log_value = Quantity::ALL.map(|quantity| log(quantity.of(&sums).0));
+        let state = self.beyond(self.positions.position(separation), separation, &sums);
+        Some(Sample { s: 0.0, load_by_s: 0.0, log_value, ..state })
+    }
+
+    /// From beyond the heaviest load of a reach to pull-off, or beyond the lightest, and, where neighbours change gaps, to where they do
+    /// no more; and at kinks.
+    pub fn knots(&mut self, reach: &Reach) -> Result<Knots, Unfollowed> {
+        let end = self.pull_off();
+        let middle = self.positions.position(-self.branch.population().heights().origin());
+        let farthest = end.map_or(self.positions.position(self.branch.farthest()), |end| end.position);
+        let mut heaviest = self.at(middle.min(farthest - 2.0))?;
+        let mut states = vec![heaviest];
+        if end.is_none() {
+            let mut lightest = heaviest;
+            while lightest.log_excess > reach.log_lightest {
+                let step = step_to(&lightest, reach.log_lightest);
+                lightest = self.at((lightest.position + step).min(0.5 * (lightest.position + farthest)))?;
+                states.push(lightest);
+            }
+        }
+        while heaviest.log_excess < reach.log_heaviest {
+            heaviest = self.at(heaviest.position - step_to(&heaviest, reach.log_heaviest))?;
+            states.push(heaviest);
+        }
+        states.extend(end);
+        states.sort_by(|a, b| a.position.total_cmp(&b.position));
+        self.add_beyond(&mut states);
+        let kinks = self.add_kinks(&mut states)?;
+        Ok(Knots { states, kinks })
+    }
+
+    /// Adds states beyond the branch, up to where neighbours change gaps no more.
+    fn add_beyond(&mut self, states: &mut Vec<Sample>) {
+        let population = self.branch.population();
+        let farthest = self.positions.position(population.farthest());
+        let Some(mut position) = states.last().map(|state| state.position) else { return };
+        let mut sums = population.at_separation(self.positions.separation(position));
+        while sums.crowding.0 * sums.crowding.0 > CLEAR * -sums.crowding.1 && position < farthest {
+            position = (position + STEP_BEYOND).min(farthest);
+            let separation = self.positions.separation(position);
+            sums = population.at_separation(separation);
+            states.push(self.beyond(position, separation, &sums));
+        }
+    }
+
+    /// Adds states at kinks between others; separation and ln x of those on the branch.
+    fn add_kinks(&mut self, states: &mut Vec<Sample>) -> Result<Vec<(f64, f64)>, Unfollowed> {
+        let mut kinks = Vec::new();
+        for &kink in self.branch.kinks() {
+            let position = self.positions.position(kink);
+            let next = states.partition_point(|state| state.position < position);
+            let is_apart = |other: &Sample| (position - other.position).abs() > SHORTEST;
+            if next > 0 && next < states.len() && is_apart(&states[next - 1]) && is_apart(&states[next]) {
+                let state = self.of(position, kink, !states[next].is_beyond())?;
+                if !state.is_beyond() {
+                    kinks.push((kink, state.log_excess));
+                }
+                states.insert(next, state);
+            }
+        }
+        Ok(kinks)
+    }
+
+    /// The state of a stretch at an eighth, which it then knows.
+    pub fn eighth(&mut self, stretch: &mut Stretch, eighth: usize) -> Result<Sample, Unfollowed> {
+        if let Some(state) = stretch.known(eighth) {
+            return Ok(state);
+        }
+        let position = stretch.from.position + stretch.length() * eighth as f64 / 8.0;
+        let state = self.of(position, self.positions.separation(position), stretch.is_on_branch())?;
+        stretch.between[eighth - 1] = Some(state);
+        Ok(state)
+    }
+
+    /// Those at the nodes of a panel.
+    pub fn nodes(&mut self, stretch: &mut Stretch) -> Result<[Sample; PANEL_NODES], Unfollowed> {
+        let mut nodes = [stretch.from; PANEL_NODES];
+        for (i, node) in nodes.iter_mut().enumerate() {
+            *node = self.eighth(stretch, 2 * i)?;
+        }
+        Ok(nodes)
+    }
+}
+
+/// How far the position of a load is from that of another, so far as the slope there tells.
+fn step_to(from: &Sample, log_excess: f64) -> f64 {
+    let rate = 2.0 * from.s_by_position;
+    (STEP_MORE * (log_excess - from.log_excess) / rate).abs().clamp(STEPS.0, STEPS.1)
+}
