@@ -607,7 +607,8 @@ asperity_status asperity_params_set_units(struct asperity_params *params, double
  * @param names   `count` strings; not NULL unless `count` is 0
  * @param values  `count` numbers, of which the last counts where a name is given twice; not NULL unless `count` is 0
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (an unknown name; a number that is no choice;
- *         a name that needs others in the same call), `ASPERITY_OUT_OF_RANGE` */
+ *         a name that needs others in the same call), `ASPERITY_OUT_OF_RANGE`; with a measured friction also what
+ *         `asperity_params_calibrate_force` returns */
 asperity_status asperity_params_set_values(struct asperity_params *params, size_t count, const char *const *names,
     const double *values);
 

@@ -1,4 +1,4 @@
-//! What each call takes of the system is what `fuzz_calls/table.rs` says of it, and so do the pages.
+//! What each call takes of the system is what `fuzz_calls/table.rs` says of it, and so do the pages; its statuses are those of the header.
 
 use crate::common::c_compiler::root;
 use crate::fuzz_calls::table::*;
@@ -156,4 +156,47 @@ fn one_call_opens_a_file() {
             assert!(asks.is_none() || path.ends_with("capi/surface_file.rs"), "{}: {asks:?}", path.display());
         }
     }
+}
+
+/// The statuses that the header says of a function, with those of the functions that it refers to.
+fn documented(header: &str, name: &str, seen: &mut Vec<String>) -> Vec<&'static str> {
+    const STATUSES: [&str; 6] =
+        ["NULL_POINTER", "INVALID_PARAMETER", "INVALID_LOAD", "SEPARATED", "OUT_OF_RANGE", "NOT_CONVERGED"];
+    seen.push(name.to_owned());
+    let declares = |line: &&str| line.starts_with("asperity_status ") && line.contains(&format!(" {name}("));
+    let Some(line) = header.lines().find(declares) else { return Vec::new() };
+    let declared = line.as_ptr() as usize - header.as_ptr() as usize;
+    let comment = &header[header[..declared].rfind("/**").expect("a comment")..declared];
+    let returned = comment.find("@return").map_or(comment, |at| &comment[at..]);
+    let mut found: Vec<_> =
+        STATUSES.into_iter().filter(|status| returned.contains(&format!("ASPERITY_{status}"))).collect();
+    let words = returned.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+    for other in words.filter(|word| CALLS.iter().any(|call| call.name == *word)) {
+        if !seen.iter().any(|one| one == other) {
+            found.extend(documented(header, other, seen));
+        }
+    }
+    found
+}
+
+#[test]
+fn statuses_are_those_of_the_header() {
+    let header = include_str!("../../include/asperity.h");
+    let name = |status: i32| {
+        let values = [NULL_POINTER, INVALID_PARAMETER, INVALID_LOAD, SEPARATED, OUT_OF_RANGE, NOT_CONVERGED];
+        let names = ["NULL_POINTER", "INVALID_PARAMETER", "INVALID_LOAD", "SEPARATED", "OUT_OF_RANGE", "NOT_CONVERGED"];
+        values.iter().position(|value| *value == status).map(|at| names[at])
+    };
+    let model = Handle::new(&soonest_made());
+    let mut wrong = Vec::new();
+    for call in CALLS {
+        for form in forms(call, &model) {
+            let Told::Status(status) = call.run(&form) else { continue };
+            free_what_was_made(call, &form);
+            if name(status).is_some_and(|name| !documented(header, call.name, &mut Vec::new()).contains(&name)) {
+                wrong.push(format!("{}: {}", call.name, message()));
+            }
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
 }
