@@ -68,7 +68,7 @@ class Friction:
         step = m.opt.timestep
         constant = jnp.maximum(0.05, 40 * step) if self.time_constant is None else self.time_constant
         # A run that begins again, and a pair that was open for long, have no past.
-        age = jnp.where((d.time <= loads.time) | (loads.apart > constant), 0, loads.age)
+        age = jnp.where((d.time <= loads.time) | (loads.apart > 2 * constant), 0, loads.age)
         old, load = age > constant, jnp.where(age > 0, loads.mean, 0)
         for _ in range(self.passes):
             d = mjx.solve(m, self._with_friction(d, load))

@@ -48,7 +48,7 @@ def _take_loads(
     constant = time_constant
     if constant < 0.0:
         constant = wp.max(0.05, 40.0 * step)
-    if time[world] <= before[world] or apart[world, pair] > constant:  # reset, or open for long: a new contact
+    if time[world] <= before[world] or apart[world, pair] > 2.0 * constant:  # reset, or open for long: a new contact
         age[world, pair] = 0.0
         mean[world, pair] = 0.0
     if load[world, pair] > 0.0:
