@@ -65,4 +65,4 @@ pub use model::validity::{
 pub use model::{Model, State, Summary};
 pub use params::spectrum::SpectralMoments;
 pub use params::{ContactLawKind, HeightFamily, Params};
-pub use specimens::{Held, Specimens, Spread};
+pub use specimens::{spread, Held, Specimens};

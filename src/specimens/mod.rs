@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
 use heights::Heights;
-pub use statistics::Spread;
+pub use statistics::spread;
 use std::f64::consts::PI;
 use unload::{too_many, Specimen, Sphere, MOST_DRAWN};
 
@@ -85,7 +85,7 @@ impl Model {
         let mut typical = specimen(u64::MAX);
         let from = typical.pressed(-population.range_of_adhesion(), heaviest)?;
         let from = typical.unloaded(from, heaviest)?.unwrap_or(0.0);
-        let drawn = typical.drawn() as f64 * (asked.first as f64 + asked.count as f64);
+        let drawn = typical.drawn().max(loads.len()) as f64 * (asked.first as f64 + asked.count as f64);
         if drawn > MOST_DRAWN {
             return Err(too_many(drawn));
         }

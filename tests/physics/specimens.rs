@@ -2,7 +2,7 @@
 
 use crate::common::assert_near;
 use crate::common::surfaces::{dimensionless, model, table};
-use asperity::{ContactLawKind, Error, HeightFamily, Held, Model, Params, Specimens, Spread};
+use asperity::{spread, ContactLawKind, Error, HeightFamily, Held, Model, Params, Specimens};
 use std::f64::consts::PI;
 
 /// Summits on each surface of Monte Carlo.
@@ -70,7 +70,7 @@ fn means_and_scatter_are_those_of_monte_carlo() {
             let state = state_of(&model, contacts);
             let forces =
                 held(&model, COUNT, &[state.load]).into_iter().map(|one| one.friction_force / state.friction_force);
-            let Spread { mean, deviation, .. } = Spread::of(forces);
+            let [mean, deviation, ..] = spread(forces);
             let mean_off = ((mean - 1.0 - bias).abs() - 3.5 * error).max(0.0) / mean;
             let scatter_off = (deviation / mean / scatter - 1.0).abs();
             println!("{line}; here {:.4}, {:.4}", deviation / mean, mean - 1.0);
@@ -173,7 +173,7 @@ fn many_contacts_have_friction_stiffness_and_gap_of_the_model() {
         let model = model(&Params { asperity_count: 2e4, nominal_area: 2e4 * area, ..params });
         let state = model.state_at_gap(1.5 * model.params().height_std).expect("a state");
         let found = held(&model, 60, &[state.load]);
-        let mean = |of: fn(&Held) -> f64| Spread::of(found.iter().map(of)).mean;
+        let mean = |of: fn(&Held) -> f64| spread(found.iter().map(of))[0];
         assert_near(mean(|one| one.friction_force), state.friction_force, 3e-3, "friction force");
         assert_near(mean(|one| one.tangential_stiffness), state.tangential_stiffness, 3e-3, "tangential stiffness");
         assert_near(mean(|one| one.normal_stiffness), -state.dload_dgap, 3e-3, "normal stiffness");
