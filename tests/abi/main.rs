@@ -222,6 +222,6 @@ fn the_library_has_every_field_where_the_file_says() {
             count += 1;
         )*};
     }
-    compare!(asperity_estimate asperity_microslip asperity_params asperity_state asperity_summary asperity_table);
+    compare!(asperity_estimate asperity_microslip asperity_params asperity_specimens asperity_state asperity_summary asperity_table);
     assert_eq!(count, file.matches("\ntypedef struct asperity_").count() - 1, "all but the model, which is opaque");
 }
