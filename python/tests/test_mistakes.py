@@ -16,7 +16,7 @@ from asperity import Error, Model, Params, loads, materials, study, surface
 from asperity.errors import UnknownKey
 
 SILICON = materials.PAIRS["Si/Si"].contact
-PAPER = Params.paper()
+PAPER = Params.paper().replace(in_si=True)
 LOADS = [1.0, 3.0, 10.0, 30.0]
 STEEL: dict[str, Any] = {"pair": "steel/steel", "Ra": 0.8e-6, "process": "ground", "nominal_area": 1e-4, "load": 10.0, "coverage": 0.95}
 ROUGH: dict[str, Any] = {"nominal_area": 1e-8, "summits": "moments", **SILICON}
@@ -101,7 +101,7 @@ RIGHT: dict[str, tuple[Callable[[], Any], Callable[[], dict[str, Any]]]] = {
     "Params.from_text": (lambda: Params, lambda: {"text": PAPER.replace(in_si=True).to_text(), "start": None}),
     "Params.from_estimate": (lambda: Params, lambda: {"text": PAPER.replace(in_si=True).to_text()}),
     "Params.from_toml": (lambda: Params, lambda: {"path": __file__}),
-    "Params.to_toml": (lambda: PAPER, lambda: {"path": __file__}),
+    "Params.to_toml": (lambda: Params.paper(), lambda: {"path": __file__}),
     "Params.replace": (lambda: PAPER, lambda: {"height_std": 10.0, "attraction": True, "table_height": (), "contact_law": "maugis"}),
     "Params.calibrated": (lambda: PAPER, lambda: {"load": 100.0, "friction_coefficient": 0.3, "error": 0.05}),
     "Params.calibrated_force": (lambda: PAPER, lambda: {"load": 100.0, "friction_force": 30.0, "error": 0.05}),

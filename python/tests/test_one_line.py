@@ -144,7 +144,7 @@ def test_a_pair_that_was_measured_elsewhere_begins_with_that() -> None:
         ({"pair": 5}, TypeError, "pair = 5: must be a name"),
         ({"load": math.nan}, Error, "element 0: load = NaN: must be finite"),
         ({"Sq": -1e-9}, Error, "Sq = -1e-9: must be finite and > 0"),
-        ({"Sq": None}, TypeError, "Sq = None: must be a number, a word or a list of numbers"),
+        ({"Sq": None}, TypeError, "Sq = None: must be a real number"),
         ({"a b": 1.0}, TypeError, "a b: no such key"),
         ({"pair": "PDMS/PDMS"}, Error, "burgers_vector: none is known of a body of PDMS/PDMS: give one"),
         ({"measured": 0.3}, Error, r"measured = 0.3: must be points \[load, coefficient\]"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -71,3 +72,29 @@ def test_what_may_not_be_written_is_named(tmp_path: Path) -> None:
         with pytest.raises(error) as raised:
             output.write(file, "a")
         assert raised.value.filename == str(file)
+
+
+UNIT = """
+import resource, sys
+from pathlib import Path
+from asperity import Params
+from asperity.hosts.fmu import build
+from asperity.hosts.fmu_binaries import native
+resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[2]), int(sys.argv[2])))
+build(Params.paper(), Path(sys.argv[1]), fmi="2.0", start_load=1.0, platforms=[native()], libraries={})
+"""
+
+
+@pytest.mark.parametrize("room", [1000, 200_000])
+def test_a_unit_that_finds_no_room_where_it_is_made_is_named(room: int, tmp_path: Path) -> None:
+    """Neither the source that was copied nor a file of the folder for temporary files, which the caller does not know."""
+    file = tmp_path / "contact.fmu"
+    done = subprocess.run([sys.executable, "-c", UNIT, str(file), str(room)], capture_output=True, text=True, timeout=60, check=False)
+    assert re.search(rf"OSError: .*cannot be made in the folder for temporary files, .*File too large.*: '{file}'", done.stderr), done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_no_message_sends_to_a_name_of_a_registry_that_is_not_ours(root: Path) -> None:
+    """The package is installed from a checkout or a file: who follows "pip install asperity" gets whatever has that name."""
+    for path in (root / "python" / "src").rglob("*.py"):
+        assert not re.search(r"pip install [^\n]*\basperity\b", path.read_text(encoding="utf-8")), path

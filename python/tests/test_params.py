@@ -286,7 +286,7 @@ def test_a_table_means_tabulated_heights(params: Params) -> None:
         params.replace(table_density=[1, 2])
     with pytest.raises(Error, match="table_density: 3 numbers for 4 heights"):  # which the library would read beyond
         params.replace(table_height=[0, 1, 2, 3], table_density=[0, 1, 1])
-    with pytest.raises(TypeError, match=r"table_height\[1\] = '1': must be a real number"):
+    with pytest.raises(TypeError, match="table_height: must be real numbers, not an array of <U"):
         params.replace(table_height=[0, "1"], table_density=[1, 2])
     with pytest.raises(Error, match="do not give table_density or table_height too"):
         params.replace(skew=0.5, table_height=[0, 1], table_density=[1, 2])

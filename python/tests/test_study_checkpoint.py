@@ -222,6 +222,22 @@ def test_a_damaged_study_is_not_enlarged_but_computed_anew(tmp_path: Path) -> No
             assert done == list(range(12)) and bits(found) == bits(study(PARAMS, **more))
 
 
+def test_a_finished_study_with_a_damaged_byte_is_computed_anew(tmp_path: Path) -> None:
+    """NetCDF finds such a byte as it is read, with an "HDF error", or not at all."""
+    file = tmp_path / "found.nc"
+    with study(PARAMS, **FLAT, checkpoint=file) as found:
+        right = bits(found)
+    whole = file.read_bytes()
+    at = whole.index(np.float64(100).tobytes())
+    for place in (at, at + 7, len(whole) - 40, len(whole) - 1):
+        file.write_bytes(whole[:place] + bytes([whole[place] ^ 4]) + whole[place + 1 :])
+        with computed() as done, pytest.warns(RuntimeWarning, match="^[^\n]*found.nc: damaged or changed, all of it is computed anew$"):
+            with study(PARAMS, **FLAT, checkpoint=file) as found:
+                assert done and bits(found) == right
+    with computed() as done, study(PARAMS, **FLAT, checkpoint=file) as found:
+        assert done == [] and bits(found) == right
+
+
 OTHERS: list[tuple[dict[str, Any], str]] = [
     ({"seed": 6}, "seed = 5 where this one has 6"),
     ({"samples": 8}, "samples = 16 where this one has 8"),
@@ -262,18 +278,18 @@ def test_another_version_is_refused(begun: Path) -> None:
 
 def test_a_file_that_is_no_study_is_left_as_it_is(tmp_path: Path) -> None:
     (tmp_path / "thesis.nc").write_text("years of work", encoding="utf-8")
-    with pytest.raises(ValueError, match="thesis.nc is no study; give another name, or remove it"):
+    with pytest.raises(ValueError, match="thesis.nc is no study, or damaged; give another name, or remove it"):
         study(PARAMS, **SMALL, checkpoint=tmp_path / "thesis.nc")
     assert (tmp_path / "thesis.nc").read_text(encoding="utf-8") == "years of work"
     xarray.Dataset({"x": ("n", np.ones(3))}).to_netcdf(tmp_path / "other.nc", engine="netcdf4")
-    with pytest.raises(ValueError, match="other.nc is no study"):
+    with pytest.raises(ValueError, match="other.nc is no study, or damaged"):
         study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
     with mock.patch("netCDF4.Dataset", side_effect=RuntimeError("NetCDF: HDF error")):
-        with pytest.raises(ValueError, match="other.nc is no study"):
+        with pytest.raises(ValueError, match="other.nc is no study, or damaged"):
             study(PARAMS, **SMALL, checkpoint=tmp_path / "other.nc")
     (tmp_path / "mine.nc.blocks").mkdir()
     (tmp_path / "mine.nc.blocks" / "study.json").write_text("[1]", encoding="utf-8")
-    with pytest.raises(ValueError, match="mine.nc.blocks is no study"):
+    with pytest.raises(ValueError, match="mine.nc.blocks is no study, or damaged"):
         study(PARAMS, **SMALL, checkpoint=tmp_path / "mine.nc")
 
 

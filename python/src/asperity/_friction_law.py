@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import ctypes
 import math
-import numbers
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Literal, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _header
+from . import _header, units
 from . import table as _table
 from ._handle import Handle
 from ._library import LIBRARY
@@ -191,7 +190,7 @@ class FrictionLaw:
             Error: a load as for `state_at_load`, or a displacement that is not finite.
         """
         pointer = self._open().pointer
-        pairs = np.broadcast(checks.array("load", load), checks.array("displacement", displacement))
+        pairs = np.broadcast(self._numbers("load", load), self._numbers("displacement", displacement, "length"))
         found = np.empty((2, pairs.size))
         force, slope = ctypes.c_double(), ctypes.c_double()
         for i, (at, by) in enumerate(pairs):
@@ -199,7 +198,7 @@ class FrictionLaw:
             found[:, i] = force.value, slope.value
         given = load if np.ndim(load) >= np.ndim(displacement) else displacement
         names = ("tangential_force", "tangential_stiffness")
-        force_there, slope_there = (_shaped(given, row, pairs.shape, name) for row, name in zip(found, names))
+        force_there, slope_there = (checks.shaped(given, row.reshape(pairs.shape), name) for row, name in zip(found, names))
         return force_there, slope_there
 
     def microslip(self, shape: int | tuple[int, ...] = ()) -> Microslip:
@@ -229,7 +228,7 @@ class FrictionLaw:
             Error: a load as for `state_at_load`.
             Error: an amplitude that is not finite and > 0, or fewer than two points.
         """
-        amplitude, points = checks.positive("amplitude", amplitude), checks.whole("points", points, 2)
+        amplitude, points = checks.positive("amplitude", amplitude, self._unit("length")), checks.whole("points", points, 2)
         first = np.linspace(0.0, amplitude, points)
         loading = self.tangential(load, first)[0]
         back = amplitude - 2.0 * first
@@ -297,7 +296,8 @@ class FrictionLaw:
         """
         bits = ctypes.c_uint64()
         handle = self._open()
-        check(LIBRARY.asperity_check_loads(handle.pointer, checks.real("lightest", lightest), checks.real("heaviest", heaviest), ctypes.byref(bits)))
+        ends = (checks.real(name, load, self._unit()) for name, load in (("lightest", lightest), ("heaviest", heaviest)))
+        check(LIBRARY.asperity_check_loads(handle.pointer, *ends, ctypes.byref(bits)))
         return Warnings(bits.value)
 
     @property
@@ -357,7 +357,7 @@ class FrictionLaw:
         Raises:
             Error: a load that cannot be, more than 1e7 summits that would have to be drawn, or a sphere that flattens.
         """
-        loads = checks.one_or_more("load", load)
+        loads = checks.one_or_more("load", load, self._unit())
         most = 2**64 - 1
         specimens, seed, first = (
             checks.whole("specimens", specimens, 1, 10**7), checks.whole("seed", seed, 0, most), checks.whole("first", first, 0, most)
@@ -400,11 +400,17 @@ class FrictionLaw:
             raise Error("the model is closed", Status.NULL_POINTER)
         return handle
 
+    def _unit(self, dimension: str = "force") -> str:
+        return units.unit(dimension, self.params.in_si)
+
+    def _numbers(self, name: str, given: Any, dimension: str = "force") -> Array:
+        return checks.array(name, given, self._unit(dimension))
+
     def _states(self, call: Any, name: str, at: Any, progress: Progress) -> State | States:
         handle = self._open()
-        if isinstance(at, numbers.Real):
-            return _state(handle, call, float(at))
-        places = checks.array(name, at)
+        places = self._numbers(name, at, units.DIMENSIONS[name])
+        if checks.is_number(at, places):
+            return _state(handle, call, float(places))
         tell = teller(progress, places.size > _MANY, "asperity")
         found = []
         for i, one in enumerate(places.ravel().tolist()):
@@ -422,18 +428,21 @@ class FrictionLaw:
         self, name: str, one: Any, one_with_slope: Any, many: Any, load: Any, slope: bool, argument: str = "load"
     ) -> Any:
         handle = self._open()
-        if not isinstance(load, numbers.Real):
-            arrays = _evaluate_array(handle, many, checks.array(argument, load), slope, argument)
-            found_there = tuple(like(load, array, name) for array in arrays)
-            return found_there if slope else found_there[0]
+        if type(load) is not float:
+            loads = self._numbers(argument, load, units.DIMENSIONS[argument])
+            if not checks.is_number(load, loads):
+                arrays = _evaluate_array(handle, many, loads, slope, argument)
+                found_there = tuple(like(load, array, name) for array in arrays)
+                return found_there if slope else found_there[0]
+            load = float(loads)
         found = ctypes.c_double()
         value: float
         if slope:
-            value = one_with_slope(handle.pointer, float(load), ctypes.byref(found))
+            value = one_with_slope(handle.pointer, load, ctypes.byref(found))
         else:
-            value = one(handle.pointer, float(load))
+            value = one(handle.pointer, load)
         if math.isnan(value):  # quiet, where a comparison of Python's may raise a floating-point exception
-            _refuse(handle, float(load), (), argument)
+            _refuse(handle, load, (), argument)
         return (value, found.value) if slope else value
 
 
@@ -472,13 +481,6 @@ def _refuse(handle: Handle, load: float, index: tuple[Any, ...] = (), argument: 
 
 def _place(index: tuple[Any, ...]) -> Any:
     return int(index[0]) if len(index) == 1 else tuple(map(int, index))
-
-
-def _shaped(given: Any, values: Array, shape: tuple[int, ...], name: str) -> Any:
-    """A float where the shape is that of one number, else an array with the labels of what was given."""
-    if shape == ():
-        return float(values[0])
-    return like(given, values.reshape(shape), name) if np.shape(given) == shape else values.reshape(shape)
 
 
 def _state(handle: Handle, call: Any, at: float) -> State:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _header
+from . import _header, units
 from ._handle import Handle
 from ._library import LIBRARY
 from .errors import Error, Status, check
@@ -80,7 +80,7 @@ class Microslip:
         """
         shape = self.state.shape[:-1]
         length = LIBRARY.asperity_microslip_length(self._handle.pointer)
-        angles = _like("angle", angle, shape).ravel()
+        angles = _like("angle", angle, shape, "rad").ravel()
         turned = _like("state", self.state, (*shape, length)).copy()
         for state, by in zip(turned.reshape(-1, length), angles):
             cosine, sine = (math.cos(by), math.sin(by)) if math.isfinite(by) else (math.nan, math.nan)
@@ -105,8 +105,9 @@ class Microslip:
             Error: arrays that do not have the shape of the contacts.
         """
         shape = self.state.shape[:-1]
-        loads = _like("load", load, shape)
-        increments = _like("increment", increment, (*shape, 2))
+        in_si = self._handle.params.in_si
+        loads = _like("load", load, shape, units.unit("force", in_si))
+        increments = _like("increment", increment, (*shape, 2), units.unit("length", in_si))
         length = LIBRARY.asperity_microslip_length(self._handle.pointer)
         before = _like("state", self.state, (*shape, length))
         after = np.empty_like(before)
@@ -141,8 +142,8 @@ class Microslip:
         return struct
 
 
-def _like(name: str, given: npt.ArrayLike, shape: tuple[int, ...]) -> Array:
-    array = checks.array(name, given)
+def _like(name: str, given: npt.ArrayLike, shape: tuple[int, ...], unit: str = "") -> Array:
+    array = checks.array(name, given, unit)
     try:
         return np.ascontiguousarray(np.broadcast_to(array, shape))
     except ValueError:

@@ -6,11 +6,11 @@ import argparse
 import re
 from typing import Any
 
-from ._header import UNITS, WORDS
+from ._header import WORDS
 from ._surface_text import KEYS, REQUIRED, quoted, text_of, without_line
 from .errors import Error
 from .params import Params
-from .units import SI
+from .units import DIMENSIONS, SI
 
 _GROUPS = {
     "alpha": (0.01, "(sigma/R)^(1/2), surface roughness"),
@@ -23,10 +23,9 @@ _GROUPS = {
 _PHYSICAL = {"pair", *REQUIRED, "summit_density", *KEYS["materials"], *KEYS["roughness"]}
 _LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)")
 # What an option is, where that is not a number alone: its unit, or what stands for its words.
-_METAVARS = {name: SI[dimension] for name, dimension in UNITS.items() if dimension in SI} | {
-    "pair": "PAIR", "summit_density": "1/m^2", "interface": "NAME", "calibration_friction_coefficient": "MU", "measured": "N MU ERROR",
-    "coverage": "P", "first": "BODY", "second": "BODY", "E1": "Pa", "E2": "Pa", "m0": "m^2", "m4": "1/m^2", "summits": "KIND", "process": "NAME",
-    "Ssc": "1/m", "Sds": "1/m^2", **dict.fromkeys(("Ra", "Rq", "RSm", "Sq"), "m"), **dict.fromkeys(WORDS, "WORD"),
+_METAVARS = {name: SI[dimension] for name, dimension in DIMENSIONS.items() if dimension in SI and not name.startswith("table_")} | {
+    "pair": "PAIR", "interface": "NAME", "calibration_friction_coefficient": "MU", "measured": "N MU ERROR", "coverage": "P",
+    "first": "BODY", "second": "BODY", "summits": "KIND", "process": "NAME", **dict.fromkeys(WORDS, "WORD"),
 }  # fmt: skip
 # What may be more than one number.
 _SEVERAL = {"measured", "table_height", "table_density", *KEYS["roughness"]} - {"summits", "process"}

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import numbers
 import re
 from dataclasses import MISSING, fields
 from itertools import chain
-from typing import Any, Iterable, Literal, Sequence, TypedDict, Union
+from typing import Any, Iterable, Literal, Mapping, Sequence, TypedDict, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from .errors import Error
-from .params import Bodies, Contact, Params, Process
+from .params import Bodies, Contact, Params, Process, literal_of
+from .tools import checks
+from .units import DIMENSIONS, of
 
 Numbers = Union[float, Sequence[float], npt.NDArray[Any]]
 
@@ -76,8 +79,19 @@ def text_of(given: Iterable[tuple[str, str]]) -> str:
     return "\n".join(line for table, found in lines.items() if found for line in ([f"[{table}]"] if table else []) + found)
 
 
-def literal(name: str, value: Any) -> str:
-    """A value as TOML has it.
+def load_unit(given: Iterable[str]) -> str:
+    """The unit of the loads of a surface with these keys: without a nominal area they are pressures."""
+    return "N" if "nominal_area" in given else "Pa"
+
+
+def text_of_values(given: Mapping[str, Any]) -> str:
+    """The same of values in SI units, or with units of their own."""
+    load = load_unit(given)
+    return text_of((name, literal(name, value, load)) for name, value in given.items())
+
+
+def literal(name: str, value: Any, load: str) -> str:
+    """A value as TOML has it, where loads have this unit.
 
     Raises:
         TypeError: it is neither a number nor a word, nor a sequence of numbers.
@@ -86,13 +100,34 @@ def literal(name: str, value: Any) -> str:
         return quoted(value)
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return f"[{', '.join(literal(name, one) for one in value)}]"
-    try:
-        return repr(float(value))
-    except (TypeError, ValueError):
-        what = "(load, coefficient), (load, coefficient, error) or a list of these" if name == "measured" else "a number, a word or a list of numbers"
-        raise TypeError(f"{name} = {value!r}: must be {what}") from None
+    if name == "measured":
+        return _points(value, load)
+    return literal_of(name, value, load if DIMENSIONS.get(name) == "force" else of(name))
+
+
+def _points(given: Any, load: str) -> str:
+    """Measured points, without those of which a number is masked."""
+    if isinstance(given, numbers.Real):
+        return repr(float(given))  # which the library refuses
+    if not (isinstance(given, (list, tuple)) or hasattr(given, "__array__")):
+        raise TypeError(f"measured = {given!r}: must be (load, coefficient), (load, coefficient, error) or a list of these")
+    if not isinstance(given, (list, tuple)):
+        found, masked = checks.known("measured", given)
+        given = np.ma.masked_array(found, masked).tolist(None)
+    alone = not any(isinstance(one, (list, tuple)) or np.ndim(one) for one in given)
+    points = [_point(one, load) for one in ([given] if alone else given)]
+    left = [one for one in points if one is not None]
+    if points and not left:
+        raise Error("measured: all points are masked")
+    return left[0] if alone else f"[{', '.join(left)}]"
+
+
+def _point(given: Any, load: str) -> str | None:
+    """The numbers of a point; None where one of them is masked."""
+    units = [load, *[""] * (len(given) - 1)]
+    parts = [None if one is None else checks.known("measured", one, unit) for one, unit in zip(given, units)]
+    known = [part[0].tolist() for part in parts if part is not None and not part[1].any()]
+    return str(known) if len(known) == len(given) else None
 
 
 def quoted(word: str) -> str:

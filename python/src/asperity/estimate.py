@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import numbers
 import os
 import re
 from dataclasses import dataclass, field
@@ -20,7 +19,6 @@ from .params import Params
 from .results import Warnings
 from .tools import checks
 from .tools.band_figure import drawn
-from .tools.labelled import like
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -162,9 +160,9 @@ class Estimate:
         return self.text
 
 
-def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
+def estimate(surface: str, load: Any, coverage: float = 0.95, unit: str = "") -> Estimate:
     """What the library estimates of the text of a surface, at one load or many."""
-    loads = checks.array("load", load)
+    loads = checks.array("load", load, unit)
     text, flat = surface.encode(), np.ravel(loads)
     found = (_header.asperity_estimate * max(flat.size, 1))()
     found[0].struct_size = ctypes.sizeof(_header.asperity_estimate)
@@ -174,7 +172,7 @@ def estimate(surface: str, load: Any, coverage: float = 0.95) -> Estimate:
 
     def column(name: str) -> Any:
         values = np.ascontiguousarray(table[name]).reshape(loads.shape)
-        return float(values) if isinstance(load, numbers.Real) else like(load, values, name)
+        return checks.shaped(load, values, name)
 
     known = bool((table["low"] == table["high"]).all())
     return Estimate(

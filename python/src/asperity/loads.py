@@ -40,7 +40,8 @@ class PairLoads:
     """
 
     def __init__(self, time_constant: float = 0.0) -> None:
-        if not (math.isfinite(checks.real("time_constant", time_constant)) and time_constant >= 0):
+        time_constant = checks.real("time_constant", time_constant, "s")
+        if not (math.isfinite(time_constant) and time_constant >= 0):
             raise Error(f"time_constant = {time_constant!r}: must be finite and not negative")
         self.time_constant = time_constant
         self._sums: dict[frozenset[Hashable], float] = {}
@@ -49,7 +50,8 @@ class PairLoads:
 
     def add(self, first: Hashable, second: Hashable, load: float) -> None:
         """Adds the load of a contact point to those of its pair in this step."""
-        if not (math.isfinite(checks.real("load", load)) and load >= 0):
+        load = checks.real("load", load, "force")
+        if not (math.isfinite(load) and load >= 0):
             raise Error(f"load = {load!r} of {first!r} on {second!r}: must be finite and not negative")
         pair = frozenset((first, second))
         if load > 0:
@@ -57,7 +59,7 @@ class PairLoads:
 
     def end_step(self, time: float) -> None:
         """Ends a step, whose loads were added and belong to this time."""
-        time = checks.real("time", time)
+        time = checks.real("time", time, "s")
         for pair in self._sums:
             self._touched[pair] = time
         for pair, touched in list(self._touched.items()):
@@ -73,7 +75,7 @@ class PairLoads:
         A line is followed to half the last load and to twice it: what changes faster within a step is not resolved by
         the steps.
         """
-        time = checks.real("time", time)
+        time = checks.real("time", time, "s")
         known = self._known.get(frozenset((first, second)))
         if known is None:
             return 0.0

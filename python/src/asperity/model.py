@@ -77,9 +77,9 @@ class Model(FrictionLaw):
         Warns:
             ValidityWarning: an assumption of the model that fails at one of the loads.
         """
-        params = self.params
+        params, coverage = self.params, checks.share("coverage", coverage)
         unit = params.asperity_count * params.composite_modulus * params.burgers_vector**2
-        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(checks.one_or_more("loads", loads))
+        load = np.geomspace(1e-4 * unit, 1e2 * unit, 61) if loads is None else np.sort(checks.one_or_more("loads", loads, self._unit()))
         if not load[0] > 0:
             raise Error("loads: must be > 0, since their axis is logarithmic")
         force = self.friction_force_at_load(load)

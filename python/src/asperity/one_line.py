@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, Iterator
 
 import numpy as np
 
-from ._surface_text import literal, text_of, without_line
+from ._surface_text import load_unit, text_of_values, without_line
 from .errors import Error
 from .estimate import Estimate, estimate
 from .materials import PAIRS, Pair
 from .results import ValidityWarning
-from .tools import caller
+from .tools import caller, checks
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -61,7 +61,8 @@ def friction(
             "SiC/SiC", with a `work_of_adhesion`. `E1`, `nu1`, `E2`, `nu2` and `hardness` replace its numbers. Without a pair give
             these, or `composite_modulus` and `effective_shear_modulus`, and `work_of_adhesion`, `adhesion_range` and
             `burgers_vector`.
-        load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray.
+        load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray. Here and in all
+            other numbers a quantity of pint, astropy or xarray is converted; masked numbers are refused.
         nominal_area: [m^2]; without it loads are nominal pressures [Pa].
         coverage: probability of the band, between 0 and 1.
         **surface: the keys of surface files. Of the roughness: `Ra` or `Rq` with `RSm`, `Rdq` or a `process` ("superfinished",
@@ -79,14 +80,15 @@ def friction(
     Warns:
         ValidityWarning: an assumption of the model that fails at one of the loads > 0.
     """
+    coverage = checks.share("coverage", coverage)
     area = {} if nominal_area is None else {"nominal_area": nominal_area}
     given = dict(() if pair is None else of_pair(pair)) | area | {"coverage": coverage} | dict(surface)
     try:
-        found = estimate(text_of((name, literal(name, value)) for name, value in given.items()), load, coverage)
+        found = estimate(text_of_values(given), load, coverage, load_unit(given))
     except Error as error:
         raise without_line(error, surface) from None
     for kind in found.warnings.kinds:
-        pressing = np.ravel(np.asarray(load, dtype=np.float64))
+        pressing = np.ravel(found._loads)
         pressing = pressing[pressing > 0]
         caller.warn(f"between the loads {pressing.min():g} and {pressing.max():g}: {kind}", ValidityWarning)
     return found

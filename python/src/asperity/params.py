@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import json
 import math
-import numbers
 import os
 import re
 import stat
@@ -247,10 +246,21 @@ class Params:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            object.__setattr__(self, field.name, _CHECKS.get(field.name, checks.real)(field.name, value))
+            found = _CHECKS[field.name](field.name, value) if field.name in _CHECKS else self._number(field.name, value)
+            object.__setattr__(self, field.name, found)
         heights, densities = len(self.table_height), len(self.table_density)
         if heights != densities:
             raise Error(f"table_density: {densities} numbers for {heights} heights")
+
+    def _number(self, name: str, value: Any) -> float | tuple[float, ...]:
+        """A field, or the numbers of a table."""
+        unit = _units.of(name, checks.flag("in_si", self.in_si))
+        if not name.startswith("table_"):
+            return checks.real(name, value, unit)
+        found = checks.array(name, value, unit)
+        if found.ndim != 1:
+            raise TypeError(f"{name} = {value!r}: must be a sequence of numbers")
+        return tuple(found.tolist())
 
     @classmethod
     def paper(cls) -> Params:
@@ -346,7 +356,7 @@ class Params:
         else:
             surface = {"summit_density": summit_density, "nominal_area": nominal_area}
             _one_of({"asperity_count": asperity_count}, surface)
-            density, area = (checks.positive(name, value) for name, value in surface.items())
+            density, area = (checks.positive(name, value, _units.of(name)) for name, value in surface.items())
             summits = {"asperity_count": density * area, "nominal_area": area}
         named: dict[str, Any] = {
             "work_of_adhesion": work_of_adhesion,
@@ -693,7 +703,8 @@ class Params:
     def _calibrated(self, call: Any, load: float, name: str, value: float, error: float) -> Params:
         struct: Any = self._as_struct()
         struct.calibration_error = checks.real("error", error)
-        check(call(ctypes.byref(struct), checks.real("load", load), checks.real(name, value)))
+        at, measured = (checks.real(one, given, _units.of(one, self.in_si)) for one, given in (("load", load), (name, value)))
+        check(call(ctypes.byref(struct), at, measured))
         return self._of_struct(struct, self.in_si)
 
     def in_units(self, *, length: float, force: float) -> Params:
@@ -707,7 +718,9 @@ class Params:
             Error: a unit that is not finite and > 0; parameters in SI units that were converted before.
         """
         struct: Any = self._as_struct()
-        units = checks.real("length", length), checks.real("force", force)
+        units = tuple(
+            checks.real(name, value, _units.unit(name, self.in_si)) for name, value in (("length", length), ("force", force))
+        )
         check(LIBRARY.asperity_params_set_units(ctypes.byref(struct), *units))
         if not self.in_si:  # of units that are not known nothing is kept
             struct.length_unit = struct.force_unit = 1.0
@@ -719,7 +732,7 @@ class Params:
         Raises:
             Error: a hardness that is not finite and > 0.
         """
-        changes = {"contact_law": "elastic-plastic", "hardness": checks.positive("hardness", hardness), "work_of_adhesion": 0.0}
+        changes = {"contact_law": "elastic-plastic", "hardness": checks.positive("hardness", hardness, _units.of("hardness", self.in_si)), "work_of_adhesion": 0.0}
         return self.replace(**changes)
 
     def with_interface(self, name: str) -> Params:
@@ -839,7 +852,7 @@ def _options(given: Any) -> dict[str, Any]:
 
 def _moduli(bodies: dict[str, Any]) -> dict[str, float | None]:
     struct: Any = _initialised()
-    values = [checks.real(name, value) for name, value in bodies.items()]
+    values = [checks.real(name, value, _units.of(name)) for name, value in bodies.items()]
     check(LIBRARY.asperity_params_set_materials(ctypes.byref(struct), *values))
     return {
         "composite_modulus": struct.composite_modulus,
@@ -899,22 +912,19 @@ def _lines(given: dict[str, Any]) -> str:
 def _toml(name: str, value: Any) -> str:
     if name in ("summits", "process"):
         return json.dumps(value)
-    if isinstance(value, numbers.Real) or not hasattr(value, "__iter__"):
-        return repr(checks.real(name, value))
-    return f"[{', '.join(repr(checks.real(name, one)) for one in value)}]"
+    return literal_of(name, value, _units.of(name))
 
 
-def _column(name: str, value: Any) -> tuple[float, ...]:
-    if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
-        raise TypeError(f"{name} = {value!r}: must be a sequence of numbers")
-    return tuple(checks.real(f"{name}[{i}]", number) for i, number in enumerate(value))
+def literal_of(name: str, value: Any, unit: str) -> str:
+    """A number or a list of numbers as TOML has them."""
+    if not hasattr(value, "__len__") and not hasattr(value, "__array__") or isinstance(value, (str, bytes)):
+        return repr(checks.real(name, value, unit))
+    return repr(checks.array(name, value, unit).tolist())
 
 
 _CHECKS: dict[str, Any] = {
     "attraction": checks.flag,
     "in_si": checks.flag,
-    "table_height": _column,
-    "table_density": _column,
     **{name: partial(checks.word, words=words) for name, words in _header.WORDS.items()},
 }
 

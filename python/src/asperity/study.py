@@ -7,7 +7,7 @@
 
 What is drawn is in `studies.draws`, what a block of surfaces answers in `fits.many_surfaces`, how blocks reach workers in `tools.blocks`,
 where they are kept in `studies.store`, by one process at a time in `studies.lock`. Needs xarray, SciPy and netCDF4:
-pip install "asperity[study]".
+pip install scipy xarray netCDF4.
 """
 
 from .studies.sobol import plot_sobol_indices, sobol_indices

@@ -9,12 +9,27 @@ from typing import Any
 from ._header import UNITS
 
 # The SI units of dimensions.
-SI = {"force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m^2"}
+SI = {
+    "force": "N", "force/length": "N/m", "stress": "Pa", "length": "m", "length^2": "m^2", "1/length": "1/m", "1/length^2": "1/m^2",
+}  # fmt: skip
+# The dimensions of fields, and of the other keys of surfaces; what is not here is a plain number.
+DIMENSIONS = UNITS | {
+    **dict.fromkeys(("E1", "E2"), "stress"),
+    **dict.fromkeys(("Ra", "Rq", "RSm", "Sq", "table_height"), "length"),
+    **dict.fromkeys(("Ssc", "table_density"), "1/length"),
+    **dict.fromkeys(("m4", "Sds", "summit_density"), "1/length^2"),
+    "m0": "length^2",
+}
 
 
 def unit(dimension: str, in_si: bool) -> str:
     """The SI unit of a dimension; the dimension itself if the system of units is the caller's own."""
     return SI.get(dimension, dimension) if in_si else dimension
+
+
+def of(name: str, in_si: bool = True) -> str:
+    """The same of a field or key."""
+    return unit(DIMENSIONS.get(name, ""), in_si)
 
 
 def rows(of: Any) -> list[tuple[str, str, str]]:

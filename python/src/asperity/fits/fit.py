@@ -76,7 +76,7 @@ def fit(
     deviation of a uniform distribution between its bounds: the data then say no more than the bounds.
 
     Args:
-        load: normal loads [force], one-dimensional. For `mu` they must be > 0; friction forces may be given at zero
+        load: normal loads [force], one-dimensional; points of which a number is masked are left out. For `mu` they must be > 0; friction forces may be given at zero
             and negative loads too. There a trial surface whose pull-off load lies above has no friction.
         mu: measured friction coefficients F/P > 0 at them; `max_friction_coefficient` plays no part.
         sigma: standard errors > 0 of the measured friction, one for all or one for each. Without, all points weigh
@@ -111,7 +111,7 @@ def fit(
     checks.instance("params", params, Params)
     starts, seed = checks.whole("starts", starts, 1), checks.whole("seed", seed, 0)
     names = free_names(free, params)
-    data = Data.of(load, mu, force, sigma)
+    data = Data.of(load, mu, force, sigma, params.in_si)
     if data.load.size <= len(names):
         raise Error(
             f"{data.load.size} points for {len(names)} free names: there must be more points than free names"

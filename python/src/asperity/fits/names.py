@@ -87,14 +87,14 @@ class FreeName:
             raise Error(f"{self.given} = {value:g} in params: to be free it must start {self._allowed()}")
         return value
 
-    def limits(self, start: float, bounds: Any) -> tuple[float, float]:
+    def limits(self, start: float, bounds: Any, unit: str = "") -> tuple[float, float]:
         """The bounds given, checked, or those by default."""
         if bounds is None:
             return (start / _FACTOR, start * _FACTOR) if self.positive else self.domain
-        try:
-            low, high = (float(bound) for bound in bounds)
-        except (TypeError, ValueError):
-            raise TypeError(f"bounds of {self.given} = {bounds!r}: must be two numbers") from None
+        found = checks.array(f"bounds of {self.given}", bounds, unit)
+        if found.shape != (2,):
+            raise TypeError(f"bounds of {self.given} = {bounds!r}: must be two numbers")
+        low, high = found.tolist()
         inside = low > 0 and math.isfinite(high) if self.positive else self.domain[0] <= low and high <= self.domain[1]
         if not (inside and low < high):
             raise Error(f"bounds of {self.given} = ({low:g}, {high:g}): must ascend and be {self._allowed()}")

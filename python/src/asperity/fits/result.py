@@ -182,9 +182,11 @@ class Fit:
         Raises:
             Error: loads that cannot be used.
         """
-        some = np.ones(np.shape(load))
-        data = Data.of(load, some, None, None) if self.quantity == "mu" else Data.of(load, None, some, None)
-        search = self._end.search.at_loads(data.load)
+        loads = checks.column("load", load, units.unit("force", self.params.in_si))
+        some, in_si = np.ones(loads.shape), self.params.in_si
+        mu, force = (some, None) if self.quantity == "mu" else (None, some)
+        Data.of(loads, mu, force, None, in_si)  # refuses loads that a coefficient cannot be at
+        search = self._end.search.at_loads(loads)
         friction = search.friction(self._end.x)
         return Prediction(friction, self._end.estimate.error_of(search.jacobian(self._end.x), friction))
 

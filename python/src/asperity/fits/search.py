@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import numbers
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
-from typing import Mapping
+from typing import Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
+from .. import units
 from .._friction_law import FrictionLaw
 from ..errors import Error, Status
 from ..params import Params
@@ -37,37 +37,31 @@ class Data:
 
     @classmethod
     def of(
-        cls, load: npt.ArrayLike, mu: npt.ArrayLike | None, force: npt.ArrayLike | None, sigma: npt.ArrayLike | None
+        cls, load: Any, mu: Any, force: Any, sigma: Any, in_si: bool
     ) -> Data:
+        """Points of which a number is masked are left out."""
         if (mu is None) == (force is None):
             raise Error("give either mu or force")
         quantity = "mu" if force is None else "force"
-        loads, measured = checks.column("load", load), checks.column(quantity, force if mu is None else mu)
-        _same_length(quantity, measured, loads)
+        of_load = units.unit("force", in_si)
+        of_friction = "" if force is None else of_load
+        given = {"load": (load, of_load), quantity: (force if mu is None else mu, of_friction)}
+        if sigma is not None:
+            one, masked = checks.known("sigma", sigma, of_friction)
+            given["sigma"] = np.ma.masked_array(one, masked) if one.ndim else np.full(np.shape(load), checks.real("sigma", sigma, of_friction)), ""
+        loads, measured, *errors = checks.columns(**given)
         if quantity == "mu":
             _each("load", loads, loads > 0, "must be > 0, for F/P has no finite value there; fit the force instead")
             _each("mu", measured, measured > 0, "must be > 0")
         else:
             _each("force", measured, measured >= 0, "must be >= 0")
-        return cls(loads, measured, _errors(sigma, loads), quantity)
+        for each in errors:
+            _each("sigma", each, each > 0, "must be > 0")
+        return cls(loads, measured, errors[0] if errors else None, quantity)
 
     @property
     def weight(self) -> Array | float:
         return 1.0 if self.sigma is None else 1 / self.sigma
-
-
-def _errors(sigma: npt.ArrayLike | None, load: Array) -> Array | None:
-    if sigma is None:
-        return None
-    errors = checks.column("sigma", np.full(load.shape, sigma) if isinstance(sigma, numbers.Real) else sigma)
-    _same_length("sigma", errors, load)
-    _each("sigma", errors, errors > 0, "must be > 0")
-    return errors
-
-
-def _same_length(name: str, values: Array, load: Array) -> None:
-    if values.size != load.size:
-        raise Error(f"{name} has {values.size} values, load {load.size}: must be as many")
 
 
 def _each(name: str, values: Array, good: Mask, allowed: str) -> None:
@@ -96,7 +90,7 @@ class Search:
         unknown = sorted(set(map(str, bounds)) - {name.given for name in names})
         if unknown:
             raise Error(f"bounds of {', '.join(unknown)}: must be of free names")
-        limits = [name.limits(value, bounds.get(name.given)) for name, value in zip(names, origin)]
+        limits = [name.limits(value, bounds.get(name.given), units.unit(name.dimension, params.in_si)) for name, value in zip(names, origin)]
         ends = [
             [name.coordinate(end, value) for name, end, value in zip(names, side, origin)] for side in zip(*limits)
         ]

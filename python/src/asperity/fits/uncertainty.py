@@ -8,7 +8,6 @@ parameters were calibrated with.
 from __future__ import annotations
 
 import math
-import numbers
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .. import _header
+from .. import _header, units
 from .._friction_law import FrictionLaw
 from ..errors import Error
 from ..params import Params
@@ -190,9 +189,10 @@ def uncertainty(
     loads = fit.load if fit is not None and loads is None else loads
     if loads is None:
         raise Error("loads: must be given")
-    load = checks.one_or_more("loads", loads)
+    load = checks.one_or_more("loads", loads, units.unit("force", params.in_si))
     samples, seed = checks.whole("samples", samples, 0), checks.whole("seed", seed, 0)
-    _check(load, quantity, samples, coverage)
+    coverage = checks.share("coverage", coverage)
+    _check(load, quantity, samples)
 
     values = np.array([name.start(params) for name in names])
     x = np.array([name.coordinate(value, value) for name, value in zip(names, values)])
@@ -292,10 +292,9 @@ def _distribution(
     given: Any = {} if spread is None else spread
     if not isinstance(given, Mapping):
         raise TypeError(f"spread = {given!r}: must be a mapping, {{name: standard deviation}}")
+    given = {name: checks.real(f"spread of {name}", deviation) for name, deviation in given.items()}
     for name, deviation in given.items():
-        if not isinstance(deviation, numbers.Real):
-            raise TypeError(f"spread of {name} = {deviation!r}: must be a real number; 10 % are 0.1")
-        if not (math.isfinite(deviation) and float(deviation) >= 0):
+        if not 0 <= deviation < math.inf:
             raise Error(f"spread of {name} = {deviation!r}: must be finite and >= 0")
     with FrictionLaw(params) as law:
         strength = strength_of(law)
@@ -358,12 +357,11 @@ def _narrowed(covariance: Array, slopes: Array, error: float) -> Array:
     return narrowed
 
 
-def _check(load: Array, quantity: str, samples: int, coverage: float) -> None:
+def _check(load: Array, quantity: str, samples: int) -> None:
     if checks.word("quantity", quantity, _LABELS) == "mu" and not (load > 0).all():
         raise Error('loads: must be > 0 for coefficients, since F/P has no finite value there; quantity="force" has')
     if samples == 1:
         raise Error(f"samples = {samples!r}: must be 0, for the linear band, or a whole number from 2 on")
-    checks.share("coverage", coverage)
 
 
 def _draw(

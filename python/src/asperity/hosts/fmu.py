@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import io
 import json
@@ -11,7 +12,7 @@ import tempfile
 import uuid
 import zipfile
 from pathlib import Path
-from typing import Mapping, Sequence
+from typing import Iterator, Mapping, Sequence
 
 from ..model import Model
 from ..params import Params
@@ -66,7 +67,7 @@ def build(
     surface = _surface(params, parameters, start_load, microslip)
     guid = f"{{{uuid.UUID(bytes=hashlib.sha256((fmi + name + surface).encode()).digest()[:16])}}}"
     surface += f"#define GUID {json.dumps(guid)}\n"
-    with tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
+    with _named(file), tempfile.TemporaryDirectory(prefix="asperity-fmu-") as made:
         sources = Path(made, "sources")
         sources.mkdir()
         (sources / "surface.h").write_text(surface, encoding="utf-8")
@@ -89,6 +90,16 @@ def build(
                 if path.is_file():
                     archive.write(path, path.relative_to(made))
     output.write(file, packed_unit.getvalue())
+
+
+@contextlib.contextmanager
+def _named(file: Path) -> Iterator[None]:
+    """Errors of the files that the unit is made in, as where the disk is full, are those of the unit: no other is the caller's."""
+    try:
+        yield
+    except OSError as error:
+        says = f"cannot be made in the folder for temporary files, {tempfile.gettempdir()} ({error.strerror or error})"
+        raise OSError(error.errno, says, str(file)) from None
 
 
 def _parameters(params: Params) -> dict[str, str]:

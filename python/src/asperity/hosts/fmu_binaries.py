@@ -105,7 +105,7 @@ def add_binaries(folder: Path, name: str, library: bytes, sources: Path, unit: s
         command += [f"-L{folder}", f"-l:{file}"]
     done = subprocess.run(command, cwd=sources, capture_output=True, text=True, check=False)
     if done.returncode != 0 or done.stderr:
-        raise ImportError(f"{' '.join(compiler)} does not take the C source of the unit:\n{done.stderr}")
+        raise ImportError(f"{' '.join(compiler)} does not make the unit of its C source:\n{done.stderr}")
 
 
 def _compiler(name: str) -> list[str]:

@@ -12,13 +12,15 @@ import numpy.typing as npt
 from ..errors import Error
 from ..model import Model
 from ..table import Table
+from ..tools import checks
+from ..units import unit
 
 try:
     import jax
     import jax.numpy as jnp
     from jax import lax
 except ImportError as error:
-    raise ImportError(f"asperity.jax needs JAX ({error}): pip install 'asperity[jax]'") from None
+    raise ImportError(f"asperity.jax needs JAX ({error}): pip install jax") from None
 
 __all__ = ["friction", "friction_force", "load_at_gap"]
 
@@ -35,7 +37,9 @@ def friction_force(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
     Raises:
         Error: another type; float64 without `jax_enable_x64`.
     """
-    return _Law(_table(model, dtype)).derivative(0)
+    table = _table(model, dtype)
+    law = _Law(table).derivative(0)
+    return lambda load: law(_numbers("load", load, unit("force", model.params.in_si), table.dtype))
 
 
 def load_at_gap(model: Model) -> Law:
@@ -48,7 +52,7 @@ def load_at_gap(model: Model) -> Law:
     """
     _check_doubles()
     law = _Law(model.load_table()).derivative(0)
-    return lambda gap: law(-jnp.asarray(gap, np.float64))
+    return lambda gap: law(-_numbers("gap", gap, unit("length", model.params.in_si), np.float64))
 
 
 def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
@@ -79,7 +83,16 @@ def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
         slope = jnp.where(capped | apart, 0, (force.derivative(1)(load) - mu) / divisor)
         return mu, slope * change
 
-    return lambda load: law(jnp.asarray(load, table.dtype))
+    return lambda load: law(_numbers("load", load, unit("force", model.params.in_si), table.dtype))
+
+
+def _numbers(name: str, given: Any, of: str, dtype: Any) -> Any:
+    """Real numbers as an array of JAX, whether they are traced or come from another library."""
+    if not isinstance(given, jax.Array) and not hasattr(given, "__jax_array__"):
+        given = checks.array(name, given, of)
+    elif not (jnp.issubdtype(given.dtype, np.integer) or jnp.issubdtype(given.dtype, np.floating)):
+        raise TypeError(f"{name}: must be real numbers, not an array of {given.dtype}")
+    return jnp.asarray(given, dtype)
 
 
 def _table(model: Model, dtype: npt.DTypeLike) -> Table:

@@ -13,7 +13,7 @@ from ..table import Table
 try:
     import warp as wp
 except ImportError as error:
-    raise ImportError(f"asperity.warp needs Warp ({error}): pip install 'asperity[warp]'") from None
+    raise ImportError(f"asperity.warp needs Warp ({error}): pip install warp-lang") from None
 
 __all__ = ["Law32", "Law64", "friction", "friction_force", "law", "load_at_gap", "load_law"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import numpy as np
 
-from .._surface_text import literal, text_of, without_line
+from .._surface_text import text_of_values, without_line
 from ..errors import Error
 from ..estimate import Estimate, estimate
 from ..materials import Pair
@@ -199,13 +199,14 @@ def analyse(
         TypeError: no real numbers; distances missing, or given twice; a keyword that surface files do not have.
         ImportError: SciPy is not installed.
     """
-    load = checks.positive("load", load)
+    load = checks.positive("load", load, "N")
     degree(detrend)
+    coverage = checks.share("coverage", coverage)
     case = _Case(load, coverage, ({} if pair is None else dict(of_pair(pair))) | {"coverage": coverage} | dict(surface))
     # What the map cannot be blamed for is refused at once, of a plain surface.
     case.at(1e5, {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, surface)
     try:
-        raw = checked(height_map, dx, dy, missing=True)
+        raw = replace(checked(height_map, dx, dy, missing=True), unit="m")
         if (wrong := implausible(raw)) is not None:
             return case.stopped(Error(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
         cleaned = _cleaned(case, raw, detrend, rows, spikes, dust, progress)
@@ -213,7 +214,7 @@ def analyse(
         return case.stopped(error)
     map_ = cleaned.map
     extent = map_.height_map.size * map_.dx * map_.dy
-    case.joint["nominal_area"] = nominal_area or extent
+    case.joint["nominal_area"] = extent if nominal_area is None else checks.real("nominal_area", nominal_area, "m^2")
     try:
         found = _filtered(case, map_, cutoff, longest, progress)
     except ValueError as error:
@@ -268,7 +269,7 @@ class _Case:
     def at(self, load: float, rough: dict[str, Any], keywords: Iterable[str] = ()) -> Estimate:
         """The estimate of a roughness at a load; an unknown key is a wrong argument if it is one of the keywords."""
         try:
-            return estimate(text_of((name, literal(name, value)) for name, value in (self.joint | rough).items()), load, self.coverage)
+            return estimate(text_of_values(self.joint | rough), load, self.coverage)
         except Error as error:
             raise without_line(error, keywords) from None
 

@@ -140,7 +140,7 @@ def clean(
         caller.warn(f"{part:.0%} of the map is filled: {_filling(bad)}", MapWarning)
     deviation = 0.0 if lines is None else float(lines[1].std())
     return Cleaned(
-        HeightMap(level, given.dx, given.dy, np.where(bad, np.nan, recorded)), missing, count, particles, bad, deviation, found
+        HeightMap(level, given.dx, given.dy, np.where(bad, np.nan, recorded), unit=given.unit), missing, count, particles, bad, deviation, found
     )
 
 

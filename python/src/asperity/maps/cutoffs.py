@@ -179,9 +179,9 @@ Make = Callable[[Summits], "tuple[Params, float | None]"]
 
 def table(given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Make, progress: Progress) -> Cutoffs:
     """As `cutoffs`, without its warnings, with the surfaces that `make` makes of the summits."""
-    step, load = max(given.dx, given.dy), checks.positive("load", load)
+    step, load = max(given.dx, given.dy), checks.positive("load", load, "N")
     longest = min(given.height_map.shape[0] * given.dy, given.height_map.shape[1] * given.dx) / 4
-    chosen = step * np.array(_POINTS) if cutoff is None else _ascending(cutoff)
+    chosen = step * np.array(_POINTS) if cutoff is None else _ascending(cutoff, given.unit)
     if cutoff is None:
         chosen = chosen[chosen <= longest]
     if chosen.size == 0:
@@ -246,8 +246,8 @@ def _summits(given: HeightMap, cutoff: float) -> Summits:
         return summits(filter(given, cutoff), progress=False)
 
 
-def _ascending(cutoff: npt.ArrayLike) -> Array:
-    array = checks.column("cutoff", cutoff)
+def _ascending(cutoff: npt.ArrayLike, unit: str) -> Array:
+    array = checks.column("cutoff", cutoff, unit)
     return np.unique(np.array([checks.positive(f"cutoff[{i}]", float(one)) for i, one in enumerate(array)]))
 
 

@@ -49,7 +49,7 @@ def filter(
         heights = heights - _smooth(heights, given, "longest", longest)
     if cutoff is not None:
         heights = _smooth(heights, given, "cutoff", cutoff)
-    return HeightMap(heights, given.dx, given.dy)
+    return HeightMap(heights, given.dx, given.dy, unit=given.unit)
 
 
 def noise_slope(deviation: float, cutoff: float, dx: float, dy: float) -> float:
@@ -61,7 +61,7 @@ def noise_slope(deviation: float, cutoff: float, dx: float, dy: float) -> float:
 def _smooth(heights: Array, given: HeightMap, name: str, cutoff: float) -> Array:
     from scipy.ndimage import gaussian_filter1d
 
-    cutoff = checks.positive(name, cutoff)
+    cutoff = checks.positive(name, cutoff, given.unit)
     rows, columns = heights.shape
     least, most = 2 * max(given.dx, given.dy), min(rows * given.dy, columns * given.dx)
     if not least <= cutoff <= most:

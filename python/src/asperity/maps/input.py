@@ -18,7 +18,7 @@ MOST_DEGREE = 8
 
 def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
     """A map of real numbers with its distances; NaN where heights are unknown, if `missing` ones may be."""
-    recorded = None
+    given, recorded = None, None
     if isinstance(getattr(height_map, "map", None), HeightMap):  # what `clean` returns
         height_map = height_map.map
     if isinstance(height_map, HeightMap) or hasattr(height_map, "physical_sizes"):
@@ -28,7 +28,15 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
         height_map, dx, dy, recorded = given.height_map, given.dx, given.dy, given.recorded
     elif dx is None:
         raise TypeError("give dx, the distance of columns, and dy, that of rows, in the unit of the heights")
-    array = _array(height_map)
+    mine = isinstance(given, HeightMap) and given.unit == "length"
+    measured = given is not None and not mine or checks.has_unit(height_map)
+    for name, step in (("dx", dx), ("dy", dx if dy is None else dy)):
+        if given is None and measured != checks.has_unit(step):
+            raise TypeError(f"{name} = {step!r}: must have a unit if the heights have one, and none if they have none")
+    unit = "m" if measured else "length"
+    array, unknown = checks.known("height_map", height_map, unit)
+    if array.ndim != 2 or min(array.shape) < 3:
+        raise Error(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
     unknown = ~np.isfinite(array)
     if unknown.any():
         if not missing:
@@ -38,18 +46,8 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
     if known.size == 0 or known.min() == known.max():
         found = f"constant at {known[0] if known.ndim == 1 else known[0, 0]}" if known.size else "without a known height"
         raise Error(f"height_map: {found}: must be rough")
-    return HeightMap(array, checks.positive("dx", dx), checks.positive("dy", dx if dy is None else dy), recorded)
-
-
-def _array(height_map: Any) -> Array:
-    masked = np.ma.is_masked(height_map)
-    array = np.asarray(np.ma.getdata(height_map))
-    if array.dtype.kind not in "iuf":
-        raise TypeError(f"height_map: must be real numbers, not an array of {array.dtype}")
-    if array.ndim != 2 or min(array.shape) < 3:
-        raise Error(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
-    heights = np.asarray(array, dtype=np.float64)
-    return np.where(np.ma.getmaskarray(height_map), np.nan, heights) if masked else heights
+    steps = checks.positive("dx", dx, unit), checks.positive("dy", dx if dy is None else dy, unit)
+    return HeightMap(array, *steps, recorded, unit=unit)
 
 
 def _refuse(array: Array, unknown: npt.NDArray[np.bool_]) -> None:

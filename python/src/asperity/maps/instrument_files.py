@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import Error
+from ..tools import checks
 from . import text_maps
 
 Array = npt.NDArray[np.float64]
@@ -35,6 +36,7 @@ class HeightMap:
         recorded: heights before they were levelled, of which equal neighbours are one plateau; None if they are `height_map`.
         channel: name of the channel that was read.
         channels: names of all channels of the file.
+        unit: "m"; "length" of a map that was made of plain numbers, in a unit of the caller's.
     """
 
     height_map: Array
@@ -43,6 +45,7 @@ class HeightMap:
     recorded: Array | None = field(default=None, repr=False)
     channel: str = ""
     channels: tuple[str, ...] = ()
+    unit: str = "m"
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.height_map, self.dx, self.dy))
@@ -53,7 +56,7 @@ def read(
     *,
     channel: int | str | None = None,
     unit: str | None = None,
-    physical_sizes: tuple[float, float] | None = None,
+    physical_sizes: Any = None,
 ) -> HeightMap:
     """Reads a height map of an AFM, profilometer or interferometer, in any format that SurfaceTopography knows.
 
@@ -65,7 +68,7 @@ def read(
         path: of the file; its format is found from its content.
         channel: number or name of the channel; without, the only one that is a map of heights.
         unit: of lengths, where the file names none: "m", "mm", "µm", "nm", ...; heights and sizes alike.
-        physical_sizes: of the map along x and y, in that unit, where the file has none; in metres, where those of the file are
+        physical_sizes: two numbers, of the map along x and y, in that unit, where the file has none; in metres, where those of the file are
             such as no map has.
 
     Raises:
@@ -80,6 +83,8 @@ def read(
         first = file.read(2)  # an OSError says what is wrong with the path, in the system's words
     if not first:
         raise Error(f"{name}: is empty: copy it again")
+    if physical_sizes is not None:
+        physical_sizes = tuple(checks.array("physical_sizes", physical_sizes, unit or "length").tolist())
     given = channel, unit, physical_sizes
     if first != b"\x1f\x8b":
         return _read(library, name, name, *given)
@@ -153,7 +158,7 @@ def _library() -> Any:
             import SurfaceTopography
     except ImportError as error:
         raise ImportError(
-            f"reading a file of an instrument needs SurfaceTopography ({error}): pip install 'asperity[topography]', "
+            f"reading a file of an instrument needs SurfaceTopography ({error}): pip install SurfaceTopography, "
             "with Python 3.10 or later"
         ) from None
     return SurfaceTopography

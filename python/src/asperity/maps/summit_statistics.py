@@ -172,4 +172,4 @@ def _require_scipy() -> None:
     try:
         import scipy.optimize  # noqa: F401
     except ImportError as error:
-        raise ImportError(f"finding summits needs SciPy ({error}): pip install 'asperity[topography]'") from None
+        raise ImportError(f"finding summits needs SciPy ({error}): pip install scipy") from None

@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import itertools
 import math
-import numbers
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from typing import Any, Callable
 import numpy as np
 import numpy.typing as npt
 
+from .. import units
 from ..errors import Error
 from ..fits.many_surfaces import names_of
 from ..fits.names import FreeName
@@ -68,7 +68,11 @@ def drawn(params: Params, vary: Any, samples: Any, seed: int, sampling: str) -> 
     if not vary:
         raise Error("vary = {}: must name one parameter or more, {name: spread, distribution, list or function}")
     names = names_of(tuple(vary), params)
-    grids = {name.given: _grid(name.given, vary[name.given]) for name in names if _is_grid(vary[name.given])}
+    grids = {
+        name.given: checks.column(f"vary {name.given}", vary[name.given], _unit(name, params))
+        for name in names
+        if _is_grid(vary[name.given])
+    }
     points = math.prod(len(values) for values in grids.values())
     chance = [name for name in names if name.given not in grids]
     if sampling == "saltelli" and (grids or len(chance) < 2):
@@ -96,7 +100,7 @@ def _columns(
 ) -> tuple[dict[str, Array], dict[str, str]]:
     """The values of what varies at random, and what they are drawn from."""
     sides = 2 if sampling == "saltelli" else 1
-    functions = {name.given for name in chance if _is_function(vary[name.given])}
+    functions = {name.given: _unit(name, params) for name in chance if _is_function(vary[name.given])}
     quantiles, told = {}, {}
     for name in chance:
         if name.given in functions:
@@ -109,7 +113,7 @@ def _columns(
         first = side * len(quantiles)
         sheets.append({name: quantile(unit[:, first + j]) for j, (name, quantile) in enumerate(quantiles.items())})
     for j, asked in enumerate(sorted(functions)):
-        values = _column(asked, vary[asked](np.random.default_rng([seed, j]), count * sides), count * sides)
+        values = _column(asked, vary[asked](np.random.default_rng([seed, j]), count * sides), count * sides, functions[asked])
         for side in range(sides):
             sheets[side][asked] = values[side * count : (side + 1) * count]
     if sampling != "saltelli":
@@ -151,11 +155,11 @@ def _quantile(params: Params, name: FreeName, given: Any) -> tuple[Quantile, str
         if math.isnan(middle):
             raise Error(f"vary {name.given}: {_told(given)} has no values: its own parameters are out of bounds")
         return lambda unit: np.asarray(inverse(unit), dtype=np.float64), _told(given)
-    if isinstance(given, bool) or not isinstance(given, numbers.Real):
-        raise TypeError(
-            f"vary {name.given} = {given!r}: must be a relative spread, a distribution of SciPy, a list of values or a function"
-        )
-    spread, value = float(given), name.start(params)
+    try:
+        spread, value = checks.real(f"vary {name.given}", given), name.start(params)
+    except TypeError as error:
+        says = "must be a relative spread, a distribution of SciPy, a list of values or a function"
+        raise TypeError(f"vary {name.given} = {given!r}: {says} ({error})") from None
     if name.positive and not _NARROWEST <= spread <= _WIDEST:
         meant = f"; {spread:g} % are {spread / 100:g}" if _WIDEST < spread <= 100 else ""
         raise Error(
@@ -189,39 +193,29 @@ def _joint(params: Params, vary: Callable[..., Any], samples: Any, seed: int, sa
     if not isinstance(found, Mapping) or not found:
         raise TypeError(f"vary: the function returned {type(found).__name__}; must be a mapping, {{name: array of values}}")
     names = names_of(tuple(found), params)
-    values = np.column_stack([_column(name.given, found[name.given], count) for name in names])
+    values = np.column_stack([_column(name.given, found[name.given], count, _unit(name, params)) for name in names])
     told = f"function {getattr(vary, '__name__', type(vary).__name__)} of all names"
     return Draws(tuple(found), values, dict.fromkeys(found, told), count)
 
 
-def _column(name: str, values: Any, count: int) -> Array:
-    array = np.asarray(values)
-    if array.shape != (count,) or array.dtype.kind not in "iuf":
-        raise Error(
-            f"vary {name}: the function returned {array.dtype} of shape {array.shape}; must be real numbers of shape ({count},)"
-        )
-    return array.astype(np.float64)
+def _column(name: str, values: Any, count: int, unit: str) -> Array:
+    found = checks.array(f"vary {name}: what the function returned", values, unit)
+    if found.shape != (count,):
+        raise Error(f"vary {name}: the function returned numbers of shape {found.shape}; must be of shape ({count},)")
+    return found
 
 
 def _is_grid(given: Any) -> bool:
-    return isinstance(given, (list, tuple, range, np.ndarray))
+    """A list or an array, with or without labels; but neither a number nor a distribution."""
+    return isinstance(given, (list, tuple, range)) or getattr(given, "ndim", 0) > 0
 
 
 def _is_function(given: Any) -> bool:
     return callable(given) and not hasattr(given, "ppf") and not hasattr(given, "icdf")
 
 
-def _grid(name: str, given: Any) -> Array:
-    try:
-        array = np.asarray(given)
-    except ValueError:
-        array = np.empty(0)
-    if array.ndim != 1 or array.size == 0 or array.dtype.kind not in "iuf":
-        raise Error(f"vary {name} = {given!r}: a list must have one or more real numbers")
-    values = array.astype(np.float64)
-    if not np.isfinite(values).all():
-        raise Error(f"vary {name} = {given!r}: a list must have finite numbers")
-    return values
+def _unit(name: FreeName, params: Params) -> str:
+    return units.unit(units.DIMENSIONS.get(name.field, name.dimension), params.in_si)
 
 
 def _count(samples: int | None, chance: bool) -> int:

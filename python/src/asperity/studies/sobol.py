@@ -64,7 +64,7 @@ def sobol_indices(
             f'found: a study with sampling = {found.attrs.get("sampling")!r}; Sobol\' indices need sampling="saltelli"'
         )
     checks.word("quantity", quantity, ("friction_coefficient", "friction_force", "tangential_stiffness"))
-    checks.share("coverage", coverage)
+    coverage = checks.share("coverage", coverage)
     resamples, seed = checks.whole("resamples", resamples, 2, 100_000), checks.whole("seed", seed, 0)
     import xarray
 

@@ -139,9 +139,14 @@ def checkpoint(file: str | os.PathLike[str], layout: Layout) -> Iterator[Checkpo
     """A `Checkpoint` that no other process works on meanwhile; one that is whole is only read, by as many as like."""
     path = Path(file)
     with contextlib.ExitStack() as stack:
-        if not path.exists() or _identity_of(path) != json.dumps(layout.identity, sort_keys=True):
+        if not (whole := _holds(path, layout)):
             stack.enter_context(locked(path.with_name(path.name + ".lock"), f"checkpoint = {str(path)!r}"))
-        yield Checkpoint(path, layout)
+        yield Checkpoint(path, layout, whole)
+
+
+def _holds(file: Path, layout: Layout) -> bool:
+    """Whether a file has all of a study, as it was written: NetCDF may find a damaged byte only as it is read."""
+    return file.exists() and _intact(file) and _identity_of(file) == json.dumps(layout.identity, sort_keys=True)
 
 
 class Checkpoint:
@@ -151,18 +156,15 @@ class Checkpoint:
         Error: the file or the blocks are of another study, or no study.
     """
 
-    def __init__(self, file: Path, layout: Layout) -> None:
+    def __init__(self, file: Path, layout: Layout, whole: bool = False) -> None:
         self._file, self._layout = file, layout
         self._folder = self._file.with_name(self._file.name + ".blocks")
         self._identity = json.dumps(layout.identity, sort_keys=True)
-        self._whole, self._before = False, 0
-        if self._file.exists():
-            found = _identity_of(self._file)
-            self._whole = found == self._identity
-            if not self._whole:
-                self._before = self._answered(found)
+        self._whole, self._before = whole or _holds(file, layout), 0
         if self._whole:
             return
+        if self._file.exists():
+            self._before = self._answered(_identity_of(self._file))
         self._folder.mkdir(exist_ok=True)
         told = self._folder / "study.json"
         if told.exists():
@@ -262,7 +264,7 @@ class Checkpoint:
         except json.JSONDecodeError:
             other = None
         if not isinstance(other, dict):
-            raise Error(f"checkpoint = {str(self._file)!r}: {where} is no study; give another name, or remove it")
+            raise Error(f"checkpoint = {str(self._file)!r}: {where} is no study, or damaged; give another name, or remove it")
         for name, value in self._layout.identity.items():
             if name not in but and other.get(name) != value:
                 raise Error(

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, Mapping, Union
 import numpy as np
 import numpy.typing as npt
 
-from .._header import UNITS
 from .._library import version
 from ..errors import Error
 from ..fits.many_surfaces import Block, evaluate, names_of
 from ..params import Params
 from ..tools import blocks, checks
 from ..tools.progress import Progress, teller
+from ..units import DIMENSIONS, unit
 from . import store as _store
 from .draws import Draws, digest, drawn
 from .store import Layout, Memory
@@ -102,7 +102,7 @@ def study(
     _require()
     checks.instance("params", params, Params)
     blocks.checked_workers(workers)
-    load = checks.one_or_more("loads", loads)
+    load = checks.one_or_more("loads", loads, unit("force", params.in_si))
     seed = checks.whole("seed", seed, 0, 2**63 - 1)
     draws = drawn(params, vary, samples, seed, sampling)
     surfaces = len(draws.values)
@@ -154,7 +154,7 @@ def _layout(
 ) -> Layout:
     names = names_of(draws.names, params)
     parameters = {
-        name.given: (draws.values[:, j], UNITS.get(name.field, name.dimension)) for j, name in enumerate(names)
+        name.given: (draws.values[:, j], DIMENSIONS.get(name.field, name.dimension)) for j, name in enumerate(names)
     }
     attributes = {
         "title": "friction of surfaces whose parameters vary, by asperity",
@@ -184,5 +184,5 @@ def _require() -> None:
         import scipy.stats
         import xarray
     except ImportError as error:
-        raise ImportError(f'a study needs xarray, SciPy and netCDF4 ({error}): pip install "asperity[study]"') from None
+        raise ImportError(f'a study needs xarray, SciPy and netCDF4 ({error}): pip install scipy xarray netCDF4') from None
     del netCDF4, scipy, xarray
