@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import sys
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -243,3 +245,76 @@ def test_without_surfacetopography_it_says_what_to_install(tmp_path: Path, monke
     monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
     with pytest.raises(ImportError, match=r"needs SurfaceTopography .*pip install SurfaceTopography"):
         surface.read(sdf(tmp_path / "map.sdf"))
+
+
+# ---- What a file says beside its heights ----
+
+
+@pytest.mark.parametrize("says", ["NODATA_value -9999", "# No data: -9999", "missing value = -9999.0"])
+def test_a_number_that_the_header_says_is_no_height_is_none(tmp_path: Path, says: str) -> None:
+    z, _ = heights()
+    z[4:9, 7:10] = -9999
+    file = tmp_path / "grid.asc"
+    file.write_text(f"ncols 40\nnrows 30\n{says}\n" + "\n".join(" ".join(map(str, row)) for row in z), encoding="utf-8")
+    found = surface.read(file, **NM).height_map
+    assert np.array_equal(np.isnan(found), z == -9999) and np.nanmax(np.abs(found)) < 1e-8
+
+
+@pytest.mark.parametrize("header", [True, False, "places"])
+@pytest.mark.parametrize("index", [True, False])
+def test_numbers_of_rows_and_columns_are_no_heights(tmp_path: Path, header: Any, index: bool) -> None:
+    pandas = pytest.importorskip("pandas")
+    z, _ = heights()
+    frame = pandas.DataFrame(z, columns=np.round(np.arange(40) / 3, 3) if header == "places" else None)
+    frame.to_csv(tmp_path / "map.csv", header=bool(header), index=index)
+    np.testing.assert_allclose(surface.read(tmp_path / "map.csv", **NM).height_map, 1e-9 * z, rtol=1e-9)
+
+
+def test_a_header_may_have_decimal_commas_where_the_heights_have_points(tmp_path: Path) -> None:
+    z, text = heights()
+    file = tmp_path / "map.txt"
+    file.write_text(f"# Channel: Topography\n# Width: 6,000 µm\n# Height: 4,500 µm\n# Value units: nm\n{text}", encoding="utf-8")
+    found, dx, dy = surface.read(file)
+    np.testing.assert_allclose(found, 1e-9 * z, rtol=1e-9)
+    assert (dx, dy) == pytest.approx((0.15e-6, 0.15e-6))
+
+
+def test_axes_may_have_units_of_their_own(tmp_path: Path) -> None:
+    z, text = heights()
+    y, x = np.mgrid[:30, :40] * 0.01
+    points = np.column_stack([x.ravel(), y.ravel(), 1e-3 * z.ravel()])
+    np.savetxt(tmp_path / "named.txt", points, header="x [mm] y [mm] z [µm]", encoding="utf-8")
+    np.savetxt(tmp_path / "points.txt", points)
+    (tmp_path / "rows.txt").write_text(text, encoding="utf-8")
+    for found in (
+        surface.read(tmp_path / "named.txt"),
+        surface.read(tmp_path / "points.txt", unit=("mm", "µm")),
+        surface.read(tmp_path / "rows.txt", unit=("mm", "nm"), physical_sizes=(0.4, 0.3)),
+    ):
+        np.testing.assert_allclose(found.height_map, 1e-9 * z, rtol=1e-9)
+        assert (found.dx, found.dy) == pytest.approx((1e-5, 1e-5))
+
+
+BY_INDEX: dict[str, tuple[tuple[str, str], str]] = {
+    "dash": (("ISO5436 - 2000", "ISO5436 – 2000"), "Revision should be 'ISO5436 - 2000'.*its Revision is 'ISO5436 – 2000'"),
+    "kind": (("<FeatureType>SUR", "<FeatureType>PCL"), "FeatureType should be 'SUR'.*its FeatureType is 'PCL'"),
+    "inline": (("<DataLink>.*</DataLink>", "<DataList><Datum>1</Datum></DataList>"), "its heights are in the index itself"),
+    "cloud": (("<MatrixDimension>.*</MatrixDimension>", "<ListDimension>9</ListDimension>"), "it is a cloud of points"),
+    "axis": (("<AxisType>I", "<AxisType>A"), "CX AxisType is not 'I'"),
+    "folder": (("", ""), "its index is scan/main.xml, in a folder, .*: pack the contents of the folder"),
+}
+
+
+@pytest.mark.parametrize("case", BY_INDEX)
+def test_an_x3p_that_is_not_read_says_why(tmp_path: Path, synthetic: Any, case: str) -> None:
+    (pattern, new), words = BY_INDEX[case]
+    synthetic.to_x3p(str(tmp_path / "right.x3p"))
+    with zipfile.ZipFile(tmp_path / "right.x3p") as right, zipfile.ZipFile(tmp_path / "map.x3p", "w") as wrong:
+        for name in right.namelist():
+            content = right.read(name)
+            if name == "main.xml" and pattern:
+                content = re.sub(pattern, new, content.decode(), flags=re.DOTALL).encode()
+            wrong.writestr(f"scan/{name}" if case == "folder" else name, content)
+    with pytest.raises(ValueError, match=f"map.x3p: an X3P that SurfaceTopography does not read: .*{words}") as raised:
+        surface.read(tmp_path / "map.x3p")
+    assert "export it as X3P" not in str(raised.value)

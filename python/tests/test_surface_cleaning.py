@@ -363,3 +363,28 @@ def test_a_missing_point_is_the_mean_of_the_neighbours_that_it_has(place: tuple[
     bad = np.zeros(level.shape, dtype=bool)
     bad[place] = True
     assert _membrane(level, bad) == pytest.approx([mean], rel=1e-12)
+
+
+@pytest.mark.parametrize("number, centre", [(-9999.0, 0.0), (0.0, 300.0), (0.0, -1000.0), (1e30, 0.0)])
+def test_many_heights_of_one_number_far_from_the_rest_are_missing(number: float, centre: float) -> None:
+    """Holes of ten points a side, and 3 % of the points."""
+    from scipy.ndimage import gaussian_filter
+
+    random = np.random.default_rng(3)
+    right = gaussian_filter(random.normal(size=(128, 128)), 3, mode="wrap")
+    right = centre + 50 * right / right.std()
+    hole = np.zeros(right.shape, dtype=bool)
+    hole[20:30, 40:50] = True
+    for lost in (hole, random.random(right.shape) < 0.03):
+        found = surface.clean(np.where(lost, number, right), 10.0)
+        assert found.missing == lost.sum() and found.spikes == 0
+        assert found.map.height_map.std() == pytest.approx(50, rel=0.02)
+    with pytest.raises(ValueError, match="100 of 16384 heights are masked, not finite or stand for missing points"):
+        surface.summits(np.where(hole, number, right), 10.0)
+
+
+def test_heights_of_one_number_that_are_not_far_are_heights() -> None:
+    """A map in steps, one that an instrument cut off at the top, and two levels."""
+    heights = 50 * np.random.default_rng(3).normal(size=(64, 64))
+    for kept in (np.round(heights / 40), np.minimum(heights, 60.0), np.where(heights > 0, 0.0, 1.0)):
+        assert surface.clean(kept, 10.0, spikes=False).missing == 0

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from .._surface_text import text_of_values, without_line
 from ..errors import Error
@@ -22,6 +23,7 @@ from . import map_warnings
 from .cleaning import Cleaned, clean, holes
 from .cutoffs import Cutoffs, table
 from .filter import filter, noise_slope
+from .gaussian import from_gaussian
 from .input import MOST_DEGREE, checked, degree
 from .instrument_files import HeightMap, implausible
 from .rows import offsets
@@ -53,6 +55,8 @@ _NARROW, _WAVES = 3.0, 8.0
 _BROAD = 6.0
 # Summits whose families of heights give friction that differs by more than this factor are not described by any of them.
 _FAMILY = 1.5
+# So many standard errors of skew or kurtosis are no chance.
+_SIGNIFICANT = 3.0
 # More than this either way, at 95 %, is no number.
 _LOST = 3.0
 # What `check` says of the interface, which the band has; and what the map's own findings say better.
@@ -238,7 +242,7 @@ def analyse(
     ]
     spread = _spread(case, left, found, families)
     if not any(one.kind == "dust" for one in case.findings):
-        _judged_heights(case, left, families)
+        _judged_heights(case, left, families, filter(map_, found.cutoff[found.at]).height_map)
     _judged_contact(case, number, found, chosen=cutoff is not None, extended=nominal_area is not None)
     _judged_friction(case, float(number), math.hypot(*spread.values()))
     return case.answered(number, spread, **known)
@@ -265,6 +269,12 @@ class _Case:
     def found(self, kind: str, says: str, remedy: str, fatal: bool = False) -> None:
         """Adds a finding."""
         self.findings.append(Finding(kind, says, remedy, fatal))
+
+    def measure(self, other: str, how: str = "once") -> str:
+        """The remedy of a measurement; another one where friction was measured."""
+        if {"measured", "calibration_load"} & self.joint.keys():
+            return other
+        return f"measure friction {how}, and give measured=(load, coefficient); or {other}"
 
     def at(self, load: float, rough: dict[str, Any], keywords: Iterable[str] = ()) -> Estimate:
         """The estimate of a roughness at a load; an unknown key is a wrong argument if it is one of the keywords."""
@@ -361,7 +371,7 @@ def _cleaned(
         case.steps.append(f"dust: {found.particles} particles replaced")
     elif spikes and (count := particles(level)[1]) > 0:
         says = f"places higher than 8 times what is usual in the map, {count} of them, carry the load"
-        case.found("dust", says, "if they are dust, give dust=True; if not, measure friction once")
+        case.found("dust", says, f"if they are dust, give dust=True; if not, {case.measure('measure a larger map')}")
     if found.steps is not None:
         case.steps.append(f"steps: heights are in steps of {found.steps.step:.2g} m, {found.steps.equal:.0%} of neighbours have one height")
         if found.steps.equal > _EQUAL:
@@ -385,7 +395,7 @@ def _judged(case: _Case, left: Summits, found: Cutoffs, waves: float, cleaned: C
             case.found("noise", says, f"give cutoff={longer:.2g}, or average several scans")
     if left.isotropy < map_warnings.ISOTROPIC:
         says = f"isotropy {left.isotropy:.2f}: the surface has grooves, and the model one radius for a summit"
-        case.found("direction", says, "compare with counted=True, and measure friction once in the direction of sliding")
+        case.found("direction", says, case.measure("compare with counted=True", "once in the direction of sliding"))
     if waves < _WAVES:
         case.found("waves", f"only {waves:.2g} mean waves a side: one place is not like another", "measure a larger map")
     if left.moments.bandwidth > _BANDWIDTH:
@@ -394,14 +404,14 @@ def _judged(case: _Case, left: Summits, found: Cutoffs, waves: float, cleaned: C
         case.found("bandwidth", says, f"give longest={about:.2g} if waves longer than the contact do not matter, or detrend=2")
 
 
-def _judged_heights(case: _Case, left: Summits, families: dict[str, float]) -> None:
-    """Whether the heights of the summits are of a family."""
+def _judged_heights(case: _Case, left: Summits, families: dict[str, float], level: npt.NDArray[np.float64]) -> None:
+    """Whether the heights of the summits are of a family, beyond what chance makes of those of a Gaussian surface."""
     known = [mu for mu in families.values() if math.isfinite(mu)]
-    if len(known) > 1 and max(known) < _FAMILY * min(known):
+    if len(known) > 1 and max(known) < _FAMILY * min(known) or from_gaussian(level) < _SIGNIFICANT:
         return
     among = f"mu is {', '.join(f'{mu:.2g} ({name})' for name, mu in families.items())}"
     says = f"summits are not Gaussian, skew {left.skew.value:.2g}, kurtosis {left.kurtosis.value:.3g}, and {among}"
-    case.found("heights", says, "measure friction once, and give measured=(load, coefficient); or look for dust and scratches")
+    case.found("heights", says, case.measure("look for dust and scratches"))
 
 
 def _judged_contact(case: _Case, number: Estimate, found: Cutoffs, *, chosen: bool, extended: bool) -> None:
@@ -420,9 +430,9 @@ def _judged_friction(case: _Case, mu: float, deviation: float) -> None:
     """Whether the map tells friction at all, with its standard deviation of ln(mu)."""
     reach = math.exp(1.96 * deviation)
     if not reach < _LOST:
-        remedy = "measure a better map" if "measured" in case.joint else "measure friction once, and give measured=(load, coefficient)"
         # What can be mended comes first.
-        case.found("friction", f"the map alone leaves mu within {mu / reach:.2g} to {mu * reach:.2g}", remedy, not case.findings)
+        says = f"the map alone leaves mu within {mu / reach:.2g} to {mu * reach:.2g}"
+        case.found("friction", says, case.measure("measure a better map"), not case.findings)
 
 
 def _spread(case: _Case, left: Summits, found: Cutoffs, families: dict[str, float]) -> dict[str, float]:

@@ -14,6 +14,10 @@ from .instrument_files import HeightMap, of_topography
 Array = npt.NDArray[np.float64]
 
 MOST_DEGREE = 8
+# So many heights of one number, this part of the range of 98 % of the others away from them, and so many of their steps.
+_MANY, _GAP, _STEPS = 30, 0.2, 3.0
+# Heights that tell this range and these steps.
+_SOME = 20_000
 
 
 def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
@@ -34,10 +38,11 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
         if given is None and measured != checks.has_unit(step):
             raise TypeError(f"{name} = {step!r}: must have a unit if the heights have one, and none if they have none")
     unit = "m" if measured else "length"
-    array, unknown = checks.known("height_map", height_map, unit)
+    array, _ = checks.known("height_map", height_map, unit)
     if array.ndim != 2 or min(array.shape) < 3:
         raise Error(f"height_map: has shape {array.shape}: must be 2-D, with at least 3 rows and 3 columns")
     unknown = ~np.isfinite(array)
+    unknown |= _stand_ins(array, unknown)
     if unknown.any():
         if not missing:
             _refuse(array, unknown)
@@ -50,10 +55,30 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
     return HeightMap(array, *steps, recorded, unit=unit)
 
 
+def _stand_ins(array: Array, unknown: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    """Where a number stands for points that the instrument did not see, as -9999 or 0: many heights are this very number, it is the
+    least or the greatest, and it is far from all others."""
+    found = np.zeros_like(unknown)
+    for end in (np.min, np.max, np.min):
+        left = ~unknown & ~found
+        if not left.any():
+            break
+        same = left & (array == end(array[left]))
+        rest = array[left & ~same]
+        if not _MANY <= np.count_nonzero(same) < rest.size:
+            continue
+        some = np.sort(rest[:: max(rest.size // _SOME, 1)])
+        some = some[some.size // 100 : some.size - some.size // 100]
+        gap = float(np.abs(rest - array[same][0]).min())
+        if gap > max(_GAP * np.ptp(some), _STEPS * np.diff(some).max()):
+            found |= same
+    return found
+
+
 def _refuse(array: Array, unknown: npt.NDArray[np.bool_]) -> None:
     row, column = (int(index) for index in np.unravel_index(int(np.argmax(unknown)), unknown.shape))
     raise Error(
-        f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked or not finite, the first is "
+        f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked, not finite or stand for missing points, the first is "
         f"{array[row, column]} at [{row}, {column}]: all must be known; surface.clean fills them, or crop the map"
     )
 

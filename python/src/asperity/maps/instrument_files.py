@@ -6,6 +6,8 @@ import gzip
 import os
 import re
 import warnings
+import zipfile
+import zlib
 from dataclasses import dataclass, field
 from typing import Any, Iterator
 
@@ -55,7 +57,7 @@ def read(
     path: str | os.PathLike[str],
     *,
     channel: int | str | None = None,
-    unit: str | None = None,
+    unit: str | tuple[str, str] | None = None,
     physical_sizes: Any = None,
 ) -> HeightMap:
     """Reads a height map of an AFM, profilometer or interferometer, in any format that SurfaceTopography knows.
@@ -67,7 +69,8 @@ def read(
     Args:
         path: of the file; its format is found from its content.
         channel: number or name of the channel; without, the only one that is a map of heights.
-        unit: of lengths, where the file names none: "m", "mm", "µm", "nm", ...; heights and sizes alike.
+        unit: of lengths, where the file names none: "m", "mm", "µm", "nm", ...; of heights and sizes alike, or two, as ("mm", "µm"):
+            of x and y, and of the heights.
         physical_sizes: two numbers, of the map along x and y, in that unit, where the file has none; in metres, where those of the file are
             such as no map has.
 
@@ -84,7 +87,7 @@ def read(
     if not first:
         raise Error(f"{name}: is empty: copy it again")
     if physical_sizes is not None:
-        physical_sizes = tuple(checks.array("physical_sizes", physical_sizes, unit or "length").tolist())
+        physical_sizes = tuple(checks.array("physical_sizes", physical_sizes, _lateral(unit) or "length").tolist())
     given = channel, unit, physical_sizes
     if first != b"\x1f\x8b":
         return _read(library, name, name, *given)
@@ -119,10 +122,53 @@ def _read(library: Any, name: str, file: str, channel: Any, unit: str | None, si
                 return _opened(library, name, one, table, channel, unit, sizes)
             except library.Exceptions.CannotDetectFileFormat:
                 pass
+    if why := _why_no_x3p(library, file):
+        raise Error(f"{name}: an X3P that SurfaceTopography does not read: {why}; save it anew by another program, or as SDF")
     raise Error(
         f"{name}: no format that SurfaceTopography knows: export it as X3P, SDF or Gwyddion's format, unpack it if it is an archive, or "
         "give surface.summits the array with the distances dx and dy in its unit"
     )
+
+
+def _lateral(unit: Any) -> Any:
+    """The unit of x and y."""
+    return unit if unit is None or isinstance(unit, str) else unit[0]
+
+
+def _of_heights(unit: Any) -> Any:
+    return unit if unit is None or isinstance(unit, str) else unit[1]
+
+
+def _why_no_x3p(library: Any, file: str) -> str | None:
+    """Why an archive with the index of an X3P is not read, in the words of the reader; None for other files."""
+    if not zipfile.is_zipfile(file):
+        return None
+    with zipfile.ZipFile(file) as archive:
+        inside = next((one for one in archive.namelist() if one.rsplit("/", 1)[-1] == "main.xml"), None)
+        if inside is None:
+            return None
+        if "/" in inside:
+            return f"its index is {inside}, in a folder, and must be at the top of the archive: pack the contents of the folder"
+        try:
+            index = archive.read(inside).decode("utf-8", "replace")
+        except (OSError, zipfile.BadZipFile, zlib.error) as error:
+            return f"{inside}: {error}"
+    try:
+        library.IO.X3P.X3PReader(file)
+    except Exception as error:  # whatever it says
+        known = isinstance(error, library.Exceptions.ReadFileError)
+        told = [str(error) if known else f"{type(error).__name__}: {error}"]
+        told += [f"its {tag} is '{found[1].strip()}'" for tag in ("Revision", "FeatureType") if tag in told[0] and (found := re.search(f"<{tag}[^>]*>([^<]*)<", index))]
+        told += [says for tag, says in _NO_MAP.items() if re.search(rf"<(?:\w+:)?{tag}\b", index)]
+        return "; ".join(told)
+    return None
+
+
+# What an index may have in place of a link to the heights on a grid.
+_NO_MAP = {
+    "DataList": "its heights are in the index itself (DataList)",
+    "ListDimension": "it is a cloud of points (ListDimension), no heights on a grid",
+}
 
 
 def _opened(library: Any, name: str, file: str, table: Any, channel: Any, unit: str | None, sizes: Any) -> HeightMap:
@@ -132,8 +178,8 @@ def _opened(library: Any, name: str, file: str, table: Any, channel: Any, unit: 
             with library.open_topography(file) as reader:
                 found = list(reader.channels)
                 sized = any(one.dim == 2 and one.physical_sizes is not None for one in found)
-                if table is not None and table.points is not None and not sized and reader.format() != "xyz":
-                    return _of_points(name, table.points, unit)
+                if table is not None and table.points is not None and (table.units or not isinstance(unit, str) and unit or not sized and reader.format() != "xyz"):
+                    return _of_points(name, table.points, table.units or unit)
                 chosen = _channel(name, found, channel)
                 return _in_metres(name, chosen, found, unit, sizes)
     except (library.Exceptions.CannotDetectFileFormat, MemoryError):
@@ -186,7 +232,12 @@ def _kind(channel: Any) -> str:
     return str(channel.data_kind.value)
 
 
-def _in_metres(name: str, channel: Any, channels: list[Any], unit: str | None, sizes: tuple[float, float] | None) -> HeightMap:
+def _in_metres(name: str, channel: Any, channels: list[Any], units: Any, sizes: tuple[float, float] | None) -> HeightMap:
+    from SurfaceTopography.Support.UnitConversion import get_unit_conversion_factor
+
+    unit = _of_heights(units)
+    if sizes is not None and unit != _lateral(units):
+        sizes = tuple(get_unit_conversion_factor(_lateral(units), unit) * one for one in sizes)  # type: ignore[assignment]
     if _kind(channel) != "height":
         raise _Said(f"{name}: channel '{channel.name}' holds {_kind(channel)}: must hold heights")
     if channel.unit is None and unit is None:
@@ -207,6 +258,8 @@ def _in_metres(name: str, channel: Any, channels: list[Any], unit: str | None, s
     else:
         given = {"unit": unit, "physical_sizes": sizes}
         heights, dx, dy = of_topography(channel.topography(**{key: value for key, value in given.items() if value is not None}))
+    if sizes is None and unit != _lateral(units):  # the file has sizes without a unit
+        dx, dy = (get_unit_conversion_factor(_lateral(units), unit) * one for one in (dx, dy))
     result = HeightMap(heights, dx, dy, None, str(channel.name), tuple(str(one.name) for one in channels))
     if (wrong := implausible(result)) is not None:
         raise _Said(f"{name}: {wrong}")
@@ -244,13 +297,14 @@ def _profile(channel: Any, unit: str | None) -> str:
     return f"; of a profile give Params.from_profile(Rq={z.std():.4g}, Rdq={slope:.4g}, ...), in metres, which are those of this one"
 
 
-def _of_points(name: str, points: Array, unit: str | None) -> HeightMap:
+def _of_points(name: str, points: Array, unit: Any) -> HeightMap:
     """The map of points x, y, z, on a grid of which some may be missing."""
     from SurfaceTopography.Support.UnitConversion import get_unit_conversion_factor
 
     if unit is None:
         raise _Said(f"{name}: three columns are x, y and z of points, and the file names no unit of length: give unit='nm' or the like")
-    x, y, z = get_unit_conversion_factor(unit, "m") * points.T
+    units = unit if len(unit) == 3 and not isinstance(unit, str) else (_lateral(unit), _lateral(unit), _of_heights(unit))
+    x, y, z = (get_unit_conversion_factor(one, "m") * column for one, column in zip(units, points.T))
     places = []
     for along in (x, y):
         values = np.unique(along)

@@ -19,6 +19,12 @@ _FIELD = re.compile(rf"(?:{_NUMBER}|[-+]?(?:{_MISSING}))", re.IGNORECASE)
 _ODD = re.compile(r"(?<![^\s;])(?:-{2,}|\*+|n/?a|null|none|missing|#n/a|masked)(?![^\s;])", re.IGNORECASE)
 _COMMA = re.compile(r"(?<![^\s;])[-+]?\d+,\d+(?:[eE][-+]?\d+)?(?![^\s;])")
 _HEAD, _LINES = 4096, 100
+# What a header says of the number that stands for a missing point, and a number of it with a decimal comma, before a unit.
+_NO_DATA = re.compile(rf"^\W*(?:no[ _-]?data|missing|bad|void|undefined)(?:[ _-]?values?)?\s*[:=,;]?\s*({_NUMBER})\s*$", re.IGNORECASE)
+_COMMA_IN_HEADER = re.compile(r"^(.*[:=\s]\d+),(\d+\s*[^\W\d]+\s*)$")
+_UNITS = re.compile(r"[\[(]\s*([^\W\d]+)\s*[\])]")
+# Rows and columns of so many numbers may be axes.
+_AXIS = 5
 
 
 class Table(NamedTuple):
@@ -28,11 +34,13 @@ class Table(NamedTuple):
         lines: of the text, as SurfaceTopography reads them.
         odd: whether it reads the file itself wrongly.
         points: x, y and z of points, if the table has three columns.
+        units: of these three, where the header names them.
     """
 
     lines: list[str]
     odd: bool
     points: Array | None
+    units: tuple[str, ...] = ()
 
     def write(self, path: str) -> None:
         output.write(path, "\n".join(self.lines) + "\n")
@@ -59,21 +67,55 @@ def table(path: str) -> Table | None:
     some = [found for found in map(fields, lines[:_LINES]) if found]
     columns = max(map(len, some), default=0)
     separated = columns > 3 and any(re.search(r"[;,]", line) for line in lines[:_LINES] if fields(line))
-    odd = comma or strange or any(_ODD.search(line) for line in lines if not line.startswith("#"))
-    if columns == 0 or not (odd or separated or columns == 3):
-        return None
     rows = [fields(line) for line in lines]
+    words = [line for line, row in zip(lines[:_LINES], rows) if not row]
+    missing = {float(found[1].replace(",", ".")) for line in words if (found := _NO_DATA.match(line))}
+    lines = [line if row else _COMMA_IN_HEADER.sub(r"\1.\2", line) for line, row in zip(lines, rows)]
+    odd = comma or strange or bool(missing) or any(_ODD.search(line) for line in lines if not line.startswith("#"))
+    odd |= words != [line for line, row in zip(lines[:_LINES], rows) if not row]
     if comma:
         rows = [[one.replace(",", ".") for one in row] for row in rows]
-    rows = [["nan" if _ODD.fullmatch(one) else one for one in row] for row in rows]
+    odd |= _drop_axes(rows)
+    if columns == 0 or not (odd or separated or columns == 3):
+        return None
+    rows = [["nan" if _ODD.fullmatch(one) or missing and _number(one) in missing else one for one in row] for row in rows]
     known = [row for row in rows if row]
     if 2 * len(known) < len(lines):
         return None
+    units = next((tuple(found) for line in words if len(found := _UNITS.findall(line)) == 3), ())
     points = None
     if len(known) >= 10 and {len(row) for row in known} == {3}:
         points = np.array([[float("nan" if one.lower() == "bad" else one) for one in row] for row in known])
         points = points[np.isfinite(points[:, :2]).all(axis=1)]
-    return Table([" ".join(row) if row else line for row, line in zip(rows, lines)], odd, points)
+    return Table([" ".join(row) if row else line for row, line in zip(rows, lines)], odd, points, units)
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return float("nan")
+
+
+def _drop_axes(rows: list[list[str]]) -> bool:
+    """Empties a first row, and takes away a first column, that counts or has places: evenly spaced, as no heights are."""
+    known = [row for row in rows if row]
+    if len(known) < _AXIS or len(known[1]) < _AXIS or len({len(row) for row in known[1:]}) > 1:
+        return False
+    first, columns = known[0], len(known[1])
+    named = len(first) >= columns - 1 and _is_axis(first[-columns + 1 :]) and not _is_axis(known[1][1:])
+    body = known[1:] if named or len(first) != columns else known
+    counted = _is_axis([row[0] for row in body]) and not _is_axis([row[1] for row in body])
+    if named:
+        first.clear()
+    for row in body if counted else ():
+        del row[0]
+    return named or counted
+
+
+def _is_axis(texts: list[str]) -> bool:
+    apart = np.diff([_number(one) for one in texts])
+    return bool(apart[0] != 0 and (np.abs(apart - apart[0]) <= 1e-3 * abs(apart[0])).all())
 
 
 def _is_wide(path: str) -> bool:
