@@ -179,8 +179,6 @@ def test_states_of_an_array_are_those_of_its_loads(model: Model) -> None:
 def test_states_are_refused_with_their_index(model: Model) -> None:
     with pytest.raises(Error, match=r"element \(1, 0\): load = inf"):
         model.state_at_load([[1.0, 2.0], [math.inf, 3.0]])
-    with pytest.raises(TypeError, match="load: must be real numbers"):
-        model.state_at_load("10")  # type: ignore[call-overload]
     with pytest.raises(AttributeError, match="'area': states have load, gap"):
         model.state_at_load([1.0]).area
     assert len(model.state_at_load([])) == 0

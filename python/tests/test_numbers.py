@@ -34,10 +34,10 @@ OTHERS |= {"1/m": ("1/mm", 1e-3), "1/m^2": ("1/mm^2", 1e-6), "rad": ("deg", 180 
 # The units of arguments; those of keys and fields are told by `units.of`.
 UNITS: dict[str, str] = {
     **dict.fromkeys(("load", "loads", "lightest", "heaviest", "force", "friction_force"), "N"),
-    **dict.fromkeys(("gap", "displacement", "amplitude", "increment", "overlap", "height", "length", "cutoff", "longest", "dx", "dy"), "m"),
+    **dict.fromkeys(("gap", "displacement", "amplitude", "increment", "sphere_radius", "length", "cutoff", "longest", "dx", "dy"), "m"),
     "height_map": "m", "angle": "rad", "time": "s",
 }  # fmt: skip
-WHOLE = {"samples", "seed", "count", "starts", "points", "detrend", "resamples", "block", "workers"}
+WHOLE = {"samples", "specimens", "seed", "count", "starts", "points", "detrend", "resamples", "block", "workers"}
 # Arguments that are no numbers; that this is so is a test below.
 NO_NUMBERS = {
     "pair", "free", "params", "loss", "quantity", "progress", "executor", "sampling", "checkpoint", "warnings", "rows", "spikes", "dust", "counted",
@@ -222,7 +222,7 @@ def answer(name: str, argument: str, value: Any) -> Any:
     if name == "Params.si" and argument in ("composite_modulus", "effective_shear_modulus", "asperity_count"):
         given |= {"E1": 1e11}
     if name.startswith("surface.") and argument in ("height_map", "dx", "dy") + ("cutoff", "longest") * (name != "surface.analyse"):
-        if has_unit(value):  # heights and distances have units, or none of them has
+        if has_unit(value) or isinstance(value, (list, tuple)) and has_unit(value[0]):  # heights and distances have units, or none of them has
             right = RIGHT[name][1]()
             given |= {"height_map": right["height_map"] * astropy.units.m, "dx": 20 * astropy.units.nm, "dy": None}
     with warnings.catch_warnings():
@@ -279,7 +279,7 @@ def test_every_argument_of_numbers_is_tried_and_no_other_takes_any() -> None:
     assert {one for one in left if one[1] not in NO_NUMBERS} == set()
     assert others | {"first", "second"} == NO_NUMBERS
     numbers = {one for one, annotation in left.items() if re.search(r"float|ArrayLike|Numbers|\bint\b", annotation)}
-    assert numbers == {("Model.microslip", "shape"), ("surface.read", "channel")}
+    assert numbers == {("Model.microslip", "shape"), ("Model.each_specimen_at_loads", "first"), ("surface.read", "channel")}
     assert LEAVE_OUT | OWN_SYSTEM <= tried
 
 
@@ -288,8 +288,8 @@ def test_numbers_of_every_kind_are_understood_or_refused(name: str, argument: st
     unit = unit_of(name, argument, value)
     right, refused = answer(name, argument, value)
     for kind, make in SAME.items():
-        if argument in WHOLE and kind != "array":
-            continue
+        if argument in WHOLE and kind != "array" or argument == "measured" and kind in ("list of pint", "tuple of astropy"):
+            continue  # a point has numbers of several units
         given = at(value, lambda values: make(values, unit))
         found, is_refused = answer(name, argument, given)
         if (name, argument) in OWN_SYSTEM and has_unit(given):

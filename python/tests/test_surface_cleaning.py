@@ -379,7 +379,7 @@ def test_many_heights_of_one_number_far_from_the_rest_are_missing(number: float,
         found = surface.clean(np.where(lost, number, right), 10.0)
         assert found.missing == lost.sum() and found.spikes == 0
         assert found.map.height_map.std() == pytest.approx(50, rel=0.02)
-    with pytest.raises(ValueError, match="100 of 16384 heights are masked, not finite or stand for missing points"):
+    with pytest.raises(ValueError, match="100 of 16384 heights are masked or not finite, the first is "):
         surface.summits(np.where(hole, number, right), 10.0)
 
 

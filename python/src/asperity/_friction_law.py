@@ -362,7 +362,7 @@ class FrictionLaw:
         specimens, seed, first = (
             checks.whole("specimens", specimens, 1, 10**7), checks.whole("seed", seed, 0, most), checks.whole("first", first, 0, most)
         )  # fmt: skip
-        radius, found = checks.real("sphere_radius", sphere_radius), np.empty((6, specimens, loads.size))
+        radius, found = checks.real("sphere_radius", sphere_radius, self._unit("length")), np.empty((6, specimens, loads.size))
         pointer, outputs = self._open().pointer, [_data(one) for one in found]
         check(LIBRARY.asperity_each_specimen_at_loads(pointer, radius, first, specimens, seed, loads.size, _data(loads), *outputs))
         return found

@@ -70,7 +70,7 @@ def _stand_ins(array: Array, unknown: npt.NDArray[np.bool_]) -> npt.NDArray[np.b
         some = np.sort(rest[:: max(rest.size // _SOME, 1)])
         some = some[some.size // 100 : some.size - some.size // 100]
         gap = float(np.abs(rest - array[same][0]).min())
-        if gap > max(_GAP * np.ptp(some), _STEPS * np.diff(some).max()):
+        if np.ptp(some) > 0 and gap > max(_GAP * np.ptp(some), _STEPS * np.diff(some).max()):
             found |= same
     return found
 
@@ -78,7 +78,7 @@ def _stand_ins(array: Array, unknown: npt.NDArray[np.bool_]) -> npt.NDArray[np.b
 def _refuse(array: Array, unknown: npt.NDArray[np.bool_]) -> None:
     row, column = (int(index) for index in np.unravel_index(int(np.argmax(unknown)), unknown.shape))
     raise Error(
-        f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked, not finite or stand for missing points, the first is "
+        f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked or not finite, the first is "
         f"{array[row, column]} at [{row}, {column}]: all must be known; surface.clean fills them, or crop the map"
     )
 

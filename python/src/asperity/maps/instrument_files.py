@@ -106,7 +106,7 @@ def read(
         return _read(library, name, inside, *given)
 
 
-def _read(library: Any, name: str, file: str, channel: Any, unit: str | None, sizes: Any) -> HeightMap:
+def _read(library: Any, name: str, file: str, channel: Any, unit: Any, sizes: Any) -> HeightMap:
     """Of a file that is called `name`."""
     table = text_maps.table(file)
     import tempfile
@@ -171,7 +171,7 @@ _NO_MAP = {
 }
 
 
-def _opened(library: Any, name: str, file: str, table: Any, channel: Any, unit: str | None, sizes: Any) -> HeightMap:
+def _opened(library: Any, name: str, file: str, table: Any, channel: Any, unit: Any, sizes: Any) -> HeightMap:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -237,7 +237,7 @@ def _in_metres(name: str, channel: Any, channels: list[Any], units: Any, sizes: 
 
     unit = _of_heights(units)
     if sizes is not None and unit != _lateral(units):
-        sizes = tuple(get_unit_conversion_factor(_lateral(units), unit) * one for one in sizes)  # type: ignore[assignment]
+        sizes = tuple(get_unit_conversion_factor(_lateral(units), unit) * one for one in sizes)
     if _kind(channel) != "height":
         raise _Said(f"{name}: channel '{channel.name}' holds {_kind(channel)}: must hold heights")
     if channel.unit is None and unit is None:

@@ -82,7 +82,7 @@ def table(path: str) -> Table | None:
     known = [row for row in rows if row]
     if 2 * len(known) < len(lines):
         return None
-    units = next((tuple(found) for line in words if len(found := _UNITS.findall(line)) == 3), ())
+    units: tuple[str, ...] = next((tuple(three) for line in words if len(three := _UNITS.findall(line)) == 3), ())
     points = None
     if len(known) >= 10 and {len(row) for row in known} == {3}:
         points = np.array([[float("nan" if one.lower() == "bad" else one) for one in row] for row in known])
@@ -115,7 +115,7 @@ def _drop_axes(rows: list[list[str]]) -> bool:
 
 def _is_axis(texts: list[str]) -> bool:
     apart = np.diff([_number(one) for one in texts])
-    return bool(apart[0] != 0 and (np.abs(apart - apart[0]) <= 1e-3 * abs(apart[0])).all())
+    return bool(apart[0] != 0 and (np.abs(apart - apart[0]) <= 1e-2 * abs(apart[0])).all())
 
 
 def _is_wide(path: str) -> bool:

@@ -25,6 +25,7 @@ from ..params import Params
 from ..tools import checks
 from ..tools.progress import Progress, teller
 from ..tools.style import saved, style
+from ..units import unit
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -186,8 +187,8 @@ def pads(
         TypeError: no `Params`, or no whole numbers.
     """
     checks.instance("params", params, Params)
-    sphere_radius = checks.real("sphere_radius", sphere_radius)
-    load = checks.one_or_more("loads", loads)
+    sphere_radius = checks.real("sphere_radius", sphere_radius, unit("length", params.in_si))
+    load = checks.one_or_more("loads", loads, unit("force", params.in_si))
     count, seed = checks.whole("count", count, 2), checks.whole("seed", seed, 0, 2**64 - 1)
     with Model(params) as model:
         model_force = np.full(load.shape, math.nan) if sphere_radius else model.friction_force_at_load(load)

@@ -33,7 +33,7 @@ def instance(name: str, value: Any, kind: Any) -> Any:
 
 def real(name: str, value: Any, unit: str = "") -> float:
     """A number."""
-    if isinstance(value, numbers.Real) and type(value) is not bool:
+    if type(value) is not bool and isinstance(value, numbers.Real):
         try:
             return float(value)
         except OverflowError:
@@ -171,8 +171,8 @@ def _column(name: str, found: Array, *allowed: str) -> Array:
 
 
 def is_number(given: Any, found: Array) -> bool:
-    """Whether what was given is one number without labels, which is answered with one."""
-    return found.ndim == 0 and not hasattr(given, "dims")
+    """Whether what was given is one number, which is answered with one, and no array without dimensions."""
+    return found.ndim == 0 and type(given) is not np.ndarray and not hasattr(given, "dims")
 
 
 def shaped(given: Any, values: Array, name: str) -> Any:
