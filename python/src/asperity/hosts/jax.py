@@ -37,9 +37,9 @@ def friction_force(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
     Raises:
         Error: another type; float64 without `jax_enable_x64`.
     """
-    table = _table(model, dtype)
+    table, of = _table(model, dtype), unit("force", model.params.in_si)
     law = _Law(table).derivative(0)
-    return lambda load: law(_numbers("load", load, unit("force", model.params.in_si), table.dtype))
+    return lambda load: law(_numbers("load", load, of, table.dtype))
 
 
 def load_at_gap(model: Model) -> Law:
@@ -51,8 +51,8 @@ def load_at_gap(model: Model) -> Law:
         Error: without `jax_enable_x64`.
     """
     _check_doubles()
-    law = _Law(model.load_table()).derivative(0)
-    return lambda gap: law(-_numbers("gap", gap, unit("length", model.params.in_si), np.float64))
+    law, of = _Law(model.load_table()).derivative(0), unit("length", model.params.in_si)
+    return lambda gap: law(-_numbers("gap", gap, of, np.float64))
 
 
 def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
@@ -60,7 +60,7 @@ def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
 
     Its slope is 0 where it is capped, at and below zero load, and below pull-off, where it is 0 itself.
     """
-    table = _table(model, dtype)
+    table, of = _table(model, dtype), unit("force", model.params.in_si)
     force = _Law(table)
 
     def state(load: Any) -> tuple[Any, Any, Any, Any]:
@@ -83,7 +83,7 @@ def friction(model: Model, dtype: npt.DTypeLike = np.float64) -> Law:
         slope = jnp.where(capped | apart, 0, (force.derivative(1)(load) - mu) / divisor)
         return mu, slope * change
 
-    return lambda load: law(_numbers("load", load, unit("force", model.params.in_si), table.dtype))
+    return lambda load: law(_numbers("load", load, of, table.dtype))
 
 
 def _numbers(name: str, given: Any, of: str, dtype: Any) -> Any:
