@@ -51,7 +51,7 @@ private:
         const std::string text = bodies + "nominal_area = 1e-8\n[roughness]\n" + roughness;
         asperity_params params;
         require(asperity_params_init(&params, sizeof params));
-        require(asperity_params_set_estimate(&params, text.data(), text.size()));
+        require(asperity_params_set_text(&params, text.data(), text.size()));
         return params;
     }
 

@@ -36,16 +36,15 @@ module asperity
   ! An iteration did not converge: please report the parameters
   integer(c_int32_t), parameter, public :: ASPERITY_NOT_CONVERGED = 6
   integer(c_int32_t), parameter, public :: ASPERITY_INTERNAL = 255  ! A bug in the library: please report it
-  ! A strength_source: the default strength, an order of magnitude
+  ! A strength_source: of other materials, known to a factor of 5 or 10
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_DEFAULT = 0
-  ! A strength_source: a row of the table of interfaces, or the rows of these bodies, measured on other specimens
+  ! A strength_source: rows of the table of interfaces, measured on other specimens of these bodies or of metals like
+  ! them
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_TABLE = 1
-  ! A strength_source: the text gives slip stresses or a pressure coefficient, taken as known
+  ! A strength_source: the text gives slip stresses, taken as known
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
   ! A strength_source: measured on these surfaces
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
-  ! A default strength and a true one are within this factor either way with a probability of 95 %
-  integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_FACTOR = 10
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0  ! Gaussian heights, eq (17): the default
   ! Weibull heights, eqs (18)-(21): their skew follows from weibull_shape
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
@@ -102,15 +101,19 @@ module asperity
 
   ! ---- The C interface: types ----
 
-  ! Friction at one load, with its band
+  ! Friction at one load, with its band, and stiffness with theirs
   type, bind(c), public :: asperity_estimate
-    integer(c_int64_t) :: struct_size = 120         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 248         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load [N]
-    real(c_double) :: friction_coefficient          ! F/P; infinite from the pull-off load to 0, where F/P has no limit;
-                                                    ! 0 below
+    real(c_double) :: friction_coefficient          ! F/P, the median; infinite from the pull-off load to 0, where F/P
+                                                    ! has no limit; 0 below
     real(c_double) :: low                           ! Lower end of the band, which is without the scatter of specimens
     real(c_double) :: high                          ! Upper end
     real(c_double) :: friction_force                ! F [N]
+    real(c_double) :: curve_coefficient             ! F/P of a model of what asperity_params_set_text makes of the text;
+                                                    ! NaN if no strength gives the measured friction
+    real(c_double) :: constant_odds                 ! How probable it is that F/P is within 10 % of the measured mean:
+                                                    ! above 0.8 a constant coefficient does
     real(c_double) :: contacts                      ! Summits in contact, by the mean of the model; NaN if loads are
                                                     ! pressures, as the next two
     real(c_double) :: specimen_force                ! Mean F of single specimens with this strength [N], NaN if not
@@ -119,11 +122,28 @@ module asperity
                                                     ! contacts < 1, or if not known
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
                                                     ! interface: measure friction
-    real(c_double) :: roughness_share               ! Share from the roughness: measure RSm, or Ra
-    real(c_double) :: measurement_share             ! Share from the errors of the measured points and what they leave
-                                                    ! open: measure more
-    real(c_double) :: misfit                        ! How far the measured points are off the law, root mean square in
-                                                    ! their errors; above 2 it cannot follow them
+    real(c_double) :: size_share                    ! Share from how the strength depends on the size of a contact
+    real(c_double) :: pressure_share                ! Share from how the strength grows with pressure
+    real(c_double) :: adhesion_share                ! Share from adhesion: give work_of_adhesion
+    real(c_double) :: hardness_share                ! Share from the hardness, and from whether asperities yield
+    real(c_double) :: slope_share                   ! Share from the slope and the height of the surface: measure RSm,
+                                                    ! or Ra
+    real(c_double) :: measurement_share             ! Share from the errors of the measured points: measure more
+    real(c_double) :: model_share                   ! Share from how real interfaces leave the law between loads:
+                                                    ! measure at this load
+    real(c_double) :: tangential_stiffness          ! K_t [N/m] before any contact slips; 0 for loads <= 0, as all
+                                                    ! stiffness
+    real(c_double) :: tangential_stiffness_low      ! Lower end of its band
+    real(c_double) :: tangential_stiffness_high     ! Upper end
+    real(c_double) :: normal_stiffness              ! -d(load)/d(gap) [N/m]
+    real(c_double) :: normal_stiffness_low          ! Lower end of its band
+    real(c_double) :: normal_stiffness_high         ! Upper end
+    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts [m]: the conductance is 2 k times
+                                                    ! it
+    real(c_double) :: contact_radius_sum_low        ! Lower end of its band
+    real(c_double) :: contact_radius_sum_high       ! Upper end
+    real(c_double) :: error_growth                  ! By how much the errors of the measured points grew, since they
+                                                    ! contradict each other; 1 if they do not
     integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
                                                     ! heaviest load > 0.
     integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
@@ -472,17 +492,6 @@ module asperity
       integer(c_size_t), intent(in), value :: length ! of the text [bytes], without a NUL; at most 1 MiB
       integer(c_int32_t) :: asperity_params_set_text_c
     end function asperity_params_set_text_c
-
-    ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
-    ! table of interfaces: models of them have its friction
-    function asperity_params_set_estimate_c(params, surface, length) bind(c, name='asperity_params_set_estimate')
-      import
-      type(asperity_params), intent(inout) :: params
-      type(c_ptr), intent(in), value :: surface     ! characters, the last c_null_char: as of
-                                                    ! asperity_estimate_at_loads, which returns the same
-      integer(c_size_t), intent(in), value :: length ! as of asperity_estimate_at_loads, which returns the same
-      integer(c_int32_t) :: asperity_params_set_estimate_c
-    end function asperity_params_set_estimate_c
 
     ! Writes parameters as a text of which asperity_params_set_text makes the same in fresh parameters, bit for bit
     function asperity_params_text_c(params, buffer, length) bind(c, name='asperity_params_text')
@@ -866,17 +875,16 @@ module asperity
 
   public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_spectral_moments
   public :: asperity_params_set_pair, asperity_params_set_units, asperity_params_set_values, asperity_params_get_value
-  public :: asperity_params_calibrate, asperity_params_calibrate_force, asperity_params_set_text
-  public :: asperity_params_set_estimate, asperity_params_read, asperity_create, asperity_set_params, asperity_free
-  public :: asperity_name, asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
-  public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
-  public :: asperity_friction_force_and_slope_at_load, asperity_friction_force_at_loads_of
-  public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
-  public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn
-  public :: asperity_load_and_slope_at_gap, asperity_loads_at_gaps, asperity_state_at_load, asperity_state_at_gap
-  public :: asperity_summary_of, asperity_specimens_at_loads, asperity_each_specimen_at_loads, asperity_check_loads
-  public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
-  public :: asperity_table_of
+  public :: asperity_params_calibrate, asperity_params_calibrate_force, asperity_params_set_text, asperity_params_read
+  public :: asperity_create, asperity_set_params, asperity_free, asperity_name, asperity_friction_at_load
+  public :: asperity_friction_force_at_load, asperity_friction_at_loads, asperity_friction_force_at_loads
+  public :: asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
+  public :: asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
+  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_microslip_length
+  public :: asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn, asperity_load_and_slope_at_gap
+  public :: asperity_loads_at_gaps, asperity_state_at_load, asperity_state_at_gap, asperity_summary_of
+  public :: asperity_specimens_at_loads, asperity_each_specimen_at_loads, asperity_check_loads, asperity_warnings_text
+  public :: asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -1848,18 +1856,6 @@ contains
     characters = c_string(text, size(characters))
     call report(asperity_params_set_text_c(params, c_loc(characters), len_trim(text, kind=c_size_t)), stat, errmsg)
   end subroutine asperity_params_set_text
-
-  ! Sets all parameters as asperity_estimate_at_loads takes them for a text, also the strength that it has from the
-  ! table of interfaces: models of them have its friction
-  subroutine asperity_params_set_estimate(params, surface, stat, errmsg)
-    type(asperity_params), intent(inout) :: params
-    character(*), intent(in) :: surface             ! as of asperity_estimate_at_loads, which returns the same
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    character(kind=c_char), target :: characters(len(surface) + 1)
-    characters = c_string(surface, size(characters))
-    call report(asperity_params_set_estimate_c(params, c_loc(characters), len_trim(surface, kind=c_size_t)), stat, errmsg)
-  end subroutine asperity_params_set_estimate
 
   ! Sets parameters from a surface file, as asperity_params_set_text does from its text
   subroutine asperity_params_read(params, path, stat, errmsg)

@@ -80,16 +80,14 @@
 #define ASPERITY_NOT_CONVERGED 6
 /** A bug in the library: please report it. */
 #define ASPERITY_INTERNAL 255
-/** A `strength_source`: the default strength, an order of magnitude. */
+/** A `strength_source`: of other materials, known to a factor of 5 or 10. */
 #define ASPERITY_STRENGTH_DEFAULT 0
-/** A `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens. */
+/** A `strength_source`: rows of the table of interfaces, measured on other specimens of these bodies or of metals like them. */
 #define ASPERITY_STRENGTH_TABLE 1
-/** A `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known. */
+/** A `strength_source`: the text gives slip stresses, taken as known. */
 #define ASPERITY_STRENGTH_GIVEN 2
 /** A `strength_source`: measured on these surfaces. */
 #define ASPERITY_STRENGTH_MEASURED 3
-/** A default strength and a true one are within this factor either way with a probability of 95 %. */
-#define ASPERITY_STRENGTH_FACTOR 10
 /** Gaussian heights, eq (17): the default. */
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 /** Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`. */
@@ -174,28 +172,45 @@ typedef struct asperity_model asperity_model;
 /** What a call returns: 0, or why it failed. A plain integer, never an enum type. */
 typedef int32_t asperity_status;
 
-/** Friction at one load, with its band. SI units. */
+/** Friction at one load, with its band, and stiffness with theirs. SI units. */
 typedef struct asperity_estimate {
   /** Set it to `sizeof(asperity_estimate)` in the first element before the call; the elements are this far apart. */
   uint64_t struct_size;
   /** Normal load [N]. */ double load;
-  /** F/P; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap. */
+  /** F/P, the median; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap. */
   double friction_coefficient;
   /** Lower end of the band, which is without the scatter of specimens. */ double low;
   /** Upper end. */ double high;
   /** F [N]. */ double friction_force;
+  /** F/P of a model of what `asperity_params_set_text` makes of the text; NaN if no strength gives the measured friction. */
+  double curve_coefficient;
+  /** How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does. */
+  double constant_odds;
   /** Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two. */ double contacts;
   /** Mean F of single specimens with this strength [N], NaN if not known; if contacts < 1 of one summit, had once or twice. */
   double specimen_force;
   /** Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known. */
   double specimen_scatter;
-  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. 0 without a band. */
+  /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. All shares are 0 without a band. */
   double strength_share;
-  /** Share from the roughness: measure RSm, or Ra. */ double roughness_share;
-  /** Share from the errors of the measured points and what they leave open: measure more. */
-  double measurement_share;
-  /** How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow them. */
-  double misfit;
+  /** Share from how the strength depends on the size of a contact. */ double size_share;
+  /** Share from how the strength grows with pressure. */ double pressure_share;
+  /** Share from adhesion: give `work_of_adhesion`. */ double adhesion_share;
+  /** Share from the hardness, and from whether asperities yield. */ double hardness_share;
+  /** Share from the slope and the height of the surface: measure RSm, or Ra. */ double slope_share;
+  /** Share from the errors of the measured points: measure more. */ double measurement_share;
+  /** Share from how real interfaces leave the law between loads: measure at this load. */ double model_share;
+  /** K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness. */ double tangential_stiffness;
+  /** Lower end of its band. */ double tangential_stiffness_low;
+  /** Upper end. */ double tangential_stiffness_high;
+  /** -d(load)/d(gap) [N/m]. */ double normal_stiffness;
+  /** Lower end of its band. */ double normal_stiffness_low;
+  /** Upper end. */ double normal_stiffness_high;
+  /** Sum of the radii of all contacts [m]: the conductance is 2 k times it. */ double contact_radius_sum;
+  /** Lower end of its band. */ double contact_radius_sum_low;
+  /** Upper end. */ double contact_radius_sum_high;
+  /** By how much the errors of the measured points grew, since they contradict each other; 1 if they do not. */
+  double error_growth;
   /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
   /** What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`. */ int32_t strength_source;
   /** 1 if the text has no area: loads are pressures [Pa], forces stresses; else 0. */ int32_t is_of_pressures;
@@ -669,12 +684,6 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`;
  *         with a measured friction also what `asperity_params_calibrate_force` returns */
 asperity_status asperity_params_set_text(struct asperity_params *params, const char *text, size_t length);
-
-/** Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
- * interfaces: models of them have its friction.
- *
- * @param surface,length  as of `asperity_estimate_at_loads`, which returns the same */
-asperity_status asperity_params_set_estimate(struct asperity_params *params, const char *surface, size_t length);
 
 /** Writes parameters as a text of which `asperity_params_set_text` makes the same in fresh parameters, bit for bit.
  *

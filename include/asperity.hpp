@@ -431,9 +431,6 @@ public:
     /// The same from the text of a surface file.
     Params &set_text(std::string_view text) { return checked(asperity_params_set_text(&c_, text.data(), text.size())); }
 
-    /// All parameters as an estimate takes them for a text, its contact law and strength too: asperity_params_set_estimate.
-    Params &set_estimate(std::string_view text) { return checked(asperity_params_set_estimate(&c_, text.data(), text.size())); }
-
     /// The text of a surface file, which read and set_text make these parameters from.
     ///
     /// Throws Error (ASPERITY_INVALID_PARAMETER) if a choice is none of the constants.

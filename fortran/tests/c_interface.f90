@@ -159,13 +159,13 @@ contains
     integer :: stat
     call asperity_estimate_at_loads(SURFACE, [10.0_c_double, 1000.0_c_double], found)
     call check_close('the measured point is met', found(2)%friction_coefficient, 0.16_c_double, 1e-6_c_double)
-    call check('another load has its band', found(1)%low > 0.16 .and. found(1)%low < found(1)%friction_coefficient &
-               .and. found(1)%friction_coefficient < found(1)%high .and. found(1)%high < 0.23)
+    call check('another load has its band', found(1)%low > 0.1 .and. found(1)%low < found(1)%friction_coefficient &
+               .and. found(1)%friction_coefficient < found(1)%high .and. found(1)%high < 0.29)
     call check('... and what it rests on', found(1)%strength_source == ASPERITY_STRENGTH_MEASURED)
     call check('so has its text', index(asperity_estimate_text(SURFACE, [10.0_c_double]), &
-                                        'mu(10 N) = 0.194, 95 % band 0.167 to 0.221' // LF) == 1)
+                                        'mu(10 N) = 0.173, 95 % band 0.108 to 0.279' // LF) == 1)
     call asperity_check(asperity_params_init(params))
-    call asperity_params_set_estimate(params, SURFACE)
+    call asperity_params_set_text(params, SURFACE)
     call check('a model of it takes its contact law', params%contact_law == ASPERITY_CONTACT_ELASTIC_PLASTIC)
     call asperity_estimate_at_loads(SURFACE, [real(c_double) ::], none)
     call asperity_estimate_at_loads('measured = 0.16', [1.0_c_double], found, stat, message)

@@ -19,13 +19,29 @@ const SOURCES = {
  * @property {number} low lower end of the band
  * @property {number} high upper end
  * @property {number} friction_force F [N]
+ * @property {number} curve_coefficient F/P of a model of what `readText` makes of the text
+ * @property {number} constant_odds how probable it is that F/P is within 10 % of the measured mean
  * @property {number} contacts expected number of summits in contact; NaN, as the next two, if loads are pressures
  * @property {number} specimen_force mean friction force of single specimens [N]; for less than one contact that of one summit
  * @property {number} specimen_scatter its standard deviation over its mean; NaN if it is not known
  * @property {number} strength_share share of the variance of ln(F/P) from the strength of the interface
- * @property {number} roughness_share share from the roughness
+ * @property {number} size_share share from how the strength depends on the size of a contact
+ * @property {number} pressure_share share from how the strength grows with pressure
+ * @property {number} adhesion_share share from adhesion
+ * @property {number} hardness_share share from the hardness, and from whether asperities yield
+ * @property {number} slope_share share from the slope and the height of the surface
  * @property {number} measurement_share share from the errors of the measured points
- * @property {number} misfit how far the measured points are off the law, root mean square in their errors
+ * @property {number} model_share share from how real interfaces leave the law between loads
+ * @property {number} tangential_stiffness K_t [N/m]
+ * @property {number} tangential_stiffness_low
+ * @property {number} tangential_stiffness_high
+ * @property {number} normal_stiffness -d(load)/d(gap) [N/m]
+ * @property {number} normal_stiffness_low
+ * @property {number} normal_stiffness_high
+ * @property {number} contact_radius_sum sum of the radii of all contacts [m]: the conductance is 2 k times it
+ * @property {number} contact_radius_sum_low
+ * @property {number} contact_radius_sum_high
+ * @property {number} error_growth by how much the errors of the measured points grew; 1 if they do not contradict each other
  * @property {number} warnings bits, which `warningsOf` puts into words
  * @property {"default" | "table" | "given" | "measured"} strength_source what the strength of the interface rests on
  * @property {boolean} is_of_pressures whether the text has no nominal area, so that loads are pressures [Pa]

@@ -7,5 +7,5 @@ if (!response.ok) throw new Error(`asperity.wasm: the server answers ${response.
 const instance = await instantiate(await response.arrayBuffer());
 export const { Model, version, warningsOf, warningsText, memorySize } = instance;
 export const { estimate, estimateText } = instance;
-export const { readText, readEstimate, toText, paper, calibrate, calibrateForce, withInterface } = instance;
+export const { readText, toText, paper, calibrate, calibrateForce, withInterface } = instance;
 export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact } = instance;

@@ -8,5 +8,5 @@ const instance = await instantiate(
 );
 export const { Model, version, warningsOf, warningsText, memorySize } = instance;
 export const { estimate, estimateText } = instance;
-export const { readText, readEstimate, toText, paper, calibrate, calibrateForce, withInterface } = instance;
+export const { readText, toText, paper, calibrate, calibrateForce, withInterface } = instance;
 export const { MATERIALS, PAIRS, INTERFACES, material, pair, interfaceOf, knownOf, contact } = instance;

@@ -4,7 +4,7 @@ import { AsperityError, Library } from "./library.js";
 import { estimate, estimateText } from "./estimate.js";
 import { materialsOf } from "./materials.js";
 import { Model, bitsOf, warningsOf, warningsText } from "./model.js";
-import { calibrate, calibrateForce, paper, readEstimate, readText, toText, withInterface } from "./params.js";
+import { calibrate, calibrateForce, paper, readText, toText, withInterface } from "./params.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./estimate.js").Estimate} Estimate */
@@ -26,7 +26,6 @@ import { calibrate, calibrateForce, paper, readEstimate, readText, toText, withI
  *   friction at loads with its band, from the text of a surface alone
  * @property {(text: string, load: number | ArrayLike<number>) => string} estimateText the same for people
  * @property {(text: string, params?: Params) => Params} readText the surfaces that a text in TOML describes, in SI units
- * @property {(text: string) => Params} readEstimate the surfaces that `estimate` takes for a text, with its contact law
  * @property {(params: Params) => string} toText a text of which `readText` makes the same surfaces
  * @property {() => Params} paper the paper's case, in its units
  * @property {(params: Params, load: number, frictionCoefficient: number) => Params} calibrate the same surfaces with the strength
@@ -75,7 +74,6 @@ export async function instantiate(source) {
     estimate: (text, load) => estimate(library, text, load),
     estimateText: (text, load) => estimateText(library, text, load),
     readText: (text, params) => readText(library, text, params),
-    readEstimate: (text) => readEstimate(library, text),
     toText: (params) => toText(library, params),
     paper: () => paper(library),
     calibrate: (params, load, frictionCoefficient) => calibrate(library, params, load, frictionCoefficient),

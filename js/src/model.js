@@ -1,7 +1,7 @@
 // A friction law ready for use.
 import { CONSTANTS } from "./header.js";
 import { AsperityError, CHUNK, numberOf, numbersOf, wholeOf } from "./library.js";
-import { readEstimate, readParams, writeParams } from "./params.js";
+import { readText, readParams, writeParams } from "./params.js";
 
 /** @typedef {import("./params.js").Params} Params */
 /** @typedef {import("./header.js").State} State */
@@ -29,7 +29,7 @@ const CALLS = {
 /** @typedef {keyof typeof CALLS} Quantity */
 
 /** Surfaces that are given, or described by a text. @param {import("./library.js").Library} library @param {Params | string} params */
-const surfaces = (library, params) => (typeof params === "string" ? readEstimate(library, params) : params);
+const surfaces = (library, params) => (typeof params === "string" ? readText(library, params) : params);
 
 /**
  * A friction law of two surfaces: friction against load, and exact states. Make it once, ask it often. It frees its memory
@@ -41,7 +41,7 @@ export class Model {
 
   /**
    * @param {import("./library.js").Library} library the instance of the library
-   * @param {Params | string} params the surfaces, or a text of which `readEstimate` makes them
+   * @param {Params | string} params the surfaces, or a text of which `readText` makes them
    * @throws {AsperityError} a parameter that the library refuses, or one that is missing: the message names it, its value and what is allowed
    */
   constructor(library, params) {

@@ -126,34 +126,11 @@ export function paper(library) {
  * @throws {AsperityError} with the line and the key
  */
 export function readText(library, text, params = {}) {
-  return takeText(library, "params_set_text", text, params);
-}
-
-/**
- * The surfaces that `estimate` takes for a text: its contact law, its strength and the most probable roughness.
- * @param {import("./library.js").Library} library
- * @param {string} text
- * @returns {Params}
- * @throws {AsperityError} as `estimate`
- */
-export function readEstimate(library, text) {
-  return takeText(library, "params_set_estimate", text, {});
-}
-
-/**
- * What a call of the library makes of a text.
- * @param {import("./library.js").Library} library
- * @param {"params_set_text" | "params_set_estimate"} call
- * @param {string} text
- * @param {Params} params
- * @returns {Params}
- */
-function takeText(library, call, text, params) {
   if (typeof text !== "string") throw new TypeError(`text = ${String(text)}: must be a string`);
   writeParams(library, params);
   // Of a text that is too long the library must see no more than that it is.
   const bytes = new TextEncoder().encode(text).subarray(0, LONGEST_TEXT + 1);
-  library.run(call, library.struct, library.bytes(bytes), bytes.length);
+  library.run("params_set_text", library.struct, library.bytes(bytes), bytes.length);
   return Object.fromEntries(Object.entries(readStruct(library)).filter(([, value]) => !Number.isNaN(value)));
 }
 

@@ -1,5 +1,5 @@
 // The declarations as a user meets them; compiled, not run.
-import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, material, momentsOfMap, paper, readEstimate, readText, toText, warningsText, withInterface, type Material, type Params, type Warning } from "asperity";
+import { AsperityError, Model, PAIRS, Status, calibrate, calibrateForce, contact, estimate, estimateText, material, momentsOfMap, paper, readText, toText, warningsText, withInterface, type Material, type Params, type Warning } from "asperity";
 import { instantiate } from "asperity/instantiate";
 
 const params: Params = { ...contact("Si", "Si"), height_std: 5e-9, summit_radius: 1e-6, asperity_count: 1e5 };
@@ -23,7 +23,7 @@ const conductance: number = model.tangentialStiffnessAtLoad(1e-3) / model.summar
 const written: string = toText(readText("skew = 0.1", params));
 const filmed: Params = withInterface(params, "MoS2 film in dry air");
 const estimated: number = estimate("pair = 'Si/Si'", 1).low + estimate("pair = 'Si/Si'", [1])[0].misfit;
-const taken: Params = readEstimate("pair = 'Si/Si'");
+const taken: Params = readText("pair = 'Si/Si'");
 const said: string = estimateText("pair = 'Si/Si'", [1]);
 const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);
 

@@ -20,7 +20,10 @@ from asperity.materials import PAIRS, contact
 
 # Nobody measured the strength of these interfaces, and they say so.
 pytestmark = pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
+KNOWN: dict[str, Any] = {"work_of_adhesion": 0.063, "known_to": {"slope": 1}}
 ROUGH: dict[str, Any] = {"Sq": 5e-9, "Sdq": 0.05, "Sds": 1e13}
+# Hurtado and Kim's strength, as the parameters have it.
+CLEAN: dict[str, Any] = {"slip_stress_1": 1 / 43, "slip_stress_2": 1 / 1290}
 LOADS = np.geomspace(1e-2, 1.0, 5)
 MEASURED: dict[str, Any] = {"calibration_load": 1e5, "calibration_friction_coefficient": 0.3}
 GROUND: dict[str, Any] = {"pair": "steel/steel", "process": "ground", "nominal_area": 1e-4}
@@ -28,28 +31,31 @@ GROUND: dict[str, Any] = {"pair": "steel/steel", "process": "ground", "nominal_a
 
 def test_ground_steel_at_another_load_than_the_measured_one() -> None:
     found = friction("steel/steel", Ra=0.8e-6, process="ground", nominal_area=1e-4, load=10.0, measured=(1000, 0.16))
-    assert f"{found:.3f}" == "0.194 (0.167 to 0.221)" and found.strength == "measured"
+    assert f"{found:.3f}" == "0.173 (0.108 to 0.279)" and found.strength == "measured"
     assert found.rests_on[0] == "strength of the interface: measured here, 0.16 at 1000 N to 5 %"
-    assert found.narrow[0].startswith("the mean width of the elements of the profile: RSm (51 %")
-    assert sum(found.shares.values()) == pytest.approx(1) and found.misfit == 0.0
+    assert found.narrow[0].startswith("a second measured point at 10 N (9")
+    assert sum(found.shares.values()) == pytest.approx(1) and found.shares["model"] > 0.85 and found.error_growth == 1.0
+    assert 0.25 < found.constant_odds < 0.4 and found.curve == pytest.approx(found.value, rel=2e-3)
+    # Of the stiffness nothing was measured.
+    for band in (found.stiffness, found.normal_stiffness, found.contact_radius_sum):
+        assert 1.5 * band.low < band.value < band.high / 1.5
+    assert found.stiffness.value == pytest.approx(Model(found.params).tangential_stiffness_at_load(10.0), rel=1e-6)
     assert found.force == pytest.approx(10 * found.value)
 
 
 def test_it_is_the_friction_of_the_model() -> None:
     with Model(Params.from_iso25178(**PAIRS["Si/Si"].contact, **ROUGH, nominal_area=1e-6)) as model:
-        assert friction("Si/Si", **ROUGH, load=1e-2, nominal_area=1e-6).value == pytest.approx(model.friction_at_load(1e-2), rel=1e-7)
-        found = friction(PAIRS["Si/Si"], **ROUGH, load=LOADS, nominal_area=1e-6).value
-        assert found == pytest.approx(model.friction_at_load(LOADS), rel=1e-7)
+        assert friction("Si/Si", **ROUGH, **CLEAN, load=1e-2, nominal_area=1e-6).curve == pytest.approx(model.friction_at_load(1e-2), rel=3e-6)
+        found = friction(PAIRS["Si/Si"], **ROUGH, **CLEAN, load=LOADS, nominal_area=1e-6).curve
+        assert found == pytest.approx(model.friction_at_load(LOADS), rel=3e-6)
 
 
 def test_without_an_area_loads_are_pressures() -> None:
     by_pressure = friction("Si/Si", **ROUGH, load=1e5).value
     assert by_pressure == pytest.approx(friction("Si/Si", **ROUGH, load=1e-1, nominal_area=1e-6).value, rel=1e-9)
-
-
     # ... and are called so.
     found = friction("steel/steel", process="ground", Ra=0.8e-6, load=1e5, measured=(1e7, 0.16))
-    assert found.unit == "Pa" and str(found).startswith("mu(100000 Pa) = 0.19") and " N" not in str(found)
+    assert found.unit == "Pa" and str(found).startswith("mu(100000 Pa) = 0.173") and " N" not in str(found)
     assert found.rests_on[1] == "loads are nominal pressures in Pa: no nominal_area was given"
     assert found.plot().axes[0].get_xlabel() == "nominal pressure $p$ [Pa]" and math.isnan(found.contacts)
     assert friction("Si/Si", **ROUGH, load=0.1, nominal_area=1.0).unit == "N"
@@ -62,7 +68,7 @@ def test_a_model_of_an_estimate_has_its_friction_its_strength_and_its_law(pair: 
         params = Params.from_text(found.surface)
         assert params == found.params
         with Model(params) as model:
-            assert model.friction_force_at_load([0.5, 50.0]) == pytest.approx(found.force, rel=3e-8)
+            assert model.friction_at_load([0.5, 50.0]) == pytest.approx(found.curve, rel=3e-6)
         yields = any(line.startswith("asperities yield") for line in found.rests_on)
         assert (params.contact_law == "elastic-plastic") == yields
         assert (params.calibration_load == 1.0) == (given.get("measured") == (1.0, 0.2))
@@ -104,29 +110,51 @@ def test_moduli_of_ones_own_replace_those_of_a_pair_or_stand_alone() -> None:
     assert not [line for line in soft.rests_on if line.startswith(("E = ", "hardness = "))]
     known = {name: value for name, value in PAIRS["steel/steel"].contact.items() if name in ("burgers_vector", "adhesion_range", "hardness")}
     alone = friction(**rough, **alike, **known, work_of_adhesion=0.0)
-    assert alone.value == pytest.approx(steel.value, rel=1e-12) and alone.params.contact_law == "elastic-plastic"
+    assert alone.value == pytest.approx(steel.value, rel=1e-5) and alone.params.contact_law == "elastic-plastic"
     moduli = {name: getattr(steel.params, name) for name in ("composite_modulus", "effective_shear_modulus")}
-    assert friction(**rough, **moduli, **known, work_of_adhesion=0.0).value == pytest.approx(steel.value, rel=1e-12)
+    assert friction(**rough, **moduli, **known, work_of_adhesion=0.0).value == pytest.approx(steel.value, rel=1e-5)
     # The same text has the same law, whoever reads it.
     params = Params.from_text(steel._text)
-    assert params.contact_law == steel.params.contact_law and Model(params).friction_at_load(10.0) == pytest.approx(steel.value[0], rel=1e-7)
+    assert params.contact_law == steel.params.contact_law and Model(params).friction_at_load(10.0) == pytest.approx(steel.curve[0], rel=3e-6)
 
 
-def test_two_bodies_without_a_pair_need_a_work_of_adhesion() -> None:
-    with pytest.raises(Error, match="work_of_adhesion: none is known for SiC/WC: give that of your surfaces, 0 for none"):
-        friction("SiC/WC", **ROUGH, load=1e5)
+def test_two_bodies_without_a_pair_adhere_as_bodies_do() -> None:
+    found = friction("SiC/WC", **ROUGH, **CLEAN, load=1e5)
+    assert found.params.work_of_adhesion == 0.05 and "none is known of SiC/WC, or none" in found.text
     expected = model_friction(model_of(contact("SiC", "WC", work_of_adhesion=0.05)))
-    assert friction("SiC/WC", **ROUGH, load=1e5, work_of_adhesion=0.05).value == pytest.approx(expected, rel=1e-7)
+    assert friction("SiC/WC", **ROUGH, **CLEAN, load=1e5, work_of_adhesion=0.05).curve == pytest.approx(expected, rel=3e-6)
+    # Metal that yields asks for none, whether by name or by number.
+    rough: dict[str, Any] = {"Ra": 0.8e-6, "process": "ground", "nominal_area": 1e-4, "load": 100.0}
+    for pair, value in (("Al-6061/steel", 0.61), ("Al-6061/Al-6061", 1.05), ("stainless/steel", 0.49)):
+        found = friction(pair, **rough)
+        assert found.value == pytest.approx(value, rel=0.05) and found.strength == "table", pair
+        assert "the alloy itself was not measured" in found.text
+    bodies: dict[str, Any] = {"E1": 70e9, "nu1": 0.33, "E2": 205e9, "nu2": 0.3, "hardness": 1e9, "burgers_vector": 0.286e-9}
+    assert friction(**bodies, **rough, measured=(100, 0.6)).params.work_of_adhesion == 0.0
 
 
 def test_an_interface_brings_its_strength() -> None:
-    found = friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air")
+    found = friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", work_of_adhesion=0.063, known_to={"slope": 1})
     expected = model_friction(model_of(PAIRS["Si/Si"].contact).with_interface("Al2O3/Si in air"))
-    assert found.value == pytest.approx(expected, rel=1e-7) and found.strength == "table"
-    assert found.high / found.value == pytest.approx(3.0, rel=1e-6)
+    assert found.value == pytest.approx(expected, rel=1e-6) and found.strength == "table"
+    assert found.high / found.value == pytest.approx(3.0, rel=1e-4)
     assert found.rests_on[0].startswith("strength of the interface: from Al2O3/Si in air of the table of interfaces")
     dry = friction(**GROUND, Ra=0.8e-6, load=12.0, interface="steel/steel dry")
     assert dry.value == pytest.approx(0.57, rel=1e-6)
+
+
+def test_another_roughness_keeps_the_strength_in_pascal() -> None:
+    """A steeper surface has less area and so less friction; without the specimen's roughness nothing would change."""
+    rough: dict[str, Any] = {"pair": "steel/steel", "nominal_area": 1e-4, "measured": (1000, 0.16), "load": 1000.0, "hardness": 20e9}
+    same = {"Ra": 0.2e-6, "RSm": 80e-6}
+    plain = friction(**rough, **same)
+    assert plain.value == pytest.approx(0.16, rel=1e-3)
+    assert friction(**rough, **same, measured_on=same).value == pytest.approx(0.16, rel=1e-3)
+    other = friction(**rough, Ra=0.1e-6, RSm=80e-6, measured_on=same)
+    assert other.value > 0.25 and other.high / other.low > plain.high / plain.low and other.shares["slope"] > 0.3
+    assert other.curve == pytest.approx(other.value, rel=0.05)
+    with Model(Params.from_text(other.surface)) as model:
+        assert model.friction_at_load(1000.0) == pytest.approx(other.curve, rel=3e-6)
 
 
 def test_a_pair_that_was_measured_elsewhere_begins_with_that() -> None:
@@ -164,8 +192,8 @@ def test_the_names_that_types_know_are_those_of_the_library() -> None:
     told = str(refused.value).partition("must be one of ")[2].split(", ")
     assert told == list(get_args(get_type_hints(Roughness)["process"]))
     known = set(chain(*KEYS.values()))
-    assert known == Surface.__annotations__.keys() | {"pair", "nominal_area", "coverage"} and sum(map(len, KEYS.values())) == len(known)
-    for name in known - {"pair"}:
+    assert known | {"known_to", "measured_on"} == Surface.__annotations__.keys() | {"pair", "nominal_area", "coverage"} and sum(map(len, KEYS.values())) == len(known)
+    for name in known - {"pair", "known_to", "measured_on"}:
         with pytest.raises(Error) as caught:
             Params.from_text(text_of([(name, "[[]]")]))
         assert "no such key" not in str(caught.value), name
@@ -178,19 +206,19 @@ def test_what_does_not_hold_is_warned_of() -> None:
 
 def test_one_measured_point_narrows_the_band() -> None:
     found = friction("Si/Si", **ROUGH, load=[1e4, 1e5, 1e6], **MEASURED, calibration_error=0.1)
-    params = model_of(PAIRS["Si/Si"].contact).calibrated(1e5, 0.3, error=0.1)
-    band = uncertainty(params, loads=[1e4, 1e5, 1e6])
-    assert found.value == pytest.approx(band.value, rel=1e-7) and found.value[1] == pytest.approx(0.3, rel=1e-7)
-    assert np.log(found.high / found.low) == pytest.approx(np.log(band.high / band.low), rel=1e-6)
-    assert friction("Si/Si", **ROUGH, load=1e5, measured=(1e5, 0.3, 0.1)).value == pytest.approx(0.3, rel=1e-7)
+    unmeasured = friction("Si/Si", **ROUGH, load=[1e4, 1e5, 1e6])
+    assert found.value[1] == pytest.approx(0.3, rel=1e-6) and (found.high / found.low < unmeasured.high / unmeasured.low).all()
+    assert np.log(found.high / found.low)[1] == pytest.approx(2 * 1.96 * 0.1, rel=0.02)
+    assert friction("Si/Si", **ROUGH, load=1e5, measured=(1e5, 0.3, 0.1)).value == pytest.approx(0.3, rel=1e-6)
     several = friction("Si/Si", **ROUGH, load=1e5, measured=[(1e5, 0.3), (1e6, 0.28, 0.02)])
     assert several.high / several.low < friction("Si/Si", **ROUGH, load=1e5, measured=(1e5, 0.3)).high / 0.3 * 1.1
 
 
-def test_a_strength_that_is_given_has_no_band() -> None:
+def test_a_strength_that_is_given_has_the_band_of_all_else_or_none() -> None:
     found = friction("Si/Si", **ROUGH, load=1e5, slip_stress_1=0.02)
-    assert (found.low, found.high, found.coverage, found.narrow) == (None, None, None, ())
-    assert found.rests_on[0] == "strength of the interface: as given" and "no band" in repr(found)
+    assert found.rests_on[0] == "strength of the interface: as given" and found.shares["slope"] > 0.5 and found.shares["model"] == 0.0
+    found = friction("Si/Si", **ROUGH, **KNOWN, load=1e5, slip_stress_1=0.02)
+    assert (found.low, found.high, found.coverage, found.narrow) == (None, None, None, ()) and "no band" in repr(found)
 
 
 def test_an_estimate_is_a_number_with_its_band() -> None:
@@ -198,10 +226,10 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
     assert isinstance(found, Estimate) and float(found) == found.value and np.asarray(found) == found.value
     assert 2.0 * np.asarray(found, dtype=np.float32) == pytest.approx(2 * found.value, rel=1e-6)
     assert f"{found:.2f}" == f"{found.value:.2f} ({found.low:.2f} to {found.high:.2f})" and f"{found}" == repr(found)
-    assert re.fullmatch(r"0\.\d\d\d", f"{friction('Si/Si', **ROUGH, load=1e5, slip_stress_1=0.02):.3f}")
+    assert re.fullmatch(r"0\.\d\d\d", f"{friction('Si/Si', **ROUGH, **KNOWN, load=1e5, slip_stress_1=0.02):.3f}")
     assert f"{friction('Si/Si', **ROUGH, load=0.0):.3f}" == "no limit"
     many = friction("Si/Si", **ROUGH, load=pandas.Series([1e4, 0.0, -1e20], index=list("abc")))
-    assert many.high.index.tolist() == list("abc") and many.high["a"] == pytest.approx(10 * many.value["a"])
+    assert many.high.index.tolist() == list("abc") and 5 < many.high["a"] / many.value["a"] < 12
     assert many.low["b"] == many.value["b"] == math.inf and many.low["c"] == many.value["c"] == 0.0
     assert "mu(0 N) has no limit" in friction("Si/Si", **ROUGH, load=0.0, nominal_area=1e-8).text
     assert "mu(0 Pa) has no limit" in repr(many)

@@ -11,9 +11,13 @@ pub enum Table {
     Top,
     Materials,
     Roughness,
+    /// The roughness of the specimen that was measured, where it is not that which is asked for.
+    MeasuredOn,
+    /// Factors to which inputs are known.
+    KnownTo,
 }
 
-const TABLES: [Table; 3] = [Table::Top, Table::Materials, Table::Roughness];
+const TABLES: [Table; 5] = [Table::Top, Table::Materials, Table::Roughness, Table::MeasuredOn, Table::KnownTo];
 
 impl Table {
     fn name(self) -> &'static str {
@@ -21,6 +25,8 @@ impl Table {
             Self::Top => "",
             Self::Materials => "materials",
             Self::Roughness => "roughness",
+            Self::MeasuredOn => "measured_on",
+            Self::KnownTo => "known_to",
         }
     }
 
@@ -38,6 +44,9 @@ impl Table {
                 "calibration_friction_force",
                 "measured",
                 "coverage",
+                "interface_kind",
+                "size_effect",
+                "model_error",
                 HEIGHTS,
             ],
             Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
@@ -45,6 +54,27 @@ impl Table {
                 "m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "summits",
                 "process",
             ],
+            Self::MeasuredOn => &[
+                "m0",
+                "m2",
+                "m4",
+                "Ra",
+                "Rq",
+                "RSm",
+                "Rdq",
+                "Sq",
+                "Sdq",
+                "Ssc",
+                "Sds",
+                "process",
+                "nominal_area",
+                "E1",
+                "nu1",
+                "E2",
+                "nu2",
+                "hardness",
+            ],
+            Self::KnownTo => &["slope", "hardness", "work_of_adhesion", "E"],
         }
     }
 
@@ -156,13 +186,14 @@ impl<'t> Entries<'t> {
     #[inline(never)]
     pub fn place(&self, name: &str) -> Option<usize> {
         let is_it = |other: &str| other == name || name == "composite_modulus" && ["E1", "E2"].contains(&other);
-        self.list.iter().find(|entry| is_it(entry.name)).map(|entry| entry.at)
+        let own = |entry: &&Entry| ![Table::MeasuredOn, Table::KnownTo].contains(&entry.table) && is_it(entry.name);
+        self.list.iter().find(own).map(|entry| entry.at)
     }
 
     /// Refuses a key that the table does not have.
     #[cold]
     fn unknown(&self, name: &str, at: usize) -> Box<Problem> {
-        let elsewhere = TABLES.into_iter().find(|table| table.has(name));
+        let elsewhere = TABLES[..3].iter().copied().find(|table| table.has(name));
         let (table, shown) = (self.table, Shown(name));
         match (elsewhere, meant(name)) {
             (Some(Table::Top), _) => Problem::new(at, format_args!("{table}{shown}: belongs above the first table")),
@@ -170,8 +201,8 @@ impl<'t> Entries<'t> {
             (_, Some(meant)) => Problem::new(at, format_args!("{table}{shown}: no such key; {meant}")),
             _ => {
                 let tables = TABLES[1..].iter().filter(|_| table == Table::Top).map(|table| table.name());
-                let keys =
-                    TABLES.into_iter().filter(|other| table == Table::Top || *other == table).flat_map(Table::all_keys);
+                let is_near = |other: &Table| *other == table || table == Table::Top;
+                let keys = TABLES.into_iter().filter(is_near).flat_map(Table::all_keys);
                 let instead = Instead::of(name.as_bytes(), keys.chain(tables), LISTED);
                 Problem::new(at, format_args!("{table}{shown}: no such key; {instead}"))
             }
@@ -186,7 +217,10 @@ impl<'t> Keys<'t> for Entries<'t> {
         let Some(&table) = TABLES[1..].iter().find(|table| table.name() == name) else {
             return Err(Problem::new(
                 at,
-                format_args!("[{}]: no such table; there are [materials] and [roughness]", Shown(name)),
+                format_args!(
+                    "[{}]: no such table; there are [materials], [roughness], [measured_on] and [known_to]",
+                    Shown(name)
+                ),
             ));
         };
         if let Some(first) = self.begin(table) {

@@ -18,8 +18,8 @@ pub use draft::Draft;
 pub(crate) use fields::with_fields;
 pub use fields::{Field, Number, FIELDS};
 pub use numbers::{Numbers, ARGUMENTS};
-pub use roughness::{Case, Machined};
-pub use surface::{describe, of_points, read, Described};
+pub use roughness::Machined;
+pub use surface::{describe, read, Described};
 pub use toml::LONGEST_TEXT;
 pub use write::{is_of_these_surfaces, write, Quoted, Real, Written};
 

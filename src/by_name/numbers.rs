@@ -34,6 +34,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 }
 
 /// What is set together. Of a number that is given twice the last counts.
+#[derive(Clone)]
 pub struct Numbers {
     values: [Option<f64>; FIELDS.len() + ARGUMENTS.len()],
     /// Two materials by their names.

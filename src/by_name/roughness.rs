@@ -36,20 +36,6 @@ pub struct Roughness {
     pub machined: Option<Machined>,
 }
 
-/// One of the surfaces that a process may have left: of what is not measured, factors on what is usual.
-#[derive(Debug, Clone, Copy)]
-pub struct Case {
-    pub height: f64,
-    pub slope: f64,
-    /// In place of that of the bodies [Pa].
-    pub hardness: Option<f64>,
-}
-
-impl Case {
-    /// What is most probable.
-    pub const MIDDLE: Self = Self { height: 1.0, slope: 1.0, hardness: None };
-}
-
 /// What of a roughness is that of a process, not measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Machined {
@@ -103,9 +89,9 @@ const PROFILE: Kind = Kind {
 const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
 
 impl Roughness {
-    /// What [roughness] gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.
-    pub fn of(entries: &Entries, begin: usize, bandwidth: Option<f64>, case: Case) -> Outcome<Self> {
-        let mut given = GivenRoughness { entries, begin, case, process: None };
+    /// What [roughness], or another table like it, gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.
+    pub fn of(entries: &Entries, table: Table, begin: usize, bandwidth: Option<f64>) -> Outcome<Self> {
+        let mut given = GivenRoughness { entries, table, begin, process: None };
         given.process = given.process()?;
         let is_of = |kind: &&Kind| kind.names.iter().any(|name| given.at(name).is_some());
         let Some(kind) = KINDS.into_iter().find(is_of) else {
@@ -154,27 +140,27 @@ impl Roughness {
 /// The numbers of [roughness].
 struct GivenRoughness<'a> {
     entries: &'a Entries<'a>,
+    table: Table,
     begin: usize,
-    case: Case,
     process: Option<&'static Process>,
 }
 
 impl GivenRoughness<'_> {
     #[inline(never)]
     fn at(&self, name: &str) -> Option<usize> {
-        self.entries.find(Table::Roughness, name).map(|entry| entry.at)
+        self.entries.find(self.table, name).map(|entry| entry.at)
     }
 
     /// A problem of a key, or of the table if it is not there.
     #[cold]
     #[inline(never)]
     fn refused(&self, name: &str, says: Arguments) -> Box<Problem> {
-        Problem::new(self.at(name).unwrap_or(self.begin), format_args!("{}{name}: {says}", Table::Roughness))
+        Problem::new(self.at(name).unwrap_or(self.begin), format_args!("{}{name}: {says}", self.table))
     }
 
     /// How the surfaces were machined, where that is given.
     fn process(&self) -> Outcome<Option<&'static Process>> {
-        let Some(entry) = self.entries.find(Table::Roughness, "process") else { return Ok(None) };
+        let Some(entry) = self.entries.find(self.table, "process") else { return Ok(None) };
         let names = PROCESSES.iter().map(|process| process.name);
         let found = match &entry.value {
             Value::Word(word) => Process::find(word),
@@ -182,10 +168,7 @@ impl GivenRoughness<'_> {
         };
         let process = found.ok_or_else(|| {
             let names = names.collect::<Vec<_>>().join(", ");
-            Problem::new(
-                entry.at,
-                format_args!("{}process = {}: must be one of {names}", Table::Roughness, entry.value),
-            )
+            Problem::new(entry.at, format_args!("{}process = {}: must be one of {names}", self.table, entry.value))
         });
         process.map(Some)
     }
@@ -252,7 +235,7 @@ impl GivenRoughness<'_> {
                 let value = Value::Number(value);
                 return Err(Problem::new(
                     self.at(name).unwrap_or(self.begin),
-                    format_args!("{}{name} = {value}: must be in m, and at most {most:e}{asked}", Table::Roughness),
+                    format_args!("{}{name} = {value}: must be in m, and at most {most:e}{asked}", self.table),
                 ));
             }
         }
@@ -280,7 +263,9 @@ impl GivenRoughness<'_> {
     /// How many rough surfaces the numbers are of: for each key the same.
     fn surfaces(&self) -> Outcome<usize> {
         let mut first: Option<(&str, usize)> = None;
-        for entry in self.entries.of(Table::Roughness).filter(|entry| !["summits", "process"].contains(&entry.name)) {
+        for entry in self.entries.of(self.table).filter(|entry| {
+            KINDS.iter().any(|kind| kind.names.contains(&entry.name)) && entry.name != "process" || entry.name == "Ra"
+        }) {
             let count = match &entry.value {
                 Value::Number(_) => 1,
                 Value::Numbers(numbers) if numbers.len() == 2 => 2,
@@ -306,7 +291,7 @@ impl GivenRoughness<'_> {
 
     #[inline(never)]
     fn get(&self, name: &str, surface: usize) -> Option<f64> {
-        match &self.entries.find(Table::Roughness, name)?.value {
+        match &self.entries.find(self.table, name)?.value {
             Value::Number(number) => Some(*number),
             Value::Numbers(numbers) => numbers.get(surface).copied(),
             _ => None,
@@ -330,7 +315,7 @@ impl GivenRoughness<'_> {
             return Ok(if kind.height == "m0" { FRAC_PI_2 * (mean * mean) } else { deviation * deviation });
         }
         if let (None, Some(process)) = (self.at(kind.height), self.process) {
-            let mean = process.middle_and_factor().0 * self.case.height;
+            let mean = process.middle_and_factor().0;
             return Ok(FRAC_PI_2 * (mean * mean));
         }
         let height = self.need(kind.height, surface)?;
@@ -341,7 +326,7 @@ impl GivenRoughness<'_> {
     fn slope(&self, kind: &Kind, surface: usize) -> Outcome<f64> {
         let named = kind.slopes.iter().find(|name| self.at(name).is_some());
         if named.is_none() && self.process.is_some() {
-            let slope = machined_slope(self.height(kind, surface)?.sqrt()) * self.case.slope;
+            let slope = machined_slope(self.height(kind, surface)?.sqrt());
             return Ok(slope * slope);
         }
         let named = named.unwrap_or(&kind.slopes[0]);

@@ -4,14 +4,17 @@ use super::draft::{Draft, TABULATED};
 use super::fields::{FIELDS, FLAG};
 use super::keys::{Entries, Entry, Table};
 use super::numbers::{names, Numbers};
-use super::roughness::{Case, Machined, Roughness};
+use super::roughness::{Machined, Roughness};
 use super::toml::{text, Outcome, Problem, Value};
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::estimate::known::SUMMIT_PRODUCT;
+use crate::estimate::priors::{Class, CLASSES, ROW_PRESSURE, USUAL_WORK};
+use crate::estimate::Estimate;
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
-use crate::model::points::MeasuredPoint;
-use crate::params::{positive, HeightFamily, Params};
+use crate::model::calibration::MeasuredPoint;
+use crate::numerics::float_bits::nan;
+use crate::params::{positive, ContactLawKind, HeightFamily, Params};
 use std::fmt::{Arguments, Display, Formatter};
 use std::sync::Arc;
 
@@ -41,38 +44,45 @@ const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coeffici
 /// What chooses heights.
 const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
 
-/// Sets what a text gives; of what it does not, all stays as it is.
+/// Sets what a text gives; of what it does not, all stays as it is. A whole surface, and one with measured points, has the strength and the
+/// contact law that an estimate of the text takes.
 ///
 /// # Errors
 /// [`Error::InText`], with the line; [`Error::Meaningless`] of a text that is too long. The draft is of no use then.
 pub fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Error> {
-    let text = text(bytes)?;
-    set(text, draft).map_err(|problem| problem.in_text(bytes))
+    in_text(bytes, |entries| {
+        let described = entries.describe(draft)?;
+        let params = match described.tells_strength() {
+            true => Estimate::of(described).and_then(|estimate| estimate.params().cloned()),
+            false => described.interface_alone().and_then(|()| described.with_law(described.params.clone())),
+        };
+        let params = params.map_err(|error| entries.problem(error, entries.measured()))?;
+        draft.params = Params { heights: draft.params.heights.clone(), ..params };
+        Ok(())
+    })
 }
 
-fn set(text: &str, draft: &mut Draft) -> Outcome<()> {
-    let entries = Entries::read(text)?;
-    let described = entries.describe(draft, Case::MIDDLE)?;
-    let mut params = described.with_law(described.params.clone()).map_err(|error| entries.problem(error, None))?;
-    let Described { points, interface, .. } = described;
-    if let Some(interface) = interface.filter(|interface| interface.shear_strength == 0.0 && points.is_empty()) {
-        return Err(entries.problem(Error::NoStrength { interface }, None));
-    }
-    if !points.is_empty() {
-        let calibrated = params.calibrate_points(&points, described.pressure_is_free, None);
-        calibrated.map_err(|error| entries.problem(error, entries.measured()))?;
-    }
-    draft.params = Params { heights: draft.params.heights.clone(), ..params };
-    Ok(())
+/// Does something with the entries of a text.
+fn in_text<T>(bytes: &[u8], with: impl FnOnce(&Entries) -> Outcome<T>) -> Result<T, Error> {
+    let found = Entries::read(text(bytes)?).and_then(|entries| with(&entries));
+    found.map_err(|problem| problem.in_text(bytes))
 }
 
 /// What a text says of surfaces and of what was measured on them.
 pub struct Described {
     /// With the strength as it is before the points.
     pub params: Params,
+    /// Those that the points were measured on, where they are others.
+    pub measured_on: Option<Measured>,
     pub points: Vec<MeasuredPoint>,
     /// Whether the points may set the pressure coefficient, since nothing else does.
     pub pressure_is_free: bool,
+    /// The size effect, where it is given: slip stresses are 30 to the power of it apart.
+    pub size_effect: Option<f64>,
+    pub class: &'static Class,
+    pub known_to: KnownTo,
+    /// How far real interfaces leave the law, over what is usual.
+    pub model_error: f64,
     /// Probability of a band.
     pub coverage: f64,
     pub bodies: Option<Bodies>,
@@ -82,14 +92,31 @@ pub struct Described {
     pub has_adhesion: bool,
     /// That which is named; of one without a strength the parameters have nothing.
     pub interface: Option<&'static Interface>,
-    /// Whether slip stresses or the pressure coefficient are given.
-    pub has_strength: bool,
-    /// Whether summits yield, since a text that is whole leaves open the contact law, and adhesion of elastic contacts.
-    pub yields: bool,
+    /// Whether slip stresses are given, or were set before a text that is a part.
+    pub has_stress: bool,
+    /// Whether the text describes a surface by itself.
+    pub is_whole: bool,
+    /// Whether summits may yield, since a text that is whole leaves open the contact law, and adhesion of elastic contacts.
+    pub law_is_open: bool,
     /// What of the roughness is that of a process.
     pub machined: Option<Machined>,
     /// Whether the text says neither how large the nominal area is nor how many summits there are: it is of 1 m^2 then.
     pub is_of_pressures: bool,
+}
+
+/// The specimen that was measured.
+pub struct Measured {
+    pub params: Params,
+    pub machined: Option<Machined>,
+}
+
+/// Factors within which 95 % of the true inputs are, where a text gives them.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct KnownTo {
+    pub slope: Option<f64>,
+    pub hardness: Option<f64>,
+    pub work: Option<f64>,
+    pub young: Option<f64>,
 }
 
 /// Above this plasticity index summits yield (Greenwood and Williamson, Proc. R. Soc. A 295, 1966).
@@ -105,82 +132,121 @@ impl Described {
         }
     }
 
+    /// The load of a usual nominal pressure on this area.
+    pub fn usual_load(&self) -> f64 {
+        let Params { length_unit, force_unit, .. } = self.params;
+        ROW_PRESSURE * self.area() * (length_unit * length_unit / force_unit)
+    }
+
+    /// Whether the strength follows from the text.
+    fn tells_strength(&self) -> bool {
+        let has_strength = self.has_stress || self.interface.is_some_and(|one| one.shear_strength > 0.0);
+        !self.points.is_empty() || (self.is_whole && !has_strength)
+    }
+
+    /// Refuses an interface that has no strength for what is not whole.
+    fn interface_alone(&self) -> Result<(), Error> {
+        match self.interface.filter(|interface| interface.shear_strength == 0.0) {
+            Some(interface) if !self.is_whole => Err(Error::NoStrength { interface }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether summits more probably yield than not, where the text leaves it open.
+    pub fn yields(&self) -> bool {
+        self.law_is_open && self.params.plasticity_index() > PLASTIC_INDEX
+    }
+
     /// Parameters with the contact law of the text.
     ///
     /// # Errors
     /// Those of [`Params::set_elastic_plastic`].
     pub fn with_law(&self, mut params: Params) -> Result<Params, Error> {
-        if self.yields {
+        if self.yields() {
             params.set_elastic_plastic(params.hardness)?;
         }
         Ok(params)
     }
 }
 
-/// Reads what a text says, with what it leaves open of the roughness at one of its cases.
+/// Does something with what a text says; an error of it is told where the measured points are, if its parameter is not given.
 ///
 /// # Errors
 /// Those of [`read`].
-pub fn describe(bytes: &[u8], case: Case) -> Result<Described, Error> {
-    let described = Entries::read(text(bytes)?).and_then(|entries: Entries| {
+pub fn describe<T>(bytes: &[u8], with: impl FnOnce(Described) -> Result<T, Error>) -> Result<T, Error> {
+    in_text(bytes, |entries| {
         let mut draft = Draft::default();
-        let is_of_pressures =
-            ["nominal_area", "asperity_count"].into_iter().all(|name| entries.find(Table::Top, name).is_none());
+        let is_of_pressures = entries.gives_no_area();
         if is_of_pressures {
             draft.params.nominal_area = 1.0;
         }
-        let described = Described { is_of_pressures, ..entries.describe(&mut draft, case)? };
+        let described = Described { is_of_pressures, ..entries.describe(&mut draft)? };
         let params = &described.params;
         params.check_not_converted().map_err(|error| entries.problem(error, None))?;
         params.surface().map_err(|error| entries.blamed(error))?;
-        Ok(described)
-    });
-    described.map_err(|problem| problem.in_text(bytes))
+        with(described).map_err(|error| entries.problem(error, entries.measured()))
+    })
 }
 
-/// An error of the points of a text, where they are.
-pub fn of_points(bytes: &[u8], error: Error) -> Error {
-    let Ok(entries) = text(bytes).map_err(|_| ()).and_then(|text| Entries::read(text).map_err(|_| ())) else {
-        return error;
-    };
-    entries.problem(error, entries.measured()).in_text(bytes)
+/// Sets what a law without adhesion does not need, where it was not set: metal that yields does not adhere.
+fn without_adhesion(params: &mut Params) {
+    let yields = params.contact_law == ContactLawKind::ElasticPlastic || params.plasticity_index() > PLASTIC_INDEX;
+    if nan(params.work_of_adhesion) && yields {
+        params.work_of_adhesion = 0.0;
+    }
+    if nan(params.adhesion_range) && params.work_of_adhesion == 0.0 {
+        params.adhesion_range = params.burgers_vector;
+    }
 }
 
 impl Entries<'_> {
+    fn gives_no_area(&self) -> bool {
+        ["nominal_area", "asperity_count"].into_iter().all(|name| self.find(Table::Top, name).is_none())
+    }
+
     /// Sets all but the strength from points.
-    fn describe(&self, draft: &mut Draft, case: Case) -> Outcome<Described> {
+    fn describe(&self, draft: &mut Draft) -> Outcome<Described> {
         let mut given = GivenSurface { entries: self, numbers: Numbers::default(), interface: None, machined: None };
         given.numbers()?;
         given.bodies()?;
         given.heights(draft)?;
-        given.roughness(draft, case)?;
+        given.roughness(draft)?;
         given.interface()?;
-        let GivenSurface { mut numbers, interface, machined, .. } = given;
+        let GivenSurface { numbers, interface, machined, .. } = given;
         let begin = [Table::Roughness, Table::Materials].into_iter().find_map(|table| self.begin(table));
-        if let Some(hardness) = case.hardness {
-            numbers.give_named("hardness", hardness);
-        }
         self.units(&numbers, draft)?;
         // A text changes what it gives of the parameters that were there before, and no more, but where it gives all of them.
         let mut alone = Draft::default();
         alone.params.nominal_area = draft.params.nominal_area;
         (alone.params.length_unit, alone.params.force_unit) = (draft.params.length_unit, draft.params.force_unit);
-        let is_whole = numbers.set(&mut alone).is_ok() && alone.params.unset().is_none();
+        let is_set = numbers.set(&mut alone).is_ok();
+        without_adhesion(&mut alone.params);
+        let is_whole = is_set && alone.params.unset().is_none();
+        let before = draft.clone();
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
+        without_adhesion(&mut draft.params);
         let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
         let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
-        let has_law = given(&["contact_law"]) || numbers.get("work_of_adhesion").is_some_and(|work| work > 0.0);
+        let has_adhesion = given(&["work_of_adhesion"]);
+        let has_law = given(&["contact_law"]) || (has_adhesion && params.work_of_adhesion > 0.0);
+        let points = self.points(&numbers, params.error_of_point())?;
         let described = Described {
-            points: self.points(&numbers, params.calibration_error)?,
-            pressure_is_free: !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
+            measured_on: self.measured_on(before, numbers.clone(), &points)?,
+            points,
+            pressure_is_free: is_whole && !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
+            size_effect: self.size_effect()?,
+            class: self.class()?,
+            known_to: self.known_to()?,
+            model_error: self.model_error()?,
             coverage: self.coverage()?,
             bodies: numbers.bodies,
             has_moduli: self.of(Table::Materials).any(|entry| matches!(entry.value, Value::Number(_))),
             has_hardness: given(&["hardness"]),
-            has_adhesion: given(&["work_of_adhesion"]),
+            has_adhesion,
             interface,
-            has_strength: given(STRENGTH),
-            yields: is_whole && !has_law && params.plasticity_index() > PLASTIC_INDEX,
+            has_stress: !is_whole || given(&["slip_stress_1", "slip_stress_2"]),
+            is_whole,
+            law_is_open: is_whole && !has_law && params.hardness > 0.0,
             machined,
             is_of_pressures: false,
             params,
@@ -209,6 +275,85 @@ impl Entries<'_> {
         }
         let Some(entry) = self.find(Table::Roughness, "process") else { return Ok(()) };
         draft.params.check_not_converted().map_err(|error| Problem::of(entry.at, error))
+    }
+
+    /// The size effect in the place of slip stresses.
+    fn size_effect(&self) -> Outcome<Option<f64>> {
+        let Some(entry) = self.find(Table::Top, "size_effect") else { return Ok(None) };
+        self.exclude(&["slip_stress_1", "slip_stress_2", "interface"], "size_effect")?;
+        match entry.number()? {
+            number if (0.0..=1.0).contains(&number) => Ok(Some(number)),
+            _ => Err(entry.must_be(format_args!("from 0, a film, to 1, clean crystals"))),
+        }
+    }
+
+    /// The class of the interface.
+    fn class(&self) -> Outcome<&'static Class> {
+        let Some(entry) = self.find(Table::Top, "interface_kind") else { return Ok(&CLASSES[0]) };
+        let found = match &entry.value {
+            Value::Word(word) => Class::find(word),
+            _ => None,
+        };
+        let names = CLASSES.each_ref().map(|class| class.words[0]);
+        found.ok_or_else(|| entry.must_be(format_args!("{}", Words(&names))))
+    }
+
+    fn known_to(&self) -> Outcome<KnownTo> {
+        let factor = |name: &str| {
+            let Some(entry) = self.find(Table::KnownTo, name) else { return Ok(None) };
+            match entry.number()? {
+                number if (1.0..=1e3).contains(&number) => Ok(Some(number)),
+                number if number > 0.0 && number < 1.0 => {
+                    Err(entry.must_be(format_args!("a factor from 1, exact, to 1000: 1.2 is known to 20 %")))
+                }
+                _ => Err(entry.must_be(format_args!("a factor from 1, exact, to 1000"))),
+            }
+        };
+        Ok(KnownTo {
+            slope: factor("slope")?,
+            hardness: factor("hardness")?,
+            work: factor("work_of_adhesion")?,
+            young: factor("E")?,
+        })
+    }
+
+    fn model_error(&self) -> Outcome<f64> {
+        let Some(entry) = self.find(Table::Top, "model_error") else { return Ok(1.0) };
+        match entry.number()? {
+            number if (0.0..=100.0).contains(&number) => Ok(number),
+            _ => Err(entry.must_be(format_args!("from 0, none, to 100; 1 is what is usual"))),
+        }
+    }
+
+    /// The surfaces that were measured, where they are not those that are asked for.
+    fn measured_on(
+        &self,
+        mut draft: Draft,
+        mut numbers: Numbers,
+        points: &[MeasuredPoint],
+    ) -> Outcome<Option<Measured>> {
+        let Some(begin) = self.begin(Table::MeasuredOn) else { return Ok(None) };
+        if points.is_empty() {
+            return Err(Problem::new(
+                begin,
+                format_args!("[measured_on]: measured must be set, what was measured there"),
+            ));
+        }
+        let mut machined = None;
+        let is_number = |entry: &&Entry| ["nominal_area", "E1", "nu1", "E2", "nu2", "hardness"].contains(&entry.name);
+        for entry in self.of(Table::MeasuredOn).filter(is_number) {
+            numbers.give_named(entry.name, entry.number()?);
+        }
+        if self.of(Table::MeasuredOn).any(|entry| !is_number(&entry)) {
+            let Roughness { moments, machined: found, .. } = Roughness::of(self, Table::MeasuredOn, begin, None)?;
+            machined = found;
+            for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
+                numbers.give_named(name, moment);
+            }
+        }
+        let params = numbers.set(&mut draft).map(|()| without_adhesion(&mut draft.params));
+        let params = params.and_then(|()| draft.into_params()).and_then(|params| params.surface().map(|_| params));
+        Ok(Some(Measured { params: params.map_err(|error| Problem::of(begin, error))?, machined }))
     }
 
     fn coverage(&self) -> Outcome<f64> {
@@ -473,7 +618,8 @@ impl GivenSurface<'_> {
     fn set_bodies(&mut self, entry: &Entry, bodies: Bodies) -> Outcome<()> {
         let name = [bodies.first, bodies.second].map(|body| crate::materials::names::text(body.name)).join("/");
         if bodies.pair().is_none() && self.numbers.get("work_of_adhesion").is_none() {
-            return Err(Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes()))));
+            let yields = self.numbers.get("contact_law") == Some(1.0);
+            self.numbers.give_named("work_of_adhesion", if yields { 0.0 } else { USUAL_WORK });
         }
         if bodies.burgers_vector().is_none() {
             let Some(burgers_vector) = self.numbers.get("burgers_vector") else {
@@ -539,7 +685,7 @@ impl GivenSurface<'_> {
         Ok(())
     }
 
-    fn roughness(&mut self, draft: &Draft, case: Case) -> Outcome<()> {
+    fn roughness(&mut self, draft: &Draft) -> Outcome<()> {
         let entries = self.entries;
         let Some(begin) = entries.begin(Table::Roughness) else { return Ok(()) };
         if entries.of(Table::Roughness).next().is_none() {
@@ -556,7 +702,8 @@ impl GivenSurface<'_> {
             ));
         }
         let bandwidth = self.numbers.get("bandwidth");
-        let Roughness { moments, density, shape, machined } = Roughness::of(entries, begin, bandwidth, case)?;
+        let Roughness { moments, density, shape, machined } =
+            Roughness::of(entries, Table::Roughness, begin, bandwidth)?;
         self.machined = machined;
         for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
             self.numbers.give_named(name, moment);

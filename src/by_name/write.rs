@@ -22,12 +22,13 @@ pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Resul
     writeln!(out, "# Two rough surfaces in contact, for asperity: {units}, names as in asperity_params.")?;
     let mut default = Draft::default();
     let chooses = is_chosen(draft, &mut default);
+    let is_whole = draft.params.unset().is_none();
     for field in FIELDS {
         let number = field.get(draft);
         let is_written = match field.name {
             "height_distribution" => chooses,
-            // Metal would yield.
-            "contact_law" if draft.params.hardness > 0.0 && draft.params.work_of_adhesion == 0.0 => true,
+            // What an estimate would take in their place.
+            "contact_law" | "slip_stress_1" | "slip_stress_2" | "pressure_coefficient" if is_whole => true,
             // Beside it a skew is taken as it is.
             "weibull_shape" if draft.height_distribution == WEIBULL => true,
             _ => number.to_bits() != field.get(&mut default).to_bits(),

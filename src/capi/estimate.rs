@@ -4,24 +4,20 @@ use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
 use super::last_error::asperity_last_error;
 use super::status::asperity_status;
 use super::surface_text::bytes;
-use crate::estimate::known::DEFAULT_FACTOR;
 use crate::estimate::{write, Answer, Estimate, Rests};
 use std::ffi::c_char;
 use std::mem::{align_of, size_of};
 
-/// A `strength_source`: the default strength, an order of magnitude.
+/// A `strength_source`: of other materials, known to a factor of 5 or 10.
 pub const ASPERITY_STRENGTH_DEFAULT: i32 = 0;
-/// A `strength_source`: a row of the table of interfaces, or the rows of these bodies, measured on other specimens.
+/// A `strength_source`: rows of the table of interfaces, measured on other specimens of these bodies or of metals like them.
 pub const ASPERITY_STRENGTH_TABLE: i32 = 1;
-/// A `strength_source`: the text gives slip stresses or a pressure coefficient, taken as known.
+/// A `strength_source`: the text gives slip stresses, taken as known.
 pub const ASPERITY_STRENGTH_GIVEN: i32 = 2;
 /// A `strength_source`: measured on these surfaces.
 pub const ASPERITY_STRENGTH_MEASURED: i32 = 3;
-/// A default strength and a true one are within this factor either way with a probability of 95 %.
-pub const ASPERITY_STRENGTH_FACTOR: i32 = 10;
-const _: () = assert!(ASPERITY_STRENGTH_FACTOR as f64 == DEFAULT_FACTOR);
 
-/// Friction at one load, with its band. SI units.
+/// Friction at one load, with its band, and stiffness with theirs. SI units.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_estimate {
@@ -29,7 +25,7 @@ pub struct asperity_estimate {
     pub struct_size: u64,
     /// Normal load [N].
     pub load: f64,
-    /// F/P; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap.
+    /// F/P, the median; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap.
     pub friction_coefficient: f64,
     /// Lower end of the band, which is without the scatter of specimens.
     pub low: f64,
@@ -37,20 +33,52 @@ pub struct asperity_estimate {
     pub high: f64,
     /// F [N].
     pub friction_force: f64,
+    /// F/P of a model of what `asperity_params_set_text` makes of the text; NaN if no strength gives the measured friction.
+    pub curve_coefficient: f64,
+    /// How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does.
+    pub constant_odds: f64,
     /// Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two.
     pub contacts: f64,
     /// Mean F of single specimens with this strength [N], NaN if not known; if contacts < 1 of one summit, had once or twice.
     pub specimen_force: f64,
     /// Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known.
     pub specimen_scatter: f64,
-    /// Share of the variance of ln(F/P) from the strength of the interface: measure friction. 0 without a band.
+    /// Share of the variance of ln(F/P) from the strength of the interface: measure friction. All shares are 0 without a band.
     pub strength_share: f64,
-    /// Share from the roughness: measure RSm, or Ra.
-    pub roughness_share: f64,
-    /// Share from the errors of the measured points and what they leave open: measure more.
+    /// Share from how the strength depends on the size of a contact.
+    pub size_share: f64,
+    /// Share from how the strength grows with pressure.
+    pub pressure_share: f64,
+    /// Share from adhesion: give `work_of_adhesion`.
+    pub adhesion_share: f64,
+    /// Share from the hardness, and from whether asperities yield.
+    pub hardness_share: f64,
+    /// Share from the slope and the height of the surface: measure RSm, or Ra.
+    pub slope_share: f64,
+    /// Share from the errors of the measured points: measure more.
     pub measurement_share: f64,
-    /// How far the measured points are off the law, root mean square in their errors; above 2 it cannot follow them.
-    pub misfit: f64,
+    /// Share from how real interfaces leave the law between loads: measure at this load.
+    pub model_share: f64,
+    /// K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness.
+    pub tangential_stiffness: f64,
+    /// Lower end of its band.
+    pub tangential_stiffness_low: f64,
+    /// Upper end.
+    pub tangential_stiffness_high: f64,
+    /// -d(load)/d(gap) [N/m].
+    pub normal_stiffness: f64,
+    /// Lower end of its band.
+    pub normal_stiffness_low: f64,
+    /// Upper end.
+    pub normal_stiffness_high: f64,
+    /// Sum of the radii of all contacts [m]: the conductance is 2 k times it.
+    pub contact_radius_sum: f64,
+    /// Lower end of its band.
+    pub contact_radius_sum_low: f64,
+    /// Upper end.
+    pub contact_radius_sum_high: f64,
+    /// By how much the errors of the measured points grew, since they contradict each other; 1 if they do not.
+    pub error_growth: f64,
     /// Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0.
     pub warnings: u64,
     /// What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`.
@@ -75,7 +103,7 @@ unsafe fn estimated(
     }
     let text = bytes(surface, length);
     let loads: Vec<f64> = (0..n).map(|i| load.add(i).read_unaligned()).collect();
-    let estimate = Estimate::new(text, &loads)?;
+    let estimate = Estimate::new(text)?;
     let of = |(i, &load): (usize, &f64)| estimate.at_load(load).map_err(|error| Failure::of_element(i, &error));
     let answers = loads.iter().enumerate().map(of).collect::<Result<Vec<_>, _>>()?;
     let warnings = estimate.warnings(&loads)?;
@@ -126,25 +154,42 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
         let (estimate, answers, warnings) = estimated(surface, length, n, load)?;
         let strength_source = match (estimate.is_measured(), estimate.rests()) {
             (true, _) => ASPERITY_STRENGTH_MEASURED,
-            (_, Rests::Default) => ASPERITY_STRENGTH_DEFAULT,
-            (_, Rests::Rows(_) | Rests::Pair) => ASPERITY_STRENGTH_TABLE,
+            (_, Rests::Metals | Rests::Others) => ASPERITY_STRENGTH_DEFAULT,
+            (_, Rests::Rows(_) | Rests::Family(_)) => ASPERITY_STRENGTH_TABLE,
             (_, Rests::Given) => ASPERITY_STRENGTH_GIVEN,
         };
         for (i, answer) in answers.iter().enumerate() {
+            let [tangential, normal, radii] = answer.stiffness;
             let one = asperity_estimate {
                 struct_size: step,
                 load: answer.load,
-                friction_coefficient: answer.friction_coefficient,
-                low: answer.low,
-                high: answer.high,
+                friction_coefficient: answer.friction.value,
+                low: answer.friction.low,
+                high: answer.friction.high,
                 friction_force: answer.friction_force,
+                curve_coefficient: answer.curve,
+                constant_odds: answer.constant_odds,
                 contacts: answer.contacts,
                 specimen_force: answer.specimen_force,
                 specimen_scatter: answer.specimen_scatter,
-                strength_share: answer.strength_share,
-                roughness_share: answer.roughness_share,
-                measurement_share: answer.measurement_share,
-                misfit: estimate.misfit,
+                strength_share: answer.shares.strength,
+                size_share: answer.shares.size,
+                pressure_share: answer.shares.pressure,
+                adhesion_share: answer.shares.adhesion,
+                hardness_share: answer.shares.hardness,
+                slope_share: answer.shares.slope,
+                measurement_share: answer.shares.measurement,
+                model_share: answer.shares.model,
+                tangential_stiffness: tangential.value,
+                tangential_stiffness_low: tangential.low,
+                tangential_stiffness_high: tangential.high,
+                normal_stiffness: normal.value,
+                normal_stiffness_low: normal.low,
+                normal_stiffness_high: normal.high,
+                contact_radius_sum: radii.value,
+                contact_radius_sum_low: radii.low,
+                contact_radius_sum_high: radii.high,
+                error_growth: estimate.growth,
                 warnings,
                 strength_source,
                 is_of_pressures: estimate.is_of_pressures().into(),
@@ -177,10 +222,7 @@ pub unsafe extern "C" fn asperity_estimate_text(
 ) -> usize {
     let whole = boundary::written(buffer, buffer_length, || {
         let (estimate, answers, warnings) = estimated(surface, length, n, load)?;
-        let mut text = String::new();
-        // Writing to a string does not fail.
-        let _ = write(&estimate, bytes(surface, length), &answers, warnings, &mut text);
-        Ok(text)
+        Ok(write(&estimate, &answers, warnings)?)
     });
     if whole == 0 {
         let _ = asperity_last_error(buffer, buffer_length);

@@ -7,7 +7,6 @@ use super::status::asperity_status;
 use super::tables::{keep, Kept};
 use crate::by_name::{self, is_of_these_surfaces, Draft, LONGEST_TEXT};
 use crate::error::Error;
-use crate::estimate::Estimate;
 use crate::params::HeightFamily;
 use std::ffi::c_char;
 use std::mem::replace;
@@ -93,27 +92,6 @@ pub unsafe extern "C" fn asperity_params_set_text(
         change(params, |params| {
             not_null(text, "text")?;
             params.set_text(bytes(text, length), Failure::from)
-        })
-    })
-}
-
-/// Sets all parameters as `asperity_estimate_at_loads` takes them for a text, also the strength that it has from the table of
-/// interfaces: models of them have its friction.
-///
-/// @param surface,length  as of `asperity_estimate_at_loads`, which returns the same
-#[no_mangle]
-pub unsafe extern "C" fn asperity_params_set_estimate(
-    params: *mut asperity_params,
-    surface: *const c_char,
-    length: usize,
-) -> asperity_status {
-    boundary::status(|| {
-        change(params, |params| {
-            not_null(surface, "surface")?;
-            params.set_draft(|draft| {
-                *draft = Draft::of(Estimate::new(bytes(surface, length), &[])?.params());
-                Ok(())
-            })
         })
     })
 }

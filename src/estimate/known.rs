@@ -9,17 +9,6 @@ use crate::numerics::elementary::log;
 /// 95 % of a normal distribution lie within so many standard deviations.
 pub const REACH_95: f64 = 1.959_963_984_540_054;
 
-/// A default strength of an interface and a true one are within this factor either way with a probability of 95 %, which is
-/// what is called an order of magnitude (docs/when-to-use.md).
-pub const DEFAULT_FACTOR: f64 = 10.0;
-/// The same of a strength from a row of the table of interfaces: the spread of dry, oxidised and clean steel in it, 2.9.
-pub const ROW_FACTOR: f64 = 3.0;
-/// The same of the slopes of machined surfaces.
-pub const SLOPE_FACTOR: f64 = 4.0;
-/// The nominal pressure [Pa] that is taken for a friction coefficient of the table of interfaces without a load, ...
-pub const ROW_PRESSURE: f64 = 1e6;
-/// ... and the largest where its load, which is one of other specimens, is known.
-pub const LARGEST_ROW_PRESSURE: f64 = 1e8;
 /// Summits per area times their radius and standard deviation of height, of a surface without a nominal area (Greenwood and
 /// Williamson, Proc. R. Soc. A 295, 1966).
 pub const SUMMIT_PRODUCT: f64 = 0.05;

@@ -1,28 +1,79 @@
 //! Friction at loads from what little is known of a surface, as its text says, with the band that this leaves.
 //!
-//! What is not known is taken as log-normal: the strength of the interface, and the height and slope of a surface of which only the
-//! process is known. A model is made for each of a few roughnesses (`cases`), at most five; friction is linear in the strength, so
-//! that no more are needed. Measured points narrow the strength in each case, and change the probabilities of the cases, by Bayes'
-//! rule (`strength`). `known` has what is usual as data, `words` writes an estimate for people.
+//! Not known are the strength of the interface, its size effect and pressure coefficient, the work of adhesion, the contact law where
+//! asperities may yield, slope, hardness and E, and how real interfaces leave the law between loads. `priors` has what is taken of each,
+//! `strength` what is known of friction before it is measured, `cases` the surfaces that may be. Of what is not normal there are nodes;
+//! measured points change their probabilities, and narrow what is normal within each, by Bayes' rule (`posterior`). The value is the
+//! median of all nodes, the band their quantiles. `words` writes an estimate for people.
 
 mod cases;
 pub mod known;
-mod normal;
+mod posterior;
+pub mod priors;
 mod strength;
 mod words;
 
-use crate::by_name::{describe, of_points, Case, Described};
+use crate::asperity::slip::SlipConstants;
+use crate::by_name::{describe, Described};
 use crate::error::{Error, LOAD};
-use crate::model::calibration::Calibrated;
-use crate::model::points::{slice, slices, Seen, Slice};
+use crate::model::calibration::MeasuredPoint;
 use crate::model::validity::WARNING_FEW;
-use crate::model::Model;
+use crate::model::Surfaces;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
-use crate::params::Params;
+use crate::params::{Params, OF_OTHER_MATERIALS};
+use cases::{laws, Law, OfLaw, Work, HARDNESS_INPUT, SLOPES, YOUNG_INPUT};
+use known::deviation;
+use posterior::{Kernel, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
+use std::cell::RefCell;
+use std::f64::consts::LN_10;
+use std::rc::Rc;
 pub use strength::Rests;
 use strength::Strength;
 pub use words::write;
+
+/// Slip stresses are this to the power of the size effect apart: Hurtado and Kim's with 1.
+const SIZE_RATIO: f64 = 30.0;
+const SIZES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// Pressure coefficients that are looked at, beside 0, up to so many of their deviations.
+const PRESSURES: u32 = 8;
+const MOST_PRESSURE: f64 = 3.0;
+/// Of more points, those whose loads are nearest are taken together.
+const MOST_SOLVED: usize = 16;
+/// Points whose misfit over what is left is up to the first of these are as they should be; from the second on their errors grow by its
+/// root.
+const FITTING: [f64; 2] = [2.0, 4.0];
+/// Loads that are kept.
+const MOST_KEPT: usize = 16;
+/// What a constant coefficient is asked to be within.
+const CONSTANT: f64 = 1.1;
+/// A coefficient above it is a slip of units rather than a strength.
+const LARGE: f64 = 5.0;
+/// Nodes less probable than this do not matter.
+const UNLIKELY: f64 = 1e-7;
+/// No band has a smaller variance.
+const CERTAIN: f64 = 1e-20;
+
+/// What makes the variance of ln(F/P).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Shares {
+    pub strength: f64,
+    pub size: f64,
+    pub pressure: f64,
+    pub adhesion: f64,
+    pub hardness: f64,
+    pub slope: f64,
+    pub measurement: f64,
+    pub model: f64,
+}
+
+/// A number with its band.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Band {
+    pub value: f64,
+    pub low: f64,
+    pub high: f64,
+}
 
 /// An answer for one load.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -30,12 +81,16 @@ pub struct Answer {
     /// [N]
     pub load: f64,
     /// F/P: infinite from the pull-off load to 0, 0 below.
-    pub friction_coefficient: f64,
-    /// Ends of the band.
-    pub low: f64,
-    pub high: f64,
+    pub friction: Band,
     /// F [N].
     pub friction_force: f64,
+    /// F/P of a model of the parameters; NaN where no strength gives the measured friction.
+    pub curve: f64,
+    /// How probable it is that F/P is within 10 % of what was measured.
+    pub constant_odds: f64,
+    pub shares: Shares,
+    /// Tangential and normal stiffness [N/m], and the sum of the contact radii [m].
+    pub stiffness: [Band; 3],
     /// Summits in contact that the model expects, and whether they are too few for one specimen to be like the mean of the model. NaN
     /// where loads are pressures.
     pub contacts: f64,
@@ -45,114 +100,351 @@ pub struct Answer {
     pub specimen_force: f64,
     /// Standard deviation of the friction force of single specimens over its mean; NaN where it is not known.
     pub specimen_scatter: f64,
-    /// Shares of the variance of ln(F/P) that follow from the strength of the interface, the roughness and the measurement.
-    pub strength_share: f64,
-    pub roughness_share: f64,
-    pub measurement_share: f64,
 }
 
 /// All that a text tells of friction.
 pub struct Estimate {
     described: Described,
     strength: Strength,
-    cases: Vec<Likely>,
-    /// The middle case with a pressure coefficient of 1, where the load does not say what that makes.
-    pressed: Option<Model>,
-    /// With the strength that the estimate has.
-    params: Params,
-    /// Standard deviations to either end of a band.
-    reach: f64,
-    /// Whether the points set the pressure coefficient.
-    tells_pressure: bool,
-    /// By how much the points are off the curve, in their errors.
-    pub misfit: f64,
+    laws: Vec<Law>,
+    /// Those of the surfaces that were measured, where they are others.
+    laws_there: Option<Vec<Law>>,
+    /// The size effect, where it is not open.
+    size: Option<f64>,
+    points: Vec<Point>,
+    /// What the laws made of the last loads that were asked for.
+    asked: RefCell<Vec<(f64, Rc<Vec<OfLaw>>)>>,
+    nodes: Vec<Node>,
+    curve: Curve,
+    /// By how much the errors of the points grew, since the law cannot follow them.
+    pub growth: f64,
+    /// The probability that real interfaces leave the law more than is usual.
+    pub leaves_law: f64,
 }
 
-/// One of the surfaces that may be.
-struct Likely {
-    model: Model,
-    /// What is left open of the strength, with probabilities.
-    slices: Vec<(f64, Slice)>,
-    probability: f64,
+/// Measured points at one load.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    load: f64,
+    log_force: f64,
+    /// The variance of its error.
+    noise: f64,
+    /// How far those at this load are off their mean, squared, over their errors; and how many more than one they are.
+    scatter: f64,
+    more: usize,
+}
+
+/// One set of all that is not normal.
+struct Node {
+    law: usize,
+    work: Work,
+    size: f64,
+    /// The part of the force at the reference that goes with pressure.
+    pressed: f64,
+    /// Times as much of how real interfaces leave the law, and its rise a decade.
+    more: (f64, f64),
+    /// Where it stands among the laws, works, sizes, pressures, and mores.
+    place: [usize; 5],
+    kernel: Kernel,
+    /// ln of the force at the reference, and what makes it there.
+    log_force: f64,
+    reference: Reference,
+    solved: Solved,
+    weight: f64,
+}
+
+#[derive(Clone, Copy)]
+struct Reference {
+    force: f64,
+    hertz: f64,
+    gains: [f64; INPUTS],
+}
+
+/// What a solver gets: one law.
+struct Curve {
+    params: Params,
+    /// With a pressure coefficient of 0.
+    surfaces: Surfaces,
+    failure: Option<Error>,
 }
 
 impl Estimate {
-    /// Reads a text and makes the models of its cases, for these loads.
+    /// Reads a text and finds what its points tell.
     ///
     /// # Errors
-    /// Those of the text, with line and key, and those of models.
-    pub fn new(bytes: &[u8], loads: &[f64]) -> Result<Self, Error> {
-        Self::of(bytes, loads, Case::MIDDLE)
+    /// Those of the text, with line and key, and those of surfaces.
+    pub fn new(bytes: &[u8]) -> Result<Self, Error> {
+        describe(bytes, Self::of)
     }
 
-    /// The same of another most probable surface. Of one of another hardness it is the only one.
-    fn of(bytes: &[u8], loads: &[f64], at: Case) -> Result<Self, Error> {
-        let described = describe(bytes, at)?;
-        let machined = described.machined.as_ref().filter(|_| at.hardness.is_none());
-        let reach = normal::reach(described.coverage);
-        if described.params.slip.stress_1 == 0.0 && described.params.slip.stress_2 == 0.0 {
-            let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
-            return Err(Error::Meaningless(says.into()));
+    /// The same of what a text says.
+    pub fn of(mut described: Described) -> Result<Self, Error> {
+        let strength = Strength::new(&described);
+        let size = fix_size(&mut described, &strength)?;
+        for point in &described.points {
+            described.params.check_measured(point.load, point.force)?;
         }
-        let rests = Rests::of(&described);
-        let strength = Strength::new(rests.clone(), &described);
-        let prepare = |params: Params| -> Result<Params, Error> {
-            let mut params = described.with_law(params)?;
-            rests.set(&mut params)?;
-            Ok(params)
-        };
-        let mut params = prepare(described.params.clone())?;
-        let points = described.points.iter().map(|point| point.load);
-        let range = range(loads.iter().copied().chain(points).chain(strength.loads()), params.work_of_adhesion > 0.0);
-        let of_pressure = |params: &Params, pressure_coefficient: f64| {
-            Model::between(&Params { pressure_coefficient, ..params.clone() }, range)
-        };
-        let without_pressure = |params: &Params| of_pressure(params, 0.0);
-        let middle = without_pressure(&params)?;
-        let given = params.pressure_coefficient;
-        let calibrated = match described.points.is_empty() {
-            true => {
-                strength.take(&mut params, &middle)?;
-                Calibrated { seen: Vec::new(), misfit: 0.0, tells_pressure: false }
-            }
-            false => params
-                .calibrate_points(&described.points, described.pressure_is_free, Some(&middle))
-                .map_err(|error| of_points(bytes, error))?,
-        };
-        let Calibrated { mut seen, misfit, tells_pressure } = calibrated;
-        // A trend that the law cannot follow is not within the errors that were given.
-        seen.iter_mut().for_each(|one| one.error *= misfit.max(1.0));
-        let mut found = Vec::new();
-        for (at, probability) in cases::of(machined) {
-            let model = match found.is_empty() {
-                true => middle.clone(),
-                false => without_pressure(&prepare(describe(bytes, at)?.params)?)?,
-            };
-            let prior = strength.prior(&model)?;
-            let mut here = Vec::with_capacity(seen.len());
-            for (one, point) in seen.iter().zip(&described.points) {
-                let force = model.friction_force_at_load(point.load);
-                if !finite(force) || force <= 0.0 {
-                    return Err(of_points(bytes, Model::not_evaluated(point.load)));
-                }
-                here.push(Seen { force, ..*one });
-            }
-            let of_case = match (here.is_empty(), tells_pressure) {
-                (true, _) => {
-                    vec![Slice { kappa: given, mean: prior.mean, variance: strength.variance(), log_weight: 0.0 }]
-                }
-                (false, false) => vec![slice(&here, prior, given)],
-                (false, true) => slices(&here, prior),
-            };
-            found.push((model, of_case, probability));
+        let laws_here = laws(&described, false)?;
+        for point in described.points.iter().filter(|point| point.force > LARGE * point.load) {
+            // Beyond any strength it is a slip of units.
+            described.params.clone().strengthen(laws_here[0].middle(), point.load, point.force)?;
         }
-        let pressing = params.pressure_coefficient > 0.0 || tells_pressure;
-        let pressed = match pressing && params.work_of_adhesion > 0.0 {
-            true => Some(of_pressure(middle.params(), 1.0)?),
-            false => None,
+        let laws_there = described.measured_on.as_ref().map(|_| laws(&described, true)).transpose()?;
+        let curve = Curve { params: described.params.clone(), surfaces: laws_here[0].middle().clone(), failure: None };
+        let points = merged(&described.points);
+        let mut estimate = Self {
+            described,
+            strength,
+            laws: laws_here,
+            laws_there,
+            size,
+            points,
+            asked: RefCell::default(),
+            nodes: Vec::new(),
+            curve,
+            growth: 1.0,
+            leaves_law: 0.0,
         };
-        let cases = weighted(found);
-        Ok(Self { described, strength, cases, pressed, params, reach, tells_pressure, misfit })
+        estimate.weigh()?;
+        estimate.curve = estimate.find_curve()?;
+        Ok(estimate)
+    }
+
+    fn is_film(&self) -> bool {
+        self.size.is_none()
+    }
+
+    /// What the laws make of a load.
+    fn at(laws: &[Law], load: f64, is_film: bool) -> Result<Vec<OfLaw>, Error> {
+        laws.iter().map(|law| law.at(load, is_film)).collect()
+    }
+
+    /// The same of the surfaces that are asked for, kept since a text asks for some loads more than once.
+    fn at_asked(&self, load: f64) -> Result<Rc<Vec<OfLaw>>, Error> {
+        if let Some((_, kept)) = self.asked.borrow().iter().find(|(other, _)| *other == load) {
+            return Ok(kept.clone());
+        }
+        let found = Rc::new(Self::at(&self.laws, load, self.is_film())?);
+        let mut asked = self.asked.borrow_mut();
+        if asked.len() == MOST_KEPT {
+            asked.remove(0);
+        }
+        asked.push((load, found.clone()));
+        Ok(found)
+    }
+
+    /// Makes the nodes, and gives them the probabilities that the points leave them.
+    fn weigh(&mut self) -> Result<(), Error> {
+        let there = self.laws_there.as_ref().unwrap_or(&self.laws);
+        let is_film = self.is_film();
+        // A stress holds at all loads, but a pressure coefficient has a load at which it is a part.
+        let reference = Self::at(
+            there,
+            if self.strength.is_stress { self.described.usual_load() } else { self.strength.load },
+            is_film,
+        )?;
+        let of_points =
+            self.points.iter().map(|point| Self::at(there, point.load, is_film)).collect::<Result<Vec<_>, _>>()?;
+        let measured: Vec<f64> = self.points.iter().map(|point| point.log_force).collect();
+        let mut noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
+        let unsolved = self.unsolved_nodes(&reference)?;
+        for is_again in [false, true] {
+            let solve = |(node, prior): &(Node, f64)| {
+                let seen =
+                    of_points.iter().zip(&self.points).map(|(at, point)| node.seen(at, self.decades(point.load)));
+                let solved = Solved::new(seen.collect(), node.kernel, &measured, &noise);
+                let weight = log(*prior) + solved.log_probability;
+                (solved, weight)
+            };
+            let mut found: Vec<(Solved, f64)> = unsolved.iter().map(solve).collect();
+            let best = found.iter().map(|one| one.1).fold(f64::NEG_INFINITY, f64::max);
+            let mut all = 0.0;
+            for one in &mut found {
+                one.1 = exp(one.1 - best);
+                all += one.1;
+            }
+            let least = found.iter().map(|one| one.0.misfit).fold(f64::INFINITY, f64::min);
+            let growth = if is_again { 1.0 } else { self.growth_of(least) };
+            if growth > 1.0 {
+                self.growth = growth;
+                noise.iter_mut().for_each(|noise| *noise *= growth * growth);
+                continue;
+            }
+            self.nodes = unsolved
+                .into_iter()
+                .zip(found)
+                .filter(|(_, (_, weight))| weight / all > UNLIKELY)
+                .map(|((node, _), (solved, weight))| Node { weight: weight / all, solved, ..node })
+                .collect();
+            break;
+        }
+        let leaves = |node: &&Node| node.more.0 > 1.0;
+        self.leaves_law = self.nodes.iter().filter(leaves).map(|node| node.weight).sum();
+        Ok(())
+    }
+
+    /// By how much the errors grow for a misfit, without a step.
+    fn growth_of(&self, misfit: f64) -> f64 {
+        let left = self.points.iter().map(|point| point.more + 1).sum::<usize>().saturating_sub(1);
+        if left == 0 {
+            return 1.0;
+        }
+        let misfit = (misfit + self.points.iter().map(|point| point.scatter).sum::<f64>()) / left as f64;
+        let [from, to] = FITTING;
+        match misfit {
+            _ if misfit <= from => 1.0,
+            _ if misfit >= to => misfit.sqrt(),
+            _ => 1.0 + (misfit - from) / (to - from) * (to.sqrt() - 1.0),
+        }
+    }
+
+    /// All nodes with their probabilities before the points.
+    fn unsolved_nodes(&self, reference: &[OfLaw]) -> Result<Vec<(Node, f64)>, Error> {
+        let class = self.described.class;
+        let error = self.described.model_error;
+        let is_open = |many: bool| if many { usize::MAX } else { 1 };
+        let mores = if error > 0.0 && !self.strength.is_stress { class.more } else { &[(1.0, 0.0, 1.0)] };
+        let mut nodes = Vec::new();
+        let laws = self.laws_there.as_ref().unwrap_or(&self.laws);
+        for (at_law, law) in laws.iter().enumerate() {
+            for (at_work, work) in law.works.iter().enumerate() {
+                for (at_size, (&size, of_size)) in
+                    SIZES.iter().zip(class.size).take(is_open(self.is_film())).enumerate()
+                {
+                    let (size, of_size) = self.size.map_or((size, of_size), |size| (size, 1.0));
+                    let terms = reference[at_law].terms(work);
+                    let force = terms.force(size);
+                    let gains = reference[at_law].gains(|terms| terms.force(size));
+                    for (at_pressure, (pressed, of_pressure, log_force)) in
+                        self.pressures(force, terms.hertz)?.into_iter().enumerate()
+                    {
+                        for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
+                            let scale = error * times;
+                            let is_stress = self.strength.is_stress;
+                            let leaves = |rate: f64| if is_stress { 0.0 } else { (scale * rate) * (scale * rate) };
+                            let kernel = Kernel {
+                                strength: self.strength.deviation * self.strength.deviation,
+                                drift: leaves(class.drift),
+                                wander: leaves(class.wander),
+                            };
+                            let gains = if is_stress { [0.0; INPUTS] } else { gains };
+                            let node = Node {
+                                law: at_law,
+                                work: *work,
+                                size,
+                                pressed,
+                                more: (times, rise * error.min(1.0)),
+                                place: [at_law, at_work, at_size, at_pressure, at_more],
+                                kernel,
+                                log_force,
+                                reference: Reference { force, hertz: terms.hertz, gains },
+                                solved: Solved::new(Vec::new(), kernel, &[], &[]),
+                                weight: 0.0,
+                            };
+                            let prior = law.probability * work.probability * of_size * of_pressure * of_more;
+                            nodes.push((node, prior));
+                        }
+                    }
+                }
+            }
+        }
+        Ok(nodes)
+    }
+
+    /// The parts of the force at the reference that pressure coefficients make, their probabilities, and ln of that force.
+    fn pressures(&self, force: f64, hertz: f64) -> Result<Vec<(f64, f64, f64)>, Error> {
+        let given = self.described.params.pressure_coefficient;
+        let log_force = match self.strength.is_stress {
+            true => log(exp(self.strength.mean + force) + given * exp(hertz)),
+            false => self.strength.log_force(),
+        };
+        let of_hertz = exp(hertz - log_force);
+        if !self.described.pressure_is_free || self.strength.is_stress {
+            let by_pressure = given * of_hertz;
+            return match (by_pressure < 1.0, self.strength.is_measured) {
+                (true, _) => Ok(vec![(by_pressure, 1.0, log_force)]),
+                // Strength comes on top of what is given.
+                (false, false) => {
+                    Ok(vec![(by_pressure / (1.0 + by_pressure), 1.0, log_force + log(1.0 + by_pressure))])
+                }
+                (false, true) => {
+                    let point = &self.described.points[0];
+                    let mut params = self.described.params.clone();
+                    params.strengthen(self.laws[0].middle(), point.load, point.force)?;
+                    Ok(vec![(1.0 - f64::EPSILON, 1.0, log_force)])
+                }
+            };
+        }
+        let class = self.described.class;
+        let reach = if class.pressure_is_even { class.pressure } else { MOST_PRESSURE * class.pressure };
+        let most = (1.0 / of_hertz).min(reach);
+        let weight =
+            |kappa: f64| if class.pressure_is_even { 1.0 } else { exp(-0.5 * (kappa / class.pressure).powi(2)) };
+        let kappas: Vec<f64> = (0..PRESSURES).map(|i| most * (f64::from(i) + 0.5) / f64::from(PRESSURES)).collect();
+        let all: f64 = kappas.iter().map(|&kappa| weight(kappa)).sum();
+        let pressing = kappas.into_iter().map(|kappa| (kappa * of_hertz, 0.5 * weight(kappa) / all, log_force));
+        Ok(std::iter::once((0.0, 0.5, log_force)).chain(pressing).collect())
+    }
+
+    /// Decades of load from the reference.
+    fn decades(&self, load: f64) -> f64 {
+        match load > 0.0 && self.strength.load > 0.0 {
+            true => (log(load) - log(self.strength.load)) / LN_10,
+            false => 0.0,
+        }
+    }
+
+    /// ln F at a load, as all nodes have it.
+    fn mixture(&self, at: &[OfLaw], decades: f64) -> Mixture {
+        self.looked(at, decades).0
+    }
+
+    /// The same, with what makes its variance: within nodes its parts, between them each of what they differ in.
+    fn looked(&self, at: &[OfLaw], decades: f64) -> (Mixture, Shares) {
+        let mut within = [0.0; PARTS];
+        // The probability and the mean of all nodes that have one thing alike.
+        let mut alike = [[(0.0, 0.0); PRESSURES as usize + 1]; 5];
+        let mut normals = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let seen = node.seen(at, decades);
+            let (parts, mean) = (node.solved.parts(&seen), node.solved.mean(&seen));
+            let weight = node.weight;
+            within.iter_mut().zip(parts).for_each(|(sum, part)| *sum += weight * part);
+            for (what, &place) in alike.iter_mut().zip(&node.place) {
+                what[place] = (what[place].0 + weight, what[place].1 + weight * mean);
+            }
+            normals.push(Normal { weight, mean, deviation: parts.iter().sum::<f64>().sqrt() });
+        }
+        let mixture = Mixture(normals);
+        let (mean, variance) = mixture.moments();
+        if variance < CERTAIN {
+            return (mixture, Shares::default());
+        }
+        let apart = alike.each_ref().map(|what| {
+            let known = what.iter().filter(|(weight, _)| *weight > 0.0);
+            known.map(|(weight, sum)| weight * (sum / weight - mean) * (sum / weight - mean)).sum::<f64>()
+        });
+        let [inside, all] = [within.iter().sum::<f64>(), apart.iter().sum::<f64>()];
+        let between = (variance - inside).max(0.0);
+        let [law, adhesion, size, pressure, more] =
+            apart.map(|part| if all > 0.0 { part / all * between } else { 0.0 });
+        let share = |part: f64| part / variance;
+        let shares = Shares {
+            strength: share(within[INPUTS]),
+            size: share(size),
+            pressure: share(pressure),
+            adhesion: share(adhesion),
+            hardness: share(within[HARDNESS_INPUT] + within[YOUNG_INPUT] + law),
+            slope: share(SLOPES.iter().map(|&input| within[input]).sum()),
+            measurement: share(within[INPUTS + 1]),
+            model: share(within[INPUTS + 2] + more),
+        };
+        (mixture, shares)
+    }
+
+    /// Probabilities of either end of a band.
+    fn ends(&self) -> [f64; 2] {
+        [0.5 * (1.0 - self.described.coverage), 0.5 * (1.0 + self.described.coverage)]
     }
 
     /// Friction at a load.
@@ -163,118 +455,215 @@ impl Estimate {
         if !finite(load) {
             return Err(Error::InvalidLoad { name: LOAD, value: load });
         }
-        let middle = &self.cases[0].model;
-        let (force, pressed) = (self.positive(middle, load)?, self.pressed(load)?);
-        let by_pressure = self.params.pressure_coefficient * pressed;
-        let friction_force = self.factor() * force + by_pressure;
-        let mut answer = Answer {
-            load,
-            friction_coefficient: friction_force / load,
-            friction_force,
-            contacts: f64::NAN,
-            specimen_force: f64::NAN,
-            specimen_scatter: f64::NAN,
-            ..Answer::default()
-        };
-        let is_apart = load <= 0.0 && middle.validate_load(load).is_err();
-        if is_apart {
-            answer.contacts = 0.0;
-        } else if load <= 0.0 && middle.params().work_of_adhesion == 0.0 {
-            (answer.contacts, answer.specimen_force) = (0.0, 0.0);
-        } else {
-            self.add_specimens(&mut answer, by_pressure)?;
+        let mut answer = Answer { load, ..Answer::default() };
+        [answer.contacts, answer.specimen_force, answer.specimen_scatter] = [f64::NAN; 3];
+        if load > 0.0 {
+            self.add_band(&mut answer)?;
         }
+        self.add_state(&mut answer)?;
         if self.is_of_pressures() {
-            (answer.contacts, answer.specimen_force, answer.specimen_scatter) = (f64::NAN, f64::NAN, f64::NAN);
+            [answer.contacts, answer.specimen_force, answer.specimen_scatter] = [f64::NAN; 3];
         }
-        if load <= 0.0 {
-            // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
-            answer.friction_coefficient = if is_apart { 0.0 } else { f64::INFINITY };
-            (answer.low, answer.high) = (answer.friction_coefficient, answer.friction_coefficient);
-            return Ok(answer);
-        }
-        self.add_band(&mut answer, pressed)?;
         Ok(answer)
     }
 
-    /// What one specimen has, whose summits are not the mean of all.
-    fn add_specimens(&self, answer: &mut Answer, by_pressure: f64) -> Result<(), Error> {
-        let middle = &self.cases[0].model;
-        let state = match middle.state_at_load(answer.load) {
+    fn add_band(&self, answer: &mut Answer) -> Result<(), Error> {
+        let at = self.at_asked(answer.load)?;
+        let (decades, log_load) = (self.decades(answer.load), log(answer.load));
+        let (mixture, shares) = self.looked(&at, decades);
+        let ratio = |probability: f64| exp(mixture.quantile(probability) - log_load);
+        let [low, high] = self.ends();
+        let value = ratio(0.5);
+        answer.friction = Band { value, low: ratio(low).min(value), high: ratio(high).max(value) };
+        if mixture.moments().1 < CERTAIN {
+            answer.friction = Band { value, low: value, high: value };
+        }
+        answer.friction_force = answer.friction.value * answer.load;
+        let constant = self.strength.mean + log_load;
+        let near = log(CONSTANT);
+        answer.constant_odds = mixture.between(constant - near, constant + near);
+        answer.shares = shares;
+        for (i, band) in answer.stiffness.iter_mut().enumerate() {
+            *band = self.stiffness(&at, i);
+        }
+        Ok(())
+    }
+
+    /// A stiffness, of which nothing was measured.
+    fn stiffness(&self, at: &[OfLaw], which: usize) -> Band {
+        let mut alike: Vec<([usize; 2], Normal)> = Vec::new();
+        for node in &self.nodes {
+            let key = [node.place[0], node.place[1]];
+            if let Some((_, normal)) = alike.iter_mut().find(|(other, _)| *other == key) {
+                normal.weight += node.weight;
+                continue;
+            }
+            let of = &at[node.law];
+            let error = self.described.model_error * deviation(priors::STIFFNESS);
+            let inputs: f64 = of.gains(|terms| terms.stiffness[which]).iter().map(|gain| gain * gain).sum();
+            let mean = of.terms(&node.work).stiffness[which];
+            alike.push((key, Normal { weight: node.weight, mean, deviation: (inputs + error * error).sqrt() }));
+        }
+        let mixture = Mixture(alike.into_iter().map(|one| one.1).collect());
+        let [low, high] = self.ends();
+        let [value, low, high] = [0.5, low, high].map(|probability| exp(mixture.quantile(probability)));
+        Band { value, low, high }
+    }
+
+    /// What a model of the parameters has, and single specimens.
+    fn add_state(&self, answer: &mut Answer) -> Result<(), Error> {
+        let Curve { params, surfaces, failure } = &self.curve;
+        let load = answer.load;
+        let is_apart = load <= 0.0 && surfaces.validate_load(load).is_err();
+        if is_apart || (load <= 0.0 && params.work_of_adhesion == 0.0) {
+            answer.contacts = 0.0;
+            if !is_apart {
+                (answer.friction, answer.specimen_force) = (infinite(), 0.0);
+            }
+            answer.curve = if failure.is_some() { f64::NAN } else { answer.friction.value };
+            return Ok(());
+        }
+        let state = match surfaces.state_at_load(load) {
             // No number is small enough for what the mean of so rough surfaces has without a load.
-            Err(_) if answer.load == 0.0 => None,
+            Err(_) if load == 0.0 => None,
             state => Some(state?),
         };
+        let kappa = params.pressure_coefficient;
+        let [of_strength, by_pressure] =
+            state.map_or([0.0; 2], |state| [self.factor() * state.friction_force, kappa * state.hertz_load]);
+        let force = of_strength + by_pressure;
+        answer.curve = if failure.is_some() { f64::NAN } else { force / load };
+        if load <= 0.0 {
+            // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
+            (answer.friction_force, answer.friction) = (force, infinite());
+            answer.curve = if failure.is_some() { f64::NAN } else { f64::INFINITY };
+        }
         answer.contacts = state.map_or(0.0, |state| state.contacting);
         answer.is_few = state.is_none_or(|state| state.warnings & WARNING_FEW != 0);
-        if self.params.is_of_many() && answer.contacts < 1.0 && answer.load >= 0.0 {
-            answer.specimen_force = self.factor() * middle.one_summit_at_load(answer.load) + by_pressure;
+        // Specimens are those of the median.
+        let part = if force > 0.0 { answer.friction_force / force } else { 1.0 };
+        if params.is_of_many() && answer.contacts < 1.0 && load >= 0.0 {
+            answer.specimen_force = part * (self.factor() * surfaces.one_summit_at_load(load) + by_pressure);
         } else if let Some(state) = state {
-            let scattering = answer.friction_force - by_pressure;
-            answer.specimen_force = answer.friction_force + state.friction_bias * scattering;
-            answer.specimen_scatter = state.friction_scatter * scattering / answer.friction_force;
+            answer.specimen_force = part * (force + state.friction_bias * of_strength);
+            answer.specimen_scatter = state.friction_scatter * of_strength / force;
         }
         Ok(())
     }
 
-    fn add_band(&self, answer: &mut Answer, pressed: f64) -> Result<(), Error> {
-        let load = answer.load;
-        let (mut mean, mut square) = (0.0, 0.0);
-        let (mut by_strength, mut within, mut between) = (0.0, 0.0, 0.0);
-        let mut means = Vec::with_capacity(self.cases.len());
-        let base = log(answer.friction_coefficient);
-        for case in &self.cases {
-            let force = self.positive(&case.model, load)?;
-            let mut of_case = 0.0;
-            for &(weight, Slice { kappa, mean: log_c, variance, .. }) in &case.slices {
-                let part = exp(log_c) * force;
-                let whole = part + kappa * pressed;
-                let slope = part / whole;
-                let off = log(whole / load) - base;
-                of_case += weight * off;
-                square += case.probability * weight * off * off;
-                within += case.probability * weight * slope * slope * variance;
-                by_strength += case.probability * weight * slope * slope * variance * self.strength.share(variance);
-            }
-            mean += case.probability * of_case;
-            means.push(of_case);
-        }
-        for (case, of_case) in self.cases.iter().zip(means) {
-            between += case.probability * (of_case - mean) * (of_case - mean);
-        }
-        let variance = within + (square - mean * mean).max(between);
-        let reach = self.reach * variance.sqrt();
-        (answer.low, answer.high) = (exp(base + mean - reach), exp(base + mean + reach));
-        if variance > 0.0 {
-            answer.strength_share = by_strength / variance;
-            answer.roughness_share = between / variance;
-            answer.measurement_share = (1.0 - answer.strength_share - answer.roughness_share).max(0.0);
-        } else {
-            (answer.low, answer.high) = (answer.friction_coefficient, answer.friction_coefficient);
-        }
-        Ok(())
-    }
-
-    /// The friction coefficient at a load if the bodies were harder or softer; None if that is refused.
-    fn with_hardness(bytes: &[u8], load: f64, hardness: f64) -> Option<f64> {
-        let at = Case { hardness: Some(hardness), ..Case::MIDDLE };
-        Some(Self::of(bytes, &[load], at).ok()?.at_load(load).ok()?.friction_coefficient)
-    }
-
-    /// The strength that is estimated, over that of the models.
+    /// The strength of the curve, over that of its surfaces.
     fn factor(&self) -> f64 {
-        self.params.slip.stress_1 / self.cases[0].model.params().slip.stress_1
+        self.curve.params.slip.stress_1.max(self.curve.params.slip.stress_2)
+            / self.curve.surfaces.params().slip.stress_1.max(self.curve.surfaces.params().slip.stress_2)
+    }
+
+    /// The law that a solver gets: the mean size effect and pressure coefficient, the most probable law and work of adhesion, and the
+    /// strength that gives the median at the load of the reference.
+    fn find_curve(&self) -> Result<Curve, Error> {
+        let mean = |of: &dyn Fn(&Node) -> f64| self.nodes.iter().map(|node| node.weight * of(node)).sum::<f64>();
+        let mut params = self.described.with_law(self.described.params.clone())?;
+        let size = mean(&|node| node.size);
+        if self.size.is_none() {
+            params.slip.stress_2 = params.slip.stress_1 / exp(size * log(SIZE_RATIO));
+        }
+        if params.work_of_adhesion > 0.0 {
+            params.work_of_adhesion = self.likely_work().unwrap_or(params.work_of_adhesion);
+        }
+        let surfaces = |params: &Params| Surfaces::new(&Params { pressure_coefficient: 0.0, ..params.clone() });
+        if self.described.pressure_is_free && !self.strength.is_stress {
+            // The same part of the force, also where adhesion presses more or less than in the nodes.
+            let log_force = self.strength.log_force();
+            let hertz = surfaces(&params)?.borne_at_load(self.strength.load)?.hertz_load;
+            params.pressure_coefficient = mean(&|node| node.pressed) * exp(log_force) / hertz;
+        }
+        if self.strength.is_stress {
+            let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
+            let factor = exp(self.strength.mean) / unit;
+            params.slip.stress_1 *= factor;
+            params.slip.stress_2 *= factor;
+            self.mark(&mut params);
+            return Ok(Curve { surfaces: surfaces(&params)?, params, failure: None });
+        }
+        let found = surfaces(&params)?;
+        let failure = match &self.described.measured_on {
+            None => self.strengthen(&mut params, &found).err(),
+            Some(there) => {
+                // The strength is that of the specimen that was measured, in Pa.
+                let mut measured = Params {
+                    slip: params.slip,
+                    pressure_coefficient: params.pressure_coefficient,
+                    ..there.params.clone()
+                };
+                if self.described.yields() {
+                    measured.set_elastic_plastic(measured.hardness)?;
+                }
+                let unit = measured.slip.stress_1;
+                let found = surfaces(&measured)?;
+                let failure = self.strengthen(&mut measured, &found).err();
+                let factor =
+                    measured.slip.stress_1 / unit * measured.effective_shear_modulus / params.effective_shear_modulus;
+                params.slip.stress_1 *= factor;
+                params.slip.stress_2 *= factor;
+                failure
+            }
+        };
+        if let Some(error) = failure {
+            if !matches!(error, Error::Uncalibrated { .. }) {
+                return Err(error);
+            }
+            return Ok(Curve { params, surfaces: found, failure: Some(error) });
+        }
+        self.mark(&mut params);
+        Ok(Curve { params, surfaces: found, failure: None })
+    }
+
+    /// Gives parameters the strength of the median at the reference, or that of the only point.
+    fn strengthen(&self, params: &mut Params, surfaces: &Surfaces) -> Result<(), Error> {
+        if let [point] = &self.described.points[..] {
+            params.calibration_error = point.error;
+            return params.strengthen(surfaces, point.load, point.force);
+        }
+        let load = self.strength.load;
+        let at = Self::at(self.laws_there.as_ref().unwrap_or(&self.laws), load, self.is_film())?;
+        let mixture = self.mixture(&at, 0.0);
+        params.strengthen(surfaces, load, exp(mixture.quantile(0.5)))?;
+        params.calibration_error = mixture.moments().1.sqrt().min(1.0);
+        Ok(())
+    }
+
+    /// Nothing was measured on these surfaces: parameters say whether their strength is that of other materials.
+    fn mark(&self, params: &mut Params) {
+        if !self.strength.is_measured {
+            (params.calibration_load, params.calibration_friction_force) = (0.0, 0.0);
+            if matches!(self.strength.rests, Rests::Metals | Rests::Others) {
+                params.calibration_error = OF_OTHER_MATERIALS;
+            }
+        }
+    }
+
+    /// The work of adhesion that a solver takes: none where that is clearly more probable than any.
+    fn likely_work(&self) -> Option<f64> {
+        const CLEARLY: f64 = 0.6;
+        // Rounding of what the points say nothing of.
+        const SAME: f64 = 1e-3;
+        let (mut none, mut some, mut sum) = (0.0, 0.0, 0.0);
+        for node in &self.nodes {
+            match node.work.work > 0.0 {
+                true => (some, sum) = (some + node.weight, sum + node.weight * log(node.work.work)),
+                false => none += node.weight,
+            }
+        }
+        let before = self.laws.iter().any(|law| law.works.iter().any(|work| work.work == 0.0));
+        let given = self.described.params.work_of_adhesion;
+        match before && none > CLEARLY * (none + some) {
+            true => Some(0.0),
+            false => Some(exp(sum / some)).filter(|work| (work / given - 1.0).abs() > SAME),
+        }
     }
 
     /// Whether the text has no nominal area, so that loads are nominal pressures [Pa] and forces shear stresses.
     pub fn is_of_pressures(&self) -> bool {
         self.described.is_of_pressures
-    }
-
-    /// The summits in contact at a load, where they are too few for one specimen to be like the mean of the model.
-    fn few_contacts_at(&self, load: f64) -> Option<f64> {
-        let state = self.cases[0].model.state_at_load(load).ok()?;
-        (state.warnings & WARNING_FEW != 0 && !self.is_of_pressures()).then_some(state.contacting)
     }
 
     /// The unit of loads and of forces.
@@ -285,21 +674,50 @@ impl Estimate {
         }
     }
 
-    /// The surfaces as they are taken: the most probable roughness, its contact law and the strength of the interface.
-    pub fn params(&self) -> &Params {
-        &self.params
+    /// At which of these loads a measured point is worth most, and what part of the variance at all of them it would take away.
+    fn next_point(&self, loads: &[f64]) -> Result<Option<(f64, f64)>, Error> {
+        let error = self.described.params.error_of_point();
+        let at = loads.iter().map(|&load| self.at_asked(load)).collect::<Result<Vec<_>, _>>()?;
+        let decades: Vec<f64> = loads.iter().map(|&load| self.decades(load)).collect();
+        let n = loads.len();
+        let mixtures: Vec<Mixture> = at.iter().zip(&decades).map(|(at, &decades)| self.mixture(at, decades)).collect();
+        let means: Vec<f64> = mixtures.iter().map(|mixture| mixture.moments().0).collect();
+        let mut covariance = vec![0.0; n * n];
+        for (k, node) in self.nodes.iter().enumerate() {
+            let seen: Vec<Seen> = at.iter().zip(&decades).map(|(at, &decades)| node.seen(at, decades)).collect();
+            let off: Vec<f64> = mixtures.iter().zip(&means).map(|(mixture, mean)| mixture.0[k].mean - mean).collect();
+            for i in 0..n {
+                for j in 0..n {
+                    covariance[i * n + j] +=
+                        node.weight * (node.solved.covariance(&seen[i], &seen[j]) + off[i] * off[j]);
+                }
+            }
+        }
+        let all: f64 = (0..n).map(|i| covariance[i * n + i]).sum();
+        let gain = |c: usize| {
+            let told: f64 = (0..n).map(|q| covariance[q * n + c] * covariance[q * n + c]).sum();
+            told / (covariance[c * n + c] + error * error) / all
+        };
+        Ok((0..n).map(|c| (loads[c], gain(c))).max_by(|one, other| one.1.total_cmp(&other.1)))
+    }
+
+    /// The parameters that a model of the text has.
+    ///
+    /// # Errors
+    /// [`Error::Uncalibrated`] where no strength below the shear modulus gives the measured friction.
+    pub fn params(&self) -> Result<&Params, Error> {
+        self.curve.failure.clone().map_or(Ok(&self.curve.params), Err)
     }
 
     /// Bits of what the model assumes and a state between these loads lacks: of those that press.
     ///
     /// # Errors
-    /// Those of [`Model::check_loads`].
+    /// Those of [`crate::Model::check_loads`].
     pub fn warnings(&self, loads: &[f64]) -> Result<u64, Error> {
         let pressing = || loads.iter().copied().filter(|&load| load > 0.0);
         match (pressing().reduce(f64::min), pressing().reduce(f64::max)) {
             (Some(lightest), Some(heaviest)) => {
-                let middle = &self.cases[0].model;
-                middle.check_loads_with(&self.params, lightest, heaviest)
+                self.curve.surfaces.judged_as(&self.curve.params).check_loads(lightest, heaviest)
             }
             _ => Ok(0),
         }
@@ -314,59 +732,101 @@ impl Estimate {
     pub fn is_measured(&self) -> bool {
         self.strength.is_measured
     }
+}
 
-    /// The load of Hertz' contacts, which a pressure coefficient takes its part of.
-    fn pressed(&self, load: f64) -> Result<f64, Error> {
-        match &self.pressed {
-            None => Ok(load.max(0.0)),
-            Some(pressed) => {
-                let middle = &self.cases[0].model;
-                Ok((self.positive(pressed, load)? - self.positive(middle, load)?).max(0.0))
-            }
-        }
-    }
+fn infinite() -> Band {
+    Band { value: f64::INFINITY, low: f64::INFINITY, high: f64::INFINITY }
+}
 
-    /// Friction force of a case, which must be a number > 0 where the load presses.
-    fn positive(&self, model: &Model, load: f64) -> Result<f64, Error> {
-        let force = model.friction_force_at_load(load);
-        if !finite(force) || (force <= 0.0 && load > 0.0) {
-            model.validate_load(load)?;
-            return Err(Error::out_of_range(
-                LOAD,
-                load,
-                "must be heavier: the friction force is too small for a number",
-            ));
+impl Node {
+    /// What it makes of a load.
+    fn seen(&self, at: &[OfLaw], decades: f64) -> Seen {
+        let of = &at[self.law];
+        let terms = of.terms(&self.work);
+        let Reference { force, hertz, gains: from } = self.reference;
+        let of_strength = (1.0 - self.pressed) * exp(terms.force(self.size) - force);
+        let all = of_strength + self.pressed * exp(terms.hertz - hertz);
+        let part = of_strength / all;
+        let gains = of.gains(|terms| terms.force(self.size));
+        Seen {
+            mean: self.log_force + log(all) + self.more.1 * decades,
+            gains: std::array::from_fn(|i| part * (gains[i] - from[i])),
+            decades,
         }
-        Ok(force)
     }
 }
 
-/// Gives each case and slice its probability, of the weights of slices and the probabilities before.
-fn weighted(found: Vec<(Model, Vec<Slice>, f64)>) -> Vec<Likely> {
-    let weights = || found.iter().flat_map(|(_, slices, _)| slices).map(|slice| slice.log_weight);
-    let largest = weights().fold(f64::NEG_INFINITY, f64::max);
-    let of = |slices: &[Slice]| slices.iter().map(|slice| exp(slice.log_weight - largest)).sum::<f64>();
-    // Slices of different cases are differently far apart.
-    let apart = |slices: &[Slice]| slices.get(1).map_or(1.0, |second| second.kappa - slices[0].kappa);
-    let total: f64 = found.iter().map(|(_, slices, probability)| probability * of(slices) * apart(slices)).sum();
+/// The size effect where it is not open, with slip stresses that have it.
+fn fix_size(described: &mut Described, strength: &Strength) -> Result<Option<f64>, Error> {
+    let tells_stress = strength.is_stress || described.interface.is_some();
+    let of_stress = strength.rests.rows().iter().find(|row| row.shear_strength > 0.0).filter(|_| tells_stress);
+    let there = described.measured_on.as_mut().map(|there| &mut there.params);
+    let all = std::iter::once(&mut described.params).chain(there);
+    if let Some(row) = of_stress {
+        for params in all {
+            params.set_interface(row)?;
+        }
+        described.pressure_is_free &= row.pressure_coefficient == 0.0;
+        return Ok(Some(0.0));
+    }
+    if described.has_stress {
+        let slip = described.params.slip;
+        if slip.stress_1 == 0.0 && slip.stress_2 == 0.0 {
+            let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
+            return Err(Error::Meaningless(says.into()));
+        }
+        return Ok(Some(log(slip.stress_1 / slip.stress_2) / log(SIZE_RATIO)));
+    }
+    let size = described.size_effect.unwrap_or(1.0);
+    let SlipConstants { stress_1, stress_2, .. } = SlipConstants::default();
+    let stress_2 = if size == 1.0 { stress_2 } else { stress_1 / exp(size * log(SIZE_RATIO)) };
+    for params in all {
+        (params.slip.stress_1, params.slip.stress_2) = (stress_1, stress_2);
+    }
+    Ok(described.size_effect)
+}
+
+/// Points with those at the same load as one, and of more than can be solved for those that are nearest.
+fn merged(points: &[MeasuredPoint]) -> Vec<Point> {
+    let of = |point: &MeasuredPoint| Point {
+        load: point.load,
+        log_force: log(point.force),
+        noise: point.error * point.error,
+        scatter: 0.0,
+        more: 0,
+    };
+    let mut found: Vec<Point> = points.iter().map(of).collect();
+    found.sort_by(|one, other| one.load.total_cmp(&other.load).then(one.log_force.total_cmp(&other.log_force)));
+    let apart = |pair: &[Point]| {
+        if pair[0].load > 0.0 {
+            log(pair[1].load / pair[0].load)
+        } else {
+            pair[1].load - pair[0].load
+        }
+    };
+    while found.len() > 1 {
+        let nearest = found.windows(2).map(apart).enumerate().min_by(|one, other| one.1.total_cmp(&other.1));
+        let Some((at, distance)) = nearest.filter(|&(_, distance)| distance == 0.0 || found.len() > MOST_SOLVED) else {
+            break;
+        };
+        let other = found.remove(at + 1);
+        found[at] = found[at].with(&other, distance == 0.0);
+    }
     found
-        .into_iter()
-        .map(|(model, slices, probability)| {
-            let sum = of(&slices);
-            let probability = probability * sum * apart(&slices) / total;
-            let slices = slices.into_iter().map(|slice| (exp(slice.log_weight - largest) / sum, slice)).collect();
-            Likely { model, slices, probability }
-        })
-        .collect()
 }
 
-/// The lightest and the heaviest of loads that press, and of those that adhesion bears.
-fn range(loads: impl Iterator<Item = f64>, adheres: bool) -> [f64; 2] {
-    let [mut lightest, mut heaviest] = [f64::INFINITY, f64::MIN_POSITIVE];
-    for load in loads.filter(|&load| finite(load) && (load > 0.0 || adheres)) {
-        (lightest, heaviest) = (lightest.min(load), heaviest.max(load));
+impl Point {
+    /// Two as one, at the mean of their loads; F/P is what is averaged.
+    fn with(&self, other: &Self, at_one_load: bool) -> Self {
+        let (one, two) = (1.0 / self.noise, 1.0 / other.noise);
+        let mean = |a: f64, b: f64| (one * a + two * b) / (one + two);
+        let load = if at_one_load { self.load } else { exp(mean(log(self.load), log(other.load))) };
+        let log_ratio = |point: &Self| point.log_force - if point.load > 0.0 { log(point.load) } else { 0.0 };
+        let (a, b) = (log_ratio(self), log_ratio(other));
+        let scatter = self.scatter + other.scatter + one * two / (one + two) * (a - b) * (a - b);
+        let log_force = mean(a, b) + if load > 0.0 { log(load) } else { 0.0 };
+        Self { load, log_force, noise: 1.0 / (one + two), scatter, more: self.more + other.more + 1 }
     }
-    [lightest.min(heaviest), heaviest]
 }
 
 #[cfg(test)]

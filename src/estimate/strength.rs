@@ -1,152 +1,125 @@
 //! How strong an interface is before friction is measured on it, and how well that is known.
 
-use super::known::{deviation, DEFAULT_FACTOR, LARGEST_ROW_PRESSURE, ROW_FACTOR, ROW_PRESSURE};
+use super::known::{deviation, REACH_95};
+use super::priors::{FAMILY_FACTOR, LARGEST_ROW_PRESSURE, MEASURED_FACTOR, METALS, OTHERS, PAIR_FACTOR, ROW_PRESSURE};
 use crate::by_name::Described;
-use crate::error::Error;
 use crate::materials::Interface;
-use crate::model::points::Prior;
-use crate::model::Model;
 use crate::numerics::elementary::{exp, log};
-use crate::numerics::float_bits::finite;
-use crate::params::Params;
 
 /// What is taken for the strength where nothing is measured on these surfaces.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Rests {
-    Default,
+    /// Friction of other materials: of dry metals, or of anything.
+    Metals,
+    Others,
     /// Rows of the table of interfaces: the one that is named, or those of these bodies without a lubricant.
     Rows(Vec<&'static Interface>),
-    /// A slip stress of the table of pairs.
-    Pair,
+    /// Those of the metals that these bodies are alloys of.
+    Family(Vec<&'static Interface>),
     Given,
 }
 
 impl Rests {
-    pub fn of(described: &Described) -> Self {
-        if described.has_strength {
-            return Self::Given;
-        }
+    fn of(described: &Described) -> Self {
         if let Some(interface) = described.interface {
             return Self::Rows(vec![interface]);
         }
-        let rows = described.bodies.as_ref().map(Interface::of_bodies).unwrap_or_default();
-        match described.params.has_default_strength() {
-            _ if !rows.is_empty() && described.points.is_empty() => Self::Rows(rows),
-            true => Self::Default,
-            false => Self::Pair,
+        if described.has_stress {
+            return Self::Given;
+        }
+        let Some(bodies) = &described.bodies else { return Self::Others };
+        match (Interface::of_bodies(bodies), Interface::of_families(bodies)) {
+            (rows, _) if !rows.is_empty() => Self::Rows(rows),
+            (_, rows) if !rows.is_empty() => Self::Family(rows),
+            _ if bodies.are_metals() => Self::Metals,
+            _ => Self::Others,
         }
     }
 
-    /// The rows that tell a friction coefficient, or else a shear strength.
-    fn alike(&self) -> (Vec<&'static Interface>, bool) {
-        let Self::Rows(rows) = self else { return (Vec::new(), false) };
-        let of_coefficient = rows.iter().any(|row| row.friction_coefficient > 0.0);
-        let is_alike = |row: &&&Interface| (row.friction_coefficient > 0.0) == of_coefficient;
-        (rows.iter().filter(is_alike).copied().collect(), of_coefficient)
-    }
-
-    /// Sets the slip stresses to the mean of the shear strengths of rows, where they have some.
-    pub fn set(&self, params: &mut Params) -> Result<(), Error> {
-        let (rows, of_coefficient) = self.alike();
-        let [first, others @ ..] = &rows[..] else { return Ok(()) };
-        if of_coefficient {
-            return Ok(());
+    pub fn rows(&self) -> &[&'static Interface] {
+        match self {
+            Self::Rows(rows) | Self::Family(rows) => rows,
+            _ => &[],
         }
-        params.set_interface(first)?;
-        let off = |row: &&Interface| log(row.shear_strength / first.shear_strength);
-        let factor = exp(others.iter().map(off).sum::<f64>() / rows.len() as f64);
-        params.slip.stress_1 *= factor;
-        params.slip.stress_2 *= factor;
-        Ok(())
     }
 }
 
-/// What is known of ln c, the factor on the slip stresses of the cases.
+/// What is known of friction before the points of these surfaces: its logarithm is normal.
+#[derive(Debug)]
 pub struct Strength {
     pub rests: Rests,
     pub is_measured: bool,
-    deviation: f64,
-    /// Friction coefficients of rows, with their loads.
-    coefficients: Vec<(f64, f64)>,
+    /// ln of F/P at `load`, or of a shear strength [Pa], which holds at all loads.
+    pub mean: f64,
+    pub is_stress: bool,
+    pub deviation: f64,
+    /// The load that it is of; NaN of a stress.
+    pub load: f64,
 }
 
 impl Strength {
-    pub fn new(rests: Rests, described: &Described) -> Self {
-        let (rows, of_coefficient) = rests.alike();
-        let is_measured = !described.points.is_empty();
-        let deviation = match rests {
-            Rests::Rows(_) => deviation(ROW_FACTOR).max(spread(&rows, of_coefficient)),
-            Rests::Pair => deviation(ROW_FACTOR),
-            Rests::Given if !is_measured => 0.0,
-            Rests::Default | Rests::Given => deviation(DEFAULT_FACTOR),
-        };
+    pub fn new(described: &Described) -> Self {
+        let rests = Rests::of(described);
+        if let [first, ..] = &described.points[..] {
+            return Self::measured(described, rests, first.load);
+        }
         let area = described.area();
-        let load = |row: &Interface| match row.load > 0.0 {
-            true => row.load.min(LARGEST_ROW_PRESSURE * area),
-            false => ROW_PRESSURE * area,
-        };
-        let coefficients = match of_coefficient {
-            true => rows.iter().map(|row| (row.friction_coefficient, load(row))).collect(),
-            false => Vec::new(),
-        };
-        Self { rests, is_measured, deviation, coefficients }
-    }
-
-    /// The loads of rows.
-    pub fn loads(&self) -> impl Iterator<Item = f64> + '_ {
-        self.coefficients.iter().map(|(_, load)| *load)
-    }
-
-    /// ln c of one of the surfaces before friction is measured on it.
-    pub fn prior(&self, model: &Model) -> Result<Prior, Error> {
-        let precision = if self.deviation > 0.0 { 1.0 / self.variance() } else { 0.0 };
-        let mut sum = 0.0;
-        for &(coefficient, load) in &self.coefficients {
-            let force = model.friction_force_at_load(load);
-            if !(finite(force) && force > 0.0) {
-                return Err(Model::not_evaluated(load));
+        let usual = described.usual_load();
+        let of = |(median, factor): (f64, f64)| (log(median), deviation(factor), usual, false);
+        let (mean, deviation, load, is_stress) = match &rests {
+            Rests::Metals => of(METALS),
+            Rests::Others => of(OTHERS),
+            Rests::Given => {
+                let slip = described.params.slip;
+                let stress = slip.stress_1.max(slip.stress_2) * described.params.effective_shear_modulus;
+                (log(stress), 0.0, f64::NAN, true)
             }
-            sum += log(coefficient * load / force);
-        }
-        Ok(Prior { mean: sum / self.coefficients.len().max(1) as f64, precision })
+            Rests::Rows(rows) => of_rows(rows, PAIR_FACTOR, area),
+            Rests::Family(rows) => of_rows(rows, FAMILY_FACTOR, area),
+        };
+        Self { rests, is_measured: false, mean, is_stress, deviation, load }
     }
 
-    pub fn variance(&self) -> f64 {
-        self.deviation * self.deviation
+    /// About the weighted mean of the points, and hardly known before them.
+    fn measured(described: &Described, rests: Rests, first: f64) -> Self {
+        let points = &described.points;
+        let weight = |error: f64| 1.0 / (error * error);
+        let all: f64 = points.iter().map(|point| weight(point.error)).sum();
+        let mean_of = |value: &dyn Fn(usize) -> f64| {
+            points.iter().enumerate().map(|(i, point)| weight(point.error) * value(i)).sum::<f64>() / all
+        };
+        let (load, mean) = match points.len() > 1 && points.iter().all(|point| point.load > 0.0) {
+            true => (exp(mean_of(&|i| log(points[i].load))), mean_of(&|i| log(points[i].force) - log(points[i].load))),
+            false => (first, mean_of(&|i| log(points[i].force)) - log(if first > 0.0 { first } else { 1.0 })),
+        };
+        Self { rests, is_measured: true, mean, is_stress: false, deviation: deviation(MEASURED_FACTOR), load }
     }
 
-    /// How much of a variance of ln c that is left follows from what was known before the measurement.
-    pub fn share(&self, variance: f64) -> f64 {
-        if self.is_measured {
-            variance / self.variance()
-        } else {
-            1.0
-        }
-    }
-
-    /// Gives parameters the strength that is most probable on the middle surface.
-    pub fn take(&self, params: &mut Params, middle: &Model) -> Result<(), Error> {
-        let factor = exp(self.prior(middle)?.mean);
-        params.slip.stress_1 *= factor;
-        params.slip.stress_2 *= factor;
-        Ok(())
+    /// ln of the force at the load that it is of.
+    pub fn log_force(&self) -> f64 {
+        self.mean + if self.load > 0.0 { log(self.load) } else { 0.0 }
     }
 
     /// 95 % lie within this factor either way, before a measurement.
     pub fn factor(&self) -> f64 {
-        exp(super::known::REACH_95 * self.deviation)
+        exp(REACH_95 * self.deviation)
     }
 }
 
-/// Standard deviation of the logarithms of rows; 0 of one.
-fn spread(rows: &[&Interface], of_coefficient: bool) -> f64 {
-    let value = |row: &&Interface| log(if of_coefficient { row.friction_coefficient } else { row.shear_strength });
-    let count = rows.len() as f64;
-    let mean = rows.iter().map(value).sum::<f64>() / count;
-    let square: f64 = rows.iter().map(|row| (value(row) - mean) * (value(row) - mean)).sum();
-    if rows.len() < 2 {
-        0.0
-    } else {
-        (square / (count - 1.0)).sqrt()
-    }
+/// Rows that tell a friction coefficient, or else a shear strength: mean, deviation, load, and whether it is a stress.
+fn of_rows(rows: &[&'static Interface], factor: f64, area: f64) -> (f64, f64, f64, bool) {
+    let is_stress = rows.iter().all(|row| row.friction_coefficient == 0.0);
+    let alike: Vec<_> = rows.iter().filter(|row| is_stress || row.friction_coefficient > 0.0).collect();
+    let value = |row: &&&Interface| log(if is_stress { row.shear_strength } else { row.friction_coefficient });
+    let load = |row: &&&Interface| match row.load > 0.0 {
+        true => log(row.load.min(LARGEST_ROW_PRESSURE * area)),
+        false => log(ROW_PRESSURE * area),
+    };
+    let n = alike.len() as f64;
+    let mean = alike.iter().map(value).sum::<f64>() / n;
+    let square: f64 = alike.iter().map(|row| (value(row) - mean) * (value(row) - mean)).sum();
+    // The spread of so few rows, about a mean that is not known better.
+    let spread = if n > 1.0 { (square / (n - 1.0) * (1.0 + 1.0 / n)).sqrt() } else { 0.0 };
+    let load = if is_stress { f64::NAN } else { exp(alike.iter().map(load).sum::<f64>() / n) };
+    (mean, deviation(factor).max(spread), load, is_stress)
 }

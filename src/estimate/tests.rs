@@ -1,20 +1,17 @@
 //! What an estimate says, and how often it is right.
 
-use super::known::{deviation, DEFAULT_FACTOR, PROCESSES, SLOPE_FACTOR};
+use super::known::deviation;
 use super::{write, Answer, Estimate};
-use crate::by_name::{describe, Case};
 use crate::model::Model;
-use crate::params::{ContactLawKind, Params};
+use crate::params::Params;
 
-/// Nothing is measured on this pair of the table of interfaces.
-const GROUND: &str = "pair = \"stainless/stainless\"\nnominal_area = 1e-4\n";
 const STEEL: &str = "pair = \"steel/steel\"\nnominal_area = 1e-4\n";
 const SILICON: &str = "pair = \"Si/Si\"\nnominal_area = 1e-8\n";
 const ROUGH: &str = "[roughness]\nprocess = \"ground\"\nRa = 0.8e-6\n";
 const SMOOTH: &str = "[roughness]\nSq = 5e-9\nSdq = 0.08\n";
 
 fn estimate(text: &str, loads: &[f64]) -> (Estimate, Vec<Answer>) {
-    let estimate = Estimate::new(text.as_bytes(), loads).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let estimate = Estimate::new(text.as_bytes()).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let answers = loads.iter().map(|&load| estimate.at_load(load).expect("an answer")).collect();
     (estimate, answers)
 }
@@ -25,13 +22,11 @@ fn answer(text: &str, load: f64) -> Answer {
 
 fn written(text: &str, loads: &[f64]) -> String {
     let (estimate, answers) = estimate(text, loads);
-    let mut out = String::new();
-    write(&estimate, text.as_bytes(), &answers, estimate.warnings(loads).expect("warnings"), &mut out).expect("a text");
-    out
+    write(&estimate, &answers, estimate.warnings(loads).expect("warnings")).expect("a text")
 }
 
 fn refused(text: &str) -> String {
-    match Estimate::new(text.as_bytes(), &[1.0]) {
+    match Estimate::new(text.as_bytes()).and_then(|found| found.at_load(1.0)) {
         Ok(_) => panic!("taken: {text}"),
         Err(error) => error.to_string(),
     }
@@ -42,53 +37,178 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() < tolerance, "{found}, not {expected}");
 }
 
+/// Values that were worked out apart from this library, by a program that knew no more than its friction at two slip laws.
+#[test]
+fn bands_are_those_of_an_independent_computation() {
+    let ground = |points: &str| format!("{STEEL}measured = {points}\n{ROUGH}");
+    let silicon = "measured = [1e-3, 0.3]\npair = \"Si/Si\"\nnominal_area = 1e-8\n[roughness]\nSq = 5e-9\nSdq = 0.05\n";
+    let wafers =
+        "measured = [0.01079, 0.35]\npair = \"Si/Si\"\nnominal_area = 2.05e-5\n[roughness]\nSq = 1e-9\nSdq = 0.02\n";
+    let (exact, rising) = (ground("[[1000, 0.16, 0.01], [10, 0.24, 0.01]]"), ground("[[1000, 0.16], [10, 0.08]]"));
+    let one = ground("[1000, 0.16]");
+    let titanium = format!("pair = \"Ti/Ti\"\nnominal_area = 1e-4\n{ROUGH}");
+    let rows: &[(&str, f64, [f64; 3])] = &[
+        (&one, 10.0, [0.173, 0.108, 0.279]),
+        (&one, 100.0, [0.167, 0.123, 0.227]),
+        (&one, 1000.0, [0.16, 0.145, 0.177]),
+        (&one, 1e4, [0.154, 0.113, 0.209]),
+        (&exact, 10.0, [0.24, 0.235, 0.245]),
+        (&exact, 1000.0, [0.16, 0.157, 0.163]),
+        (&exact, 1e4, [0.142, 0.097, 0.213]),
+        (&rising, 1000.0, [0.158, 0.143, 0.174]),
+        (&rising, 10.0, [0.081, 0.073, 0.089]),
+        (silicon, 1e-5, [0.349, 0.217, 0.564]),
+        (silicon, 1e-2, [0.273, 0.2, 0.371]),
+        (&titanium, 100.0, [0.74, 0.148, 3.7]),
+    ];
+    for (text, load, expected) in rows {
+        let found = answer(text, *load).friction;
+        for (found, expected) in [found.value, found.low, found.high].into_iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 0.015, "{found}, not {expected} at {load} of\n{text}");
+        }
+    }
+    // Where adhesion decides, the middle is between two hills.
+    let found = answer(wafers, 9.807e-4);
+    assert!((0.55..0.75).contains(&found.friction.value) && found.shares.adhesion > 0.8, "{found:?}");
+    assert_near(found.friction.low, 0.3, 0.05);
+    assert_near(found.friction.high, 4.4, 0.05);
+    let known = answer(&wafers.replace("]\npair", "]\nwork_of_adhesion = 0\npair"), 9.807e-4).friction;
+    assert!(known.low > 0.26 && known.high < 0.51, "{known:?}");
+    let two = answer(&wafers.replace("[0.01079, 0.35]", "[[0.01079, 0.35], [9.807e-4, 0.35]]"), 9.807e-4).friction;
+    assert!((0.32..0.36).contains(&two.value) && two.low > 0.3 && two.high < 0.4, "{two:?}");
+}
+
+/// Smooth balls leave a constant behind; one that is said to be many asperities does not.
+#[test]
+fn a_ball_says_that_it_is_one() {
+    let bead =
+        "pair = \"glass/glass\"\nmeasured = [1, 0.15]\nheight_std = 1e-12\nsummit_radius = 1e-3\nasperity_count = 1\n";
+    let [light, heavy] = [1e-2, 10.0].map(|load| answer(bead, load).friction);
+    assert!(light.value > 0.4 && light.high > 1.0 && light.low < 0.25, "{light:?}");
+    assert!(heavy.value < 0.1 && heavy.low > 0.04 && heavy.high > 0.13, "{heavy:?}");
+}
+
+#[test]
+fn values_lie_in_bands_and_points_in_theirs_or_a_line_says_why_not() {
+    for points in [
+        "[1000, 0.16]",
+        "[[1000, 0.16, 0.01], [10, 0.24, 0.01]]",
+        "[[1000, 0.16], [10, 0.08]]",
+        "[[2, 0.4], [200, 0.1]]",
+        "[[1000, 0.16], [1000, 0.16], [1000, 0.18]]",
+        "[[1000, 0.16], [1000, 0.3]]",
+        "[[1000, 0.16], [1001, 0.3], [10, 0.2]]",
+        "[[1, 0.1], [30, 0.2], [1000, 0.4]]",
+        "[[10, 0.2, 0.001], [20, 0.2, 0.5], [20, 0.1, 0.5]]",
+    ] {
+        for kind in ["", "interface_kind = \"dry metal\"\n", "model_error = 0\n", "size_effect = 1\n"] {
+            let text = format!("{kind}{STEEL}measured = {points}\n{ROUGH}");
+            let (found, _) = estimate(&text, &[]);
+            let shown = written(&text, &[10.0]);
+            for load in [1e-2, 1.0, 10.0, 100.0, 1e3, 1e5] {
+                let band = found.at_load(load).expect("an answer").friction;
+                assert!(band.low <= band.value && band.value <= band.high, "{band:?} at {load} of\n{text}");
+            }
+            for point in &found.described.points {
+                let (band, ratio) = (found.at_load(point.load).expect("an answer").friction, point.force / point.load);
+                assert!((band.low <= ratio && ratio <= band.high) || shown.contains("is outside the band"), "{shown}");
+            }
+        }
+    }
+}
+
+/// No input makes a step: also where asperities begin to yield, and where points begin to contradict each other.
+#[test]
+fn values_are_continuous_in_what_is_given() {
+    let texts: [&dyn Fn(f64) -> String; 4] = [
+        &|t| {
+            format!(
+                "pair = \"Si/Si\"\nnominal_area = 1e-8\nmeasured = [1e-3, 0.3]\n[roughness]\nSq = 5e-9\nSdq = {}\n",
+                0.1 * (1.0 + 4.0 * t)
+            )
+        },
+        &|t| {
+            format!(
+                "pair = \"steel/steel\"\nnominal_area = 1e-4\n[roughness]\nSq = 1e-7\nSdq = {}\n",
+                0.03 * (1.0 + 3.0 * t)
+            )
+        },
+        &|t| format!("{STEEL}measured = [[1000, 0.16], [1000, {}]]\n{ROUGH}", 0.16 * (1.0 + t)),
+        &|t| format!("{STEEL}measured = [[1000, 0.16], [{}, 0.2]]\n{ROUGH}", 500.0 * (1.0 + t)),
+    ];
+    for text in texts {
+        let steps: Vec<_> =
+            (0..=100).map(|i| answer(&text(f64::from(i) / 100.0), 1e-5 * 1e7_f64.powf(0.5)).friction).collect();
+        for pair in steps.windows(2) {
+            let is_near = (pair[0].value / pair[1].value).ln().abs() < 0.03;
+            assert!(is_near, "{pair:?} of\n{}", text(0.5));
+        }
+    }
+}
+
 /// With what is said to be unknown drawn as it is said to be, 95 % of the bands have the friction of the surface drawn.
 #[test]
 fn bands_have_the_coverage_that_they_say() {
-    const REPEATS: u32 = 1000;
-    const LOADS: [f64; 2] = [10.0, 1000.0];
+    const REPEATS: usize = 200;
     let mut random = 20261126_u64;
     let mut uniform = || {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((random >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
     };
     let mut normal = || (-2.0 * uniform().ln()).sqrt() * (2.0 * std::f64::consts::PI * uniform()).cos();
-    let text = format!("{GROUND}{ROUGH}");
-    let unmeasured = answer(&text, LOADS[0]);
-    let (mut without, mut with) = (0, 0);
+    let text = |size: f64, known: &str| {
+        format!(
+            "model_error = 0\nsize_effect = {size}\npressure_coefficient = 0\n{known}{STEEL}measured = [1000, 0.16]\n"
+        )
+    };
+    let band = answer(&format!("{}{ROUGH}", text(1.0, "")), 10.0).friction;
+    let mut covered = 0;
     for _ in 0..REPEATS {
-        let case = Case { slope: (deviation(SLOPE_FACTOR) * normal()).exp(), ..Case::MIDDLE };
-        let mut params = describe(text.as_bytes(), case).expect("a surface").params;
-        params.contact_law = ContactLawKind::ElasticPlastic;
-        params.work_of_adhesion = 0.0;
-        // The slip stress of a stronger one would be above the shear modulus of the bodies.
-        let factor = (deviation(DEFAULT_FACTOR) * normal()).exp().min(20.0);
-        params.slip.stress_1 *= factor;
-        params.slip.stress_2 *= factor;
-        let model = Model::between(&params, LOADS).expect("a model");
-        let [truth, there] = LOADS.map(|load| model.friction_force_at_load(load) / load);
-        without += u32::from(unmeasured.low < truth && truth < unmeasured.high);
-        let seen = there * (0.05 * normal()).exp();
-        let found = answer(&format!("{GROUND}measured = [{}, {seen}]\n{ROUGH}", LOADS[1]), LOADS[0]);
-        with += u32::from(found.low < truth && truth < found.high);
+        let slope = 0.14 * (0.8_f64 * (std::f64::consts::FRAC_PI_2).sqrt()).sqrt() * (deviation(4.0) * normal()).exp();
+        let hardness = 7.5e9 * (deviation(2.0) * normal()).exp();
+        let measured = 0.16 * (0.05 * normal()).exp();
+        let exact = format!("hardness = {hardness}\nwork_of_adhesion = 0\ncontact_law = \"elastic-plastic\"\n");
+        let rough = format!("[roughness]\nRa = 0.8e-6\nRdq = {slope}\n");
+        let truth = answer(&format!("{}{rough}", text(1.0, &exact).replace("0.16", &measured.to_string())), 10.0)
+            .friction
+            .value;
+        covered += usize::from(band.low < truth && truth < band.high);
     }
-    println!("covered: {without} and {with} of {REPEATS}");
-    assert!((930..=970).contains(&without), "{without}");
-    assert!((930..=970).contains(&with), "{with}");
+    println!("covered: {covered} of {REPEATS}");
+    assert!((184..=197).contains(&covered), "{covered}");
 }
 
-/// A default strength is a factor of 10 either way, whatever else.
+/// What is kept of a text is kept by all who read it: a model of the parameters has the value, or the answer says what it has.
 #[test]
-fn a_default_strength_is_an_order_of_magnitude() {
-    let text = format!("{SILICON}{SMOOTH}");
-    let found = answer(&text, 1e-3);
-    assert_near(found.low, found.friction_coefficient / 10.0, 1e-7);
-    assert_near(found.high, found.friction_coefficient * 10.0, 1e-7);
-    assert_eq!((found.strength_share, found.roughness_share, found.measurement_share), (1.0, 0.0, 0.0));
-    let half = answer(&format!("coverage = 0.5\n{text}"), 1e-3);
-    assert_near(half.high, half.friction_coefficient * 10.0_f64.powf(0.674_489_75 / 1.959_963_98), 1e-7);
-    let light = answer(&format!("max_friction_coefficient = 0.1\n{text}"), 1e-3);
-    assert!(light.friction_coefficient > 0.4, "capped: {light:?}");
+fn a_model_has_the_value_or_the_answer_says_what_it_has() {
+    let film = "interface = \"MoS2 film in dry air\"\n";
+    for (before, bodies, rough) in [
+        ("measured = [1000, 0.16]\n", STEEL, ROUGH),
+        ("", STEEL, ROUGH),
+        (film, STEEL, ROUGH),
+        ("slip_stress_1 = 0.02\n", SILICON, SMOOTH),
+        ("", SILICON, SMOOTH),
+        ("measured = [1e-3, 0.3]\n", SILICON, SMOOTH),
+        ("measured = [[1000, 0.16], [10, 0.2]]\n", STEEL, ROUGH),
+        ("pressure_coefficient = 0.1\nmeasured = [1000, 0.16]\n", STEEL, ROUGH),
+        ("size_effect = 0.5\n", SILICON, SMOOTH),
+        ("interface = \"steel/steel dry\"\n", STEEL, ROUGH),
+        ("pressure_coefficient = 0.4\n", SILICON, SMOOTH),
+    ] {
+        let text = format!("{before}{bodies}{rough}");
+        let params = Params::from_toml(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        let model = Model::new(&params).expect("a model");
+        let loads = if bodies == STEEL { [10.0, 1e3] } else { [1e-4, 1e-2] };
+        let (_, answers) = estimate(&text, &loads);
+        for answer in answers {
+            let of_model = model.friction_force_at_load(answer.load) / answer.load;
+            assert!((of_model / answer.curve - 1.0).abs() < 3e-6, "{of_model} {answer:?}\n{text}");
+            let says = written(&text, &[answer.load]).contains("a solver's curve has");
+            assert!(says || (answer.curve / answer.friction.value - 1.0).abs() < 6e-3, "{answer:?}\n{text}");
+        }
+        // What is written of it is the same once more.
+        assert_eq!(Params::from_toml(&params.to_toml()).expect("a surface"), params, "{text}");
+    }
 }
 
 /// What the text of an estimate has, and has not where "no " is before it.
@@ -103,8 +223,9 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
     let is_load = "check: the measured friction coefficient is 0.001, dry surfaces have more: is it the load? A point is [load, coefficient]";
     type Row<'a> = (&'a str, &'a str, &'a str, &'a [f64], &'a [&'a str]);
     let rows: &[Row] = &[
-        ("", SILICON, SMOOTH, &[1e-3], &["mu(0.001 N) = 0.43", " to an order of magnitude, 0.043", "no asperities yield"]),
-        ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["no band: all inputs count as known"]),
+        ("", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about 0.328, 0.0321 to 3.35", "0.3 to a factor of 10 either way", "no asperities yield"]),
+        ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["strength of the interface: as given", "dominated by: the slope of the surface"]),
+        ("slip_stress_1 = 0.02\nwork_of_adhesion = 0.06\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\n[known_to]\nslope = 1\n", &[1e-3], &["no band: all inputs count as known"]),
         ("", STEEL, ROUGH, &[10.0], &["steel/steel dry 0.57 at 12 N", "clean 0.78", "oxidised 0.27", "from the 3 rows", "no grease", "no ZDDP", yields]),
         // That which is named stands alone, at its load; a measurement here is worth more than any.
         ("interface = \"steel/steel dry\"\n", STEEL, ROUGH, &[12.0], &["measured on other specimens: steel/steel dry 0.57 at 12 N\nmu(12 N) = 0.57, "]),
@@ -113,15 +234,15 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("contact_law = \"maugis\"\n", STEEL, ROUGH, &[10.0], &["no asperities yield"]),
         ("work_of_adhesion = 0.1\n", STEEL, ROUGH, &[10.0], &["no asperities yield"]),
         // Without an area loads are pressures; a number of summits is an area too.
-        ("measured = [1e7, 0.16]\n", steel, ROUGH, &[1e5, 0.0, -1.0], &["mu(100000 Pa) = 0.19", "no  N", "loads are nominal pressures in Pa", "0.16 at 1e7 Pa"]),
+        ("measured = [1e7, 0.16]\n", steel, ROUGH, &[1e5, 0.0, -1.0], &["mu(100000 Pa) = 0.173", "no  N", "loads are nominal pressures in Pa", "0.16 at 1e7 Pa"]),
         ("measured = [1, 0.16]\n", steel, ROUGH, &[10.0], &["is load in Pa? Give nominal_area"]),
         ("", silicon, SMOOTH, &[0.0], &["mu(0 Pa) has no limit: the tallest summits adhere, how many depends"]),
         ("asperity_count = 1e5\n", silicon, summits, &[1e-3], &["mu(0.001 N)", "no check"]),
         ("", rubber, "", &[0.0, -1.0], &["mu(0 N) has no limit: adhesion gives a friction force of", "mu(-1 N) = 0: the surfaces are apart"]),
         ("", STEEL, ROUGH, &[0.0], &["mu(0 N) has no limit: it grows as the load goes to 0"]),
         // The law cannot follow friction that rises so with load.
-        ("measured = [[1, 0.1], [30, 0.2], [1000, 0.4]]\n", STEEL, ROUGH, &[30.0], &["off the law, which cannot follow their trend"]),
-        ("measured = [[1, 0.2], [30, 0.18], [1000, 0.16]]\n", STEEL, ROUGH, &[30.0], &["no off the law"]),
+        ("measured = [[1, 0.1], [30, 0.2], [1000, 0.4]]\n", STEEL, ROUGH, &[30.0], &["the points change faster than the law; a solver's curve misses them by 110 % at 1 N"]),
+        ("measured = [[1, 0.2], [30, 0.18], [1000, 0.16]]\n", STEEL, ROUGH, &[30.0], &["no change faster than"]),
         // Units: loads and areas, of which the heaviest load counts, of the measured points too.
         ("", STEEL, ROUGH, &[1.0], &["no check"]),
         ("nominal_area = 1\n", steel, ROUGH, &[78.0], &["no check"]),
@@ -132,7 +253,7 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("", SILICON, SMOOTH, &[0.9e-8], &["check: the nominal pressure"]),
         ("asperity_count = 1\n", silicon, summits, &[1e-3], &["no check"]),
         ("asperity_count = 1e13\n", silicon, summits, &[1e-3], &["check: the nominal pressure is 0.001 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and asperity_count a number"]),
-        ("", GROUND, "[roughness]\nprocess = \"ground\"\nRa = 10e-6\n", &[10.0], &["check: Ra = 10 um: ground surfaces have 0.1 to 1.6 um: is it of this process"]),
+        ("", STEEL, "[roughness]\nprocess = \"ground\"\nRa = 10e-6\n", &[10.0], &["check: Ra = 10 um: ground surfaces have 0.1 to 1.6 um: is it of this process"]),
         ("", SILICON, "[roughness]\nSq = 5e-9\nSdq = 1.5\n", &[1e-3], &["check: the slope of the surface is 1.5: is it in degrees"]),
         ("work_of_adhesion = 6.3\n", SILICON, SMOOTH, &[1e-3], &["check: work_of_adhesion is 6.3: is it in mJ/m^2?"]),
         ("pressure_coefficient = 24\n", SILICON, SMOOTH, &[1e-3], &["check: pressure_coefficient is 24: is it in per cent?"]),
@@ -168,7 +289,7 @@ fn few_contacts_are_counted_and_told() {
     let text = format!("{SILICON}{SMOOTH}");
     let loads = [1e-2, 2e-5, 3e-7, 0.0];
     let (estimate, found) = estimate(&text, &loads);
-    let model = Model::new(estimate.params()).expect("a model");
+    let model = Model::new(estimate.params().expect("parameters")).expect("a model");
     for one in &found[..3] {
         assert_near(one.contacts, model.state_at_load(one.load).expect("a state").contacting, 1e-12);
     }
@@ -195,13 +316,13 @@ fn few_contacts_are_counted_and_told() {
         let number = line[line.find("band of one").expect("it")..].split(before).nth(1).expect("a number");
         number.split(' ').next().and_then(|number| number.parse::<f64>().ok()).expect("a number")
     });
-    let reach = (10.0_f64.ln().powi(2) + (1.959_964 * found[1].specimen_scatter).powi(2)).sqrt();
-    let mean = found[1].specimen_force / found[1].load;
-    assert_near(least, mean * (-reach).exp(), 5e-3);
-    assert_near(most, mean * reach.exp(), 5e-3);
+    let (mean, band) = (found[1].specimen_force / found[1].load, found[1].friction);
+    let reach = |end: f64| ((end / band.value).ln().powi(2) + (1.959_964 * found[1].specimen_scatter).powi(2)).sqrt();
+    assert_near(least, mean * (-reach(band.low)).exp(), 5e-3);
+    assert_near(most, mean * reach(band.high).exp(), 5e-3);
     // The same holds for surfaces so rough that the mean has no number.
     let rough = answer(&format!("work_of_adhesion = 1e-4\n{text}"), 0.0);
-    assert!(rough.friction_force == 0.0 && rough.friction_coefficient == f64::INFINITY, "{rough:?}");
+    assert!(rough.friction_force == 0.0 && rough.friction.value == f64::INFINITY, "{rough:?}");
     assert!(rough.specimen_force > 1e-10 && rough.specimen_force < found[3].specimen_force, "{rough:?}");
     // One summit is itself, and metal that yields does not adhere.
     let tip = "pair = \"Si/Si\"\nheight_std = 3e-13\nsummit_radius = 30e-9\nasperity_count = 1\n";
@@ -209,107 +330,6 @@ fn few_contacts_are_counted_and_told() {
     assert_eq!((found.specimen_force, found.specimen_scatter, found.is_few), (found.friction_force, 0.0, false));
     let found = answer(&format!("{STEEL}{ROUGH}"), 0.0);
     assert_eq!((found.friction_force, found.specimen_force, found.contacts), (0.0, 0.0, 0.0));
-}
-
-#[test]
-fn what_is_known_of_a_process_makes_the_band_narrower() {
-    let points = "measured = [1000, 0.16]\n";
-    let width = |rough: &str| {
-        let found = answer(&format!("{GROUND}{points}[roughness]\n{rough}"), 1.0);
-        found.high / found.low
-    };
-    let nothing = width("process = \"ground\"\n");
-    let height = width("process = \"ground\"\nRa = 0.8e-6\n");
-    let both = width("process = \"ground\"\nRa = 0.8e-6\nRSm = 80e-6\n");
-    assert!(nothing > height && height > both, "{nothing} {height} {both}");
-    assert_eq!(both, width("Ra = 0.8e-6\nRSm = 80e-6\n"));
-    for process in PROCESSES {
-        let text = format!("{GROUND}[roughness]\nprocess = \"{}\"\n", process.name);
-        assert!(
-            estimate(&text, &[10.0]).0.cases.len() == 5 && written(&text, &[10.0]).contains(process.name),
-            "{text}"
-        );
-    }
-}
-
-/// Points at loads far apart tell how much of friction goes with pressure; at one load they do not.
-#[test]
-fn several_points_tell_the_pressure_coefficient_where_they_reach_over_loads() {
-    let text = |points: &str| format!("{STEEL}measured = {points}\n{ROUGH}");
-    let kappa = |points: &str| Params::from_toml(&text(points)).expect("a surface").pressure_coefficient;
-    // Amontons' law, but for what of the strength is left.
-    let constant = kappa("[[1000, 0.16], [10, 0.16], [0.1, 0.16]]");
-    assert!(constant > 0.1 && constant < 0.16, "{constant}");
-    assert_eq!(kappa("[[1000, 0.16], [1000, 0.18], [1000, 0.15]]"), 0.0);
-    assert_eq!(kappa("[[1000, 0.16]]"), 0.0);
-    // Points made with a pressure coefficient lead to it.
-    let made = format!("pressure_coefficient = 0.08\n{}", text("[1000, 0.16]"));
-    let model = Model::new(&Params::from_toml(&made).expect("a surface")).expect("a model");
-    let at = |load: f64| format!("[{load}, {}, 0.001]", model.friction_at_load(load));
-    let points = format!("[{}, {}, {}]", at(1e3), at(10.0), at(0.1));
-    assert!((kappa(&points) - 0.08).abs() < 2e-3, "{}", kappa(&points));
-    let found = answer(&text(&points), 1.0);
-    assert_near(found.friction_coefficient, model.friction_at_load(1.0), 2e-3);
-    assert!(found.low < model.friction_at_load(1.0) && model.friction_at_load(1.0) < found.high, "{found:?}");
-    // One that is given stays.
-    let given = format!("pressure_coefficient = 0.01\n{}", text(&points));
-    assert_eq!(Params::from_toml(&given).expect("a surface").pressure_coefficient, 0.01);
-}
-
-/// A point more is a narrower band, in whichever order they come; points off the law make it wider.
-#[test]
-fn points_narrow_the_band_unless_they_scatter() {
-    let of = |points: &str, load: f64| answer(&format!("{STEEL}measured = {points}\n{ROUGH}"), load);
-    let [one, two] = ["[1000, 0.16]", "[[1000, 0.16], [1000, 0.16]]"].map(|points| of(points, 1000.0));
-    assert_near((two.high / two.low).ln() * 2.0_f64.sqrt(), (one.high / one.low).ln(), 1e-2);
-    let [first, other] = ["[[1000, 0.16], [10, 0.18]]", "[[10, 0.18], [1000, 0.16]]"].map(|points| of(points, 1.0));
-    assert_near(first.low, other.low, 1e-9);
-    assert_near(first.friction_coefficient, other.friction_coefficient, 1e-9);
-    let rising = of("[[1, 0.1], [30, 0.2], [1000, 0.4]]", 30.0);
-    assert!(rising.high / rising.low > 1.3, "{rising:?}");
-}
-
-/// What makes the answer is told of the bodies, with what another makes of it; nothing is told of what is given.
-#[test]
-fn what_is_taken_of_materials_is_told() {
-    let told = |text: &str| {
-        let text = written(text, &[10.0]);
-        let lines = text.lines().filter_map(|line| line.strip_prefix("rests on: "));
-        let of = ["E = ", "hardness = ", "work of adhesion ", "elastic asperities: "];
-        lines.filter(|line| of.iter().any(|of| line.starts_with(of))).map(str::to_owned).collect::<Vec<_>>()
-    };
-    let hard = format!("measured = [1000, 0.16]\n{STEEL}{ROUGH}");
-    let soft = format!("hardness = 2e9\n{hard}");
-    let with_soft = answer(&soft, 10.0).friction_coefficient;
-    let steel = "E = 205 GPa and nu = 0.3 of steel";
-    let hardness =
-        format!("hardness = 7.5 GPa of steel, AISI 52100 hardened to 60-64 HRC: with 2 GPa mu(10 N) is {with_soft:.2}");
-    assert!((0.175..0.185).contains(&with_soft), "{with_soft}");
-    assert_eq!(told(&hard), [steel, &hardness]);
-    assert_eq!(told(&soft), [steel]);
-    let moduli = "[materials]\nE1 = 200e9\nnu1 = 0.29\n";
-    assert_eq!(told(&format!("{soft}{moduli}")), [""; 0]);
-    // Where the strength is not measured, friction goes as one over the hardness; half and twice it are told of a body without a range.
-    let [_, stainless] = &told(&format!("{GROUND}{ROUGH}"))[..] else { panic!("two lines") };
-    let begins = "hardness = 1.27 GPa of stainless, AISI 304 annealed: with 635 MPa mu(10 N) is 0.19";
-    assert!(stainless.starts_with(begins) && stainless.contains(", with 2.54 GPa 0.05"), "{stainless}");
-    // The hardness of silicon that does not yield is nothing to the answer.
-    let silicon = "E = 160 GPa and nu = 0.22 of Si";
-    let adhesion = "work of adhesion 0.063 J/m^2 of Si/Si, measured and estimated 0.03 to 0.144";
-    assert_eq!(told(&format!("{SILICON}{SMOOTH}")), [silicon, adhesion]);
-    assert_eq!(told(&format!("work_of_adhesion = 0.1\n{SILICON}{SMOOTH}")), [silicon]);
-    // Smooth steel does not, but softer steel does.
-    let smooth = told(&format!("{STEEL}measured = [1000, 0.16]\n[roughness]\nRa = 0.2e-6\nRSm = 80e-6\n"));
-    assert!(smooth.len() == 3 && smooth[2].contains(": with 2 GPa mu(10 N) is 0.203"), "{smooth:?}");
-    let [bodies, _, unknown] = &told(&format!("pair = \"Au/mica\"\nnominal_area = 1e-4\n{SMOOTH}"))[..] else {
-        panic!("three lines")
-    };
-    assert_eq!(bodies, "E = 78 GPa and nu = 0.44 of Au, E = 54 GPa and nu = 0.1 of mica");
-    assert!(unknown.starts_with("elastic asperities: the hardness of mica is not known"), "{unknown}");
-    let own = "work_of_adhesion = 0\nadhesion_range = 0.25e-9\nburgers_vector = 0.25e-9\nnominal_area = 1e-4\n";
-    let alone = format!("{own}{ROUGH}[materials]\nE1 = 200e9\nnu1 = 0.29\nE2 = 200e9\nnu2 = 0.29\n");
-    assert_eq!(told(&alone), ["elastic asperities: the hardness is not known, give it if they yield"]);
-    assert_eq!(told(&format!("hardness = 2e9\n{alone}")), [""; 0]);
 }
 
 #[test]
@@ -335,6 +355,17 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         ("coverage = 0\n", ROUGH, "line 1: coverage = 0: must be between 0 and 1"),
         ("measured = [1, 0.1]\ncalibration_load = 1\ncalibration_friction_force = 1\n", ROUGH, "line 1: measured: calibration_load"),
         ("slip_stress_1 = 0\nslip_stress_2 = 0\npressure_coefficient = 0.1\n", ROUGH, "slip_stress_1: must be > 0 for an estimate"),
+        ("size_effect = 1.5\n", ROUGH, "line 1: size_effect = 1.5: must be from 0, a film, to 1, clean crystals"),
+        ("slip_stress_1 = 0.01\nsize_effect = 0.5\n", ROUGH, "line 1: slip_stress_1: size_effect sets it already"),
+        ("interface = \"steel/steel dry\"\nsize_effect = 0.5\n", ROUGH, "line 1: interface: size_effect sets it already"),
+        ("interface_kind = \"greased\"\n", ROUGH, "line 1: interface_kind = \"greased\": must be \"film\", \"clean\", \"dry metal\" or \"rock\""),
+        ("interface_kind = 3\n", ROUGH, "line 1: interface_kind = 3: must be \"film\""),
+        ("model_error = -1\n", ROUGH, "line 1: model_error = -1: must be from 0, none, to 100"),
+        ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nslope = 0.5\n", "line 6: [known_to] slope = 0.5: must be a factor from 1, exact, to 1000: 1.2 is"),
+        ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nE = inf\n", "line 6: [known_to] E = inf: must be a factor from 1, exact, to 1000"),
+        ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nRa = 2\n", "line 6: [known_to] Ra: belongs in [roughness]"),
+        ("", "[roughness]\nprocess = \"ground\"\n[measured_on]\nRa = 1e-6\n", "line 5: [measured_on]: measured must be set"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nRa = 1e-6\n", "line 7: [measured_on] Ra: give with it RSm or Rdq, or process, or Sdq, or m2"),
         ("", "[roughness]\nprocess = \"grund\"", "[roughness] process = \"grund\": must be one of superfinished, lapped, honed, ground,"),
         ("", "[roughness]\nprocess = 3", "[roughness] process = 3: must be one of superfinished"),
         ("", "[roughness]\nprocess = \"ground\"\nSq = 1e-6\nSdq = 0.1", "[roughness] process: is not for areal parameters, as Sq is"),

@@ -1,10 +1,13 @@
 //! An estimate for people: the number, its band, what it rests on, what would narrow it.
 
-use super::known::SLOPE_FACTOR;
-use super::{Answer, Estimate, Rests};
+use super::cases::{hardness_factor, slope_factor, work_factor};
+use super::posterior::{Mixture, Normal};
+use super::priors::{MAYBE_LUBRICATED, USUAL_WORK};
+use super::{Answer, Estimate, Rests, Shares, LARGE};
+use crate::error::{CalibrationFailure, Error};
 use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
-use crate::model::points::MeasuredPoint;
+use crate::model::calibration::MeasuredPoint;
 use crate::model::validity::WARNING_TEXTS;
 use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
@@ -12,11 +15,13 @@ use std::fmt::{Display, Formatter, Result, Write};
 use std::ops::RangeInclusive;
 
 /// Shares of the variance below this are not worth a measurement.
-const WORTHWHILE: f64 = 0.01;
-/// Points this many of their errors off the curve, root mean square, are not of its law.
-pub const OFF: f64 = 2.0;
-/// Clean metals in vacuum and sticky microstructures have friction coefficients of some ones; beyond it is asked for the unit.
-const LARGE: f64 = 5.0;
+const WORTHWHILE: f64 = 0.05;
+/// Of more loads not each is looked at for what to measure next.
+const MOST_LOOKED_AT: usize = 8;
+/// Odds from which on a constant does.
+const DOES: f64 = 0.8;
+/// Loads less than this apart hardly differ.
+const AT_ONE_LOAD: f64 = 1.26;
 /// Surfaces that slide are less steep: 35 degrees.
 const STEEP: f64 = 0.7;
 /// Works of adhesion of clean metals are some J/m^2.
@@ -31,53 +36,89 @@ const SMALL: f64 = 0.01;
 const LIKE_A_COEFFICIENT: RangeInclusive<f64> = 1e-3..=2.0;
 /// Coefficients that were measured at loads which are less apart are looked at from this ratio on.
 const APART: f64 = 3.0;
-/// Changes of the friction coefficient below this are not told.
-const TOLD: f64 = 0.01;
-/// Hardnesses of one material, where no range is known: over that of the table.
-const HARDER: [f64; 2] = [0.5, 2.0];
 /// With less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
 /// (python/tests/test_pads.py).
 const MOST_OVER_ONE_SUMMIT: f64 = 2.0;
 /// More points are told by their number.
 const MOST_POINTS_TOLD: usize = 3;
 
-/// Writes it, made of a text, a line for each load and for each thing to know.
-pub fn write(estimate: &Estimate, bytes: &[u8], answers: &[Answer], warnings: u64, out: &mut dyn Write) -> Result {
-    let of_rows = match estimate.rests() {
-        Rests::Rows(rows) if !estimate.strength.is_measured => &rows[..],
-        _ => &[],
-    };
-    if !of_rows.is_empty() {
-        writeln!(out, "measured on other specimens: {}", Rows(of_rows))?;
+/// Writes it, a line for each load and for each thing to know.
+///
+/// # Errors
+/// Those of loads at which a point was measured.
+pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64) -> std::result::Result<String, Error> {
+    let mut out = String::new();
+    // Writing to a string does not fail.
+    let _ = write_answers(estimate, answers, &mut out);
+    write_next(estimate, answers, &mut out)?;
+    let points = &estimate.described.points;
+    let at_points =
+        points.iter().map(|point| estimate.at_load(point.load)).collect::<std::result::Result<Vec<_>, _>>()?;
+    let _ = write_ground(estimate, answers, &at_points, warnings, &mut out);
+    let _ = write_outside(estimate, &at_points, &mut out);
+    Ok(out)
+}
+
+fn write_answers(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+    match estimate.rests() {
+        _ if estimate.is_measured() => {}
+        Rests::Rows(rows) => writeln!(out, "measured on other specimens: {}", Rows(rows))?,
+        Rests::Family(rows) => {
+            writeln!(out, "measured on other specimens: {}: the alloy itself was not measured", Rows(rows))?;
+        }
+        _ => {}
     }
     for answer in answers {
         write_answer(estimate, answer, out)?;
         write_specimens(estimate, answer, out)?;
     }
-    write_strength(estimate, out)?;
+    write_constant(estimate, answers, out)
+}
+
+/// What it rests on, and what is to be checked.
+fn write_ground(
+    estimate: &Estimate,
+    answers: &[Answer],
+    at_points: &[Answer],
+    warnings: u64,
+    out: &mut dyn Write,
+) -> Result {
+    write_strength(estimate, at_points, out)?;
     if estimate.is_of_pressures() {
         writeln!(out, "rests on: loads are nominal pressures in Pa: no nominal_area was given")?;
     }
     write_roughness(estimate, out)?;
-    write_bodies(estimate, bytes, answers, out)?;
+    write_bodies(estimate, out)?;
+    write_assumed(estimate, out)?;
     write_points(estimate, out)?;
     write_units(estimate, answers, out)?;
-    if estimate.described.yields {
-        let index = Figures(estimate.params.plasticity_index());
+    if estimate.described.yields() {
+        let index = Figures(estimate.described.params.plasticity_index());
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
+    }
+    if let Some(Error::Uncalibrated { load, number, reason: CalibrationFailure::Strength, .. }) =
+        &estimate.curve.failure
+    {
+        let [load, most] = [*load, *number / *load].map(Figures);
+        writeln!(
+            out,
+            "check: not the shear of contacts: at {load} {} a strength below the shear modulus gives at most {most}; a solver gets no \
+             curve of this",
+            estimate.unit()
+        )?;
     }
     if warnings != 0 {
         let names = WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(name, ..)| text(name));
         writeln!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "))?;
     }
-    write_remedies(estimate, answers, out)
+    Ok(())
 }
 
 fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
-    let Answer { load, friction_coefficient: mu, low, high, friction_force: force, .. } = *answer;
-    let [at, mu, low, high] = [load, mu, low, high].map(Figures);
+    let Answer { load, friction, friction_force: force, curve, .. } = *answer;
+    let [at, mu, low, high] = [load, friction.value, friction.low, friction.high].map(Figures);
     let unit = estimate.unit();
-    if answer.friction_coefficient == 0.0 {
+    if friction.value == 0.0 {
         return writeln!(out, "mu({at} {unit}) = 0: the surfaces are apart");
     }
     if load <= 0.0 {
@@ -93,19 +134,122 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
                     "a specimen adheres by its tallest summits, with a friction force of {least} to {most} {unit} for this strength"
                 )
             }
-            false if answer.is_few && estimate.params.work_of_adhesion > 0.0 => {
+            false if answer.is_few && estimate.curve.params.work_of_adhesion > 0.0 => {
                 writeln!(out, "the tallest summits adhere, how many depends on the nominal area")
             }
             false => writeln!(out, "it grows as the load goes to 0, where friction is 0"),
         };
     }
-    if answer.low == answer.high {
-        return writeln!(out, "mu({at} {unit}) = {mu}, no band: all inputs count as known");
+    let percent = Percent(estimate.described.coverage);
+    match (estimate.rests(), estimate.is_measured()) {
+        _ if friction.low == friction.high => {
+            writeln!(out, "mu({at} {unit}) = {mu}, no band: all inputs count as known")?;
+        }
+        (Rests::Metals | Rests::Others, false) => {
+            writeln!(out, "not measured: mu({at} {unit}) about {mu}, {low} to {high}")?;
+        }
+        _ => writeln!(out, "mu({at} {unit}) = {mu}, {percent} % band {low} to {high}")?,
     }
-    match (estimate.rests(), estimate.strength.is_measured) {
-        (Rests::Default, false) => writeln!(out, "mu({at} {unit}) = {mu} to an order of magnitude, {low} to {high}"),
-        _ => writeln!(out, "mu({at} {unit}) = {mu}, {} % band {low} to {high}", Percent(estimate.described.coverage)),
+    let curve = Figures(curve);
+    if !curve.0.is_nan() && curve.to_string() != mu.to_string() {
+        let off = Percent(((curve.0 / mu.0 - 1.0) * 1e3).round() * 1e-3);
+        writeln!(out, "a solver's curve has {curve} at {at} {unit}, {off} % off this")?;
     }
+    Ok(())
+}
+
+/// How probable it is that a constant coefficient does.
+fn write_constant(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+    if !estimate.is_measured() || estimate.strength.load <= 0.0 {
+        return Ok(());
+    }
+    let (constant, measured, unit) = (Figures(exp(estimate.strength.mean)), estimate.strength.load, estimate.unit());
+    let is_apart = |answer: &&Answer| answer.load > 0.0 && (answer.load / measured - 1.0).abs() > 0.01;
+    for answer in answers.iter().filter(is_apart).take(MOST_LOOKED_AT) {
+        let (load, odds) = (Figures(answer.load), answer.constant_odds);
+        match odds > DOES {
+            true => writeln!(out, "a constant does at {load} {unit}: within 10 % of {constant}, odds {}", Odds(odds))?,
+            false => writeln!(out, "within 10 % of the constant {constant} at {load} {unit}: odds {}", Odds(odds))?,
+        }
+    }
+    Ok(())
+}
+
+/// What makes the most of the variance, and what would make it less.
+fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std::result::Result<(), Error> {
+    // Without a band the shares are 0.
+    let banded: Vec<&Answer> = answers.iter().filter(|answer| answer.friction.low < answer.friction.high).collect();
+    let width = |answer: &&&Answer| answer.friction.high / answer.friction.low;
+    let Some(widest) = banded.iter().max_by(|one, other| width(one).total_cmp(&width(other))) else { return Ok(()) };
+    let of = |share: fn(&Shares) -> f64| share(&widest.shares);
+    let shares = [
+        (of(|shares| shares.strength), "the strength of the interface"),
+        (of(|shares| shares.size), "how the strength depends on the size of contacts"),
+        (of(|shares| shares.pressure), "how the strength grows with pressure"),
+        (of(|shares| shares.adhesion), "adhesion"),
+        (of(|shares| shares.hardness), "whether and how asperities yield"),
+        (of(|shares| shares.slope), "the slope of the surface"),
+        (of(|shares| shares.measurement), "the errors of the measured points"),
+        (of(|shares| shares.model), "how real interfaces leave the law between loads"),
+    ];
+    let mut sorted = shares;
+    sorted.sort_by(|one, other| other.0.total_cmp(&one.0));
+    let (load, unit) = (Figures(widest.load), estimate.unit());
+    let _ =
+        writeln!(out, "dominated by: {} ({:.0} % of the variance at {load} {unit})", sorted[0].1, 100.0 * sorted[0].0);
+    let mut remedies = Vec::new();
+    let loads: Vec<f64> = banded.iter().map(|answer| answer.load).take(MOST_LOOKED_AT).collect();
+    if let Some((load, gain)) = estimate.next_point(&loads)? {
+        let count = match estimate.described.points.len() {
+            0 => "one measured friction coefficient",
+            1 => "a second measured point",
+            _ => "one more measured point",
+        };
+        remedies.push((gain, format!("{count} at {} {}", Figures(load), estimate.unit())));
+    }
+    let slope = match &estimate.described.machined {
+        Some(machined) if !machined.has_height && !machined.has_slope => "the profile: Ra or Rq, and RSm",
+        Some(machined) if !machined.has_height => "the height of the profile: Ra or Rq",
+        Some(machined) if !machined.has_slope => "the mean width of the elements of the profile: RSm",
+        _ => "the slope of the surface: [known_to] slope, where it is known better than to a factor of 1.5",
+    };
+    for (share, what) in
+        [(shares[5].0, slope), (shares[3].0, "adhesion: work_of_adhesion"), (shares[4].0, "the hardness: hardness")]
+    {
+        remedies.push((share, what.to_owned()));
+    }
+    remedies.sort_by(|one, other| other.0.total_cmp(&one.0));
+    for (share, remedy) in remedies.into_iter().filter(|(share, _)| *share >= WORTHWHILE) {
+        out.push_str(&format!("to narrow it: {remedy} ({:.0} % of the variance)\n", 100.0 * share));
+    }
+    Ok(())
+}
+
+/// Measured points outside the band at their loads.
+fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write) -> Result {
+    if estimate.described.measured_on.is_some() {
+        return Ok(());
+    }
+    let ratio = |point: &MeasuredPoint| point.force / point.load;
+    let is_outside = |(point, answer): &(&MeasuredPoint, &Answer)| {
+        point.load > 0.0 && !(answer.friction.low..=answer.friction.high).contains(&ratio(point))
+    };
+    let outside: Vec<_> = estimate.described.points.iter().zip(at_points).filter(is_outside).collect();
+    let unit = estimate.unit();
+    for (point, answer) in outside.iter().take(MOST_POINTS_TOLD) {
+        let off = (log(ratio(point) / answer.friction.value) / point.error).abs();
+        let [ratio, load, off] = [ratio(point), point.load, off].map(Figures);
+        let [low, high] = [answer.friction.low, answer.friction.high].map(Figures);
+        writeln!(
+            out,
+            "check: the measured {ratio} at {load} {unit} is outside the band {low} to {high}, {off} of its errors from the value: the \
+             band is that of the mean, and the points scatter"
+        )?;
+    }
+    if outside.len() > MOST_POINTS_TOLD {
+        writeln!(out, "check: so are {} more of the measured points", outside.len() - MOST_POINTS_TOLD)?;
+    }
+    Ok(())
 }
 
 /// What single specimens have where few summits touch, of which a band is that of the mean.
@@ -113,10 +257,13 @@ fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) ->
     if !answer.is_few || answer.load <= 0.0 || answer.contacts.is_nan() {
         return Ok(());
     }
-    let Answer { friction_coefficient, low, high, specimen_scatter: scatter, .. } = *answer;
+    let Answer { friction, specimen_scatter: scatter, .. } = *answer;
+    let (friction_coefficient, low, high) = (friction.value, friction.low, friction.high);
     let mean = answer.specimen_force / answer.load;
     // A band has the strength, all else that is not known, and which specimen it is.
-    let of_specimen = |end: f64| (log(end / friction_coefficient).powi(2) + (estimate.reach * scatter).powi(2)).sqrt();
+    let of_specimen = |end: f64| {
+        (log(end / friction_coefficient).powi(2) + (reach(estimate.described.coverage) * scatter).powi(2)).sqrt()
+    };
     let [least, most] = match scatter.is_nan() {
         true => [mean * low / friction_coefficient, MOST_OVER_ONE_SUMMIT * mean * high / friction_coefficient],
         false => [mean * exp(-of_specimen(low)), mean * exp(of_specimen(high))],
@@ -136,16 +283,28 @@ fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) ->
     }
 }
 
-fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
+/// Within so many standard deviations either way a normal distribution has this probability.
+fn reach(probability: f64) -> f64 {
+    Mixture(vec![Normal { weight: 1.0, mean: 0.0, deviation: 1.0 }]).quantile(0.5 + 0.5 * probability)
+}
+
+fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write) -> Result {
     let (factor, unit) = (Figures(estimate.strength.factor()), estimate.unit());
+    let median = Figures(exp(estimate.strength.mean));
     write!(out, "rests on: strength of the interface: ")?;
-    if !estimate.strength.is_measured {
+    if !estimate.is_measured() {
         return match estimate.rests() {
-            Rests::Default => {
-                writeln!(out, "a default, not measured: an order of magnitude, a factor of {factor} either way")
+            Rests::Metals => {
+                writeln!(out, "not measured: that of dry metals, {median} to a factor of {factor} either way")?;
+                let (median, factor) = MAYBE_LUBRICATED;
+                writeln!(out, "check: is it dry? Where a lubricant may be, metals have {median} to a factor of {factor} either way")
             }
-            Rests::Rows(rows) => writeln!(out, "from {}, to a factor of {factor} either way", Names(rows)),
-            Rests::Pair => writeln!(out, "the slip stress of the table of pairs, to a factor of {factor} either way"),
+            Rests::Others => {
+                writeln!(out, "not measured: {median} to a factor of {factor} either way, as dry solids have")
+            }
+            Rests::Rows(rows) | Rests::Family(rows) => {
+                writeln!(out, "from {}, to a factor of {factor} either way", Names(rows))
+            }
             Rests::Given => writeln!(out, "as given"),
         };
     }
@@ -171,24 +330,28 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
             writeln!(out)?;
         }
     }
-    if points.len() > 1 && estimate.described.pressure_is_free {
-        let kappa = estimate.params.pressure_coefficient;
-        match estimate.tells_pressure {
-            true => writeln!(out, "rests on: pressure coefficient {}, from the measured points", Figures(kappa))?,
-            false => writeln!(out, "rests on: pressure coefficient 0: the measured points do not tell it")?,
+    if estimate.leaves_law > 0.5 {
+        let off = |(point, answer): (&MeasuredPoint, &Answer)| {
+            (point.load > 0.0 && answer.curve > 0.0)
+                .then(|| (point.load, answer.curve * point.load / point.force - 1.0))
+        };
+        let misses = points.iter().zip(at_points).filter_map(off);
+        if let Some((load, off)) = misses.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs())) {
+            let (load, off) = (Figures(load), 100.0 * off.abs());
+            writeln!(
+                out,
+                "check: the points change faster than the law; a solver's curve misses them by {off:.0} % at {load} {unit}: is the load in \
+                 N, is there wear or a lubricant?"
+            )?;
         }
     }
-    if estimate.misfit > OFF {
-        writeln!(
-            out,
-            "check: the measured points are {} of their errors off the law, which cannot follow their trend: the band is wider \
-             for it; is the load in N, is there wear or a lubricant?",
-            Figures(estimate.misfit)
-        )?;
+    if estimate.growth > 1.0 {
+        let errors = Figures(apart_at_one_load(points).max(estimate.growth));
+        writeln!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it")?;
     }
-    for point in points {
-        if let Some(contacts) = estimate.few_contacts_at(point.load) {
-            let [load, contacts] = [point.load, contacts].map(Figures);
+    for answer in at_points.iter().filter(|answer| answer.is_few && answer.contacts > 0.0) {
+        if !estimate.is_of_pressures() {
+            let [load, contacts] = [answer.load, answer.contacts].map(Figures);
             writeln!(
                 out,
                 "check: {contacts} summits touch at the measured {load} N: the point is of one specimen, and is taken for the mean of \
@@ -199,8 +362,24 @@ fn write_strength(estimate: &Estimate, out: &mut dyn Write) -> Result {
     Ok(())
 }
 
-/// What is taken of the bodies by their names, and what of it makes the answer.
-fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut dyn Write) -> Result {
+/// By how many of their errors points differ whose loads hardly do.
+fn apart_at_one_load(points: &[MeasuredPoint]) -> f64 {
+    let ratio = |point: &MeasuredPoint| point.force / if point.load > 0.0 { point.load } else { 1.0 };
+    let mut most = 0.0_f64;
+    for (i, one) in points.iter().enumerate() {
+        for other in &points[..i] {
+            let is_near = one.load == other.load || (1.0 / AT_ONE_LOAD..AT_ONE_LOAD).contains(&(one.load / other.load));
+            if is_near {
+                let off = log(ratio(one) / ratio(other)).abs();
+                most = most.max(off / (one.error * one.error + other.error * other.error).sqrt());
+            }
+        }
+    }
+    most
+}
+
+/// What is taken of the bodies by their names.
+fn write_bodies(estimate: &Estimate, out: &mut dyn Write) -> Result {
     let described = &estimate.described;
     let write_elastic = |of: &str, out: &mut dyn Write| {
         writeln!(out, "rests on: elastic asperities: the hardness{of} is not known, give it if they yield")
@@ -218,14 +397,22 @@ fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut
         let other = if std::ptr::eq(first, second) { String::new() } else { format!(", {}", of(second)) };
         writeln!(out, "rests on: {}{other}", of(first))?;
     }
-    let work = estimate.params.work_of_adhesion;
-    if let Some(pair) = bodies.pair().filter(|_| !described.has_adhesion && work > 0.0) {
-        write!(out, "rests on: work of adhesion {} J/m^2 of {}", Figures(work), text(pair.name))?;
-        let [least, most] = pair.work_of_adhesion_range;
-        match most > least {
-            true => writeln!(out, ", measured and estimated {} to {}", Figures(least), Figures(most))?,
-            false => writeln!(out)?,
+    if !described.has_adhesion && described.params.work_of_adhesion > 0.0 && !described.yields() {
+        match bodies.pair() {
+            Some(pair) => {
+                let work = Figures(pair.work_of_adhesion);
+                write!(out, "rests on: work of adhesion {work} J/m^2 of {}", text(pair.name))?;
+                let [least, most] = pair.work_of_adhesion_range;
+                if most > least {
+                    write!(out, ", measured and estimated {} to {}", Figures(least), Figures(most))?;
+                }
+            }
+            None => {
+                let names = [first.name, second.name].map(text).join("/");
+                write!(out, "rests on: work of adhesion {USUAL_WORK} J/m^2, as of what adsorbs in air: none is known of {names}")?;
+            }
         }
+        writeln!(out, ", or none")?;
     }
     if described.has_hardness {
         return Ok(());
@@ -235,31 +422,61 @@ fn write_bodies(estimate: &Estimate, bytes: &[u8], answers: &[Answer], out: &mut
     if softer.hardness == 0.0 {
         return write_elastic(&format!(" of {name}"), out);
     }
-    let [least, most] = softer.hardness_range;
-    let ends = if most > least { [least, most] } else { HARDER.map(|factor| factor * softer.hardness) };
-    let mut others = Vec::new();
-    if let Some(answer) = answers.iter().find(|answer| answer.load > 0.0 && answer.low > 0.0) {
-        for hardness in ends.into_iter().filter(|&hardness| hardness != softer.hardness) {
-            let with = Estimate::with_hardness(bytes, answer.load, hardness);
-            let changes = |mu: &f64| (mu / answer.friction_coefficient - 1.0).abs() > TOLD;
-            others.extend(with.filter(changes).map(|mu| (answer.load, hardness, mu)));
-        }
-    }
-    if others.is_empty() && !described.yields {
+    if !described.law_is_open || estimate.laws.len() == 1 && !described.yields() {
         return Ok(());
     }
-    write!(out, "rests on: hardness = {} of {name}", Stress(softer.hardness))?;
-    if !softer.state.is_empty() {
-        write!(out, ", {}", softer.state)?;
+    let of = if softer.state.is_empty() { String::new() } else { format!(", {}", softer.state) };
+    writeln!(out, "rests on: hardness = {} of {name}{of}", Stress(softer.hardness))
+}
+
+/// What was taken of what is not known, in a line.
+fn write_assumed(estimate: &Estimate, out: &mut dyn Write) -> Result {
+    let described = &estimate.described;
+    let params = &estimate.curve.params;
+    let mut parts = Vec::new();
+    match estimate.size {
+        None => {
+            let size: f64 = estimate.nodes.iter().map(|node| node.weight * node.size).sum();
+            parts.push(format!("{} (size effect {})", described.class.called, Figures(size)));
+        }
+        Some(size) => parts.push(format!("{}, size effect {} as given", described.class.called, Figures(size))),
     }
-    for (i, (load, hardness, mu)) in others.iter().enumerate() {
-        let (hardness, mu) = (Stress(*hardness), Figures(*mu));
-        match i {
-            0 => write!(out, ": with {hardness} mu({} {}) is {mu}", Figures(*load), estimate.unit())?,
-            _ => write!(out, ", with {hardness} {mu}")?,
+    if params.is_of_many() {
+        let slope = if described.machined.is_some() { params.rms_slope / 2.0_f64.sqrt() } else { params.rms_slope };
+        let factor = Figures(slope_factor(described, described.machined.as_ref()));
+        match slope > 0.0 {
+            true => parts.push(format!("slope {} to a factor of {factor}", Figures(slope))),
+            false => parts.push(format!("slope to a factor of {factor}")),
         }
     }
-    writeln!(out)
+    if described.yields() && hardness_factor(described) > 1.0 {
+        parts.push(format!("hardness to a factor of {}", Figures(hardness_factor(described))));
+    }
+    match params.work_of_adhesion > 0.0 {
+        true if work_factor(described) > 1.0 => {
+            parts.push(format!(
+                "adhesion {} J/m^2 to a factor of {}, or none",
+                Figures(params.work_of_adhesion),
+                Figures(work_factor(described))
+            ));
+        }
+        true => parts.push(format!("adhesion {} J/m^2", Figures(params.work_of_adhesion))),
+        false => parts.push("no adhesion".to_owned()),
+    }
+    writeln!(out, "assumed: {}", parts.join(", "))?;
+    let is_brittle = |body: &Material| ["glass", "SiO2"].contains(&text(body.name));
+    let of_glass = described.bodies.is_some_and(|bodies| is_brittle(bodies.first) || is_brittle(bodies.second));
+    if !described.class.carries_over || of_glass {
+        writeln!(
+            out,
+            "check: of rock, glass and grains a strength does not carry over to another roughness: measured friction rises with roughness \
+             there, by interlocking"
+        )?;
+    }
+    if described.measured_on.is_some() {
+        writeln!(out, "rests on: the strength in Pa of the specimen of [measured_on]")?;
+    }
+    Ok(())
 }
 
 /// Measured points that are hardly of dry friction.
@@ -308,8 +525,8 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
             writeln!(out, "check: {name} is {}: {says}", Figures(value))?;
         }
     }
-    let Params { nominal_area, hardness, work_of_adhesion, .. } = estimate.params;
-    if !estimate.params.is_of_many() {
+    let Params { nominal_area, hardness, work_of_adhesion, .. } = estimate.curve.params;
+    if !estimate.curve.params.is_of_many() {
         return Ok(());
     }
     let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));
@@ -344,45 +561,24 @@ fn write_roughness(estimate: &Estimate, out: &mut dyn Write) -> Result {
         )?;
     }
     if !machined.has_slope {
-        let slope = Figures(machined.slope);
-        writeln!(
-            out,
-            "rests on: slope of the profile: {slope} to a factor of {}, assumed of machined surfaces",
-            Figures(SLOPE_FACTOR)
-        )?;
+        let (slope, factor) = (Figures(machined.slope), Figures(slope_factor(&estimate.described, Some(machined))));
+        writeln!(out, "rests on: slope of the profile: {slope} to a factor of {factor}, assumed of machined surfaces")?;
     }
     Ok(())
 }
 
-fn write_remedies(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
-    // Without a band the shares are 0.
-    let count = answers.iter().filter(|answer| answer.low < answer.high).count().max(1) as f64;
-    let mean = |share: fn(&Answer) -> f64| answers.iter().map(share).sum::<f64>() / count;
-    let (strength, roughness, measurement) = (
-        mean(|answer| answer.strength_share),
-        mean(|answer| answer.roughness_share),
-        mean(|answer| answer.measurement_share),
-    );
-    let mut remedies = Vec::new();
-    if !estimate.strength.is_measured {
-        remedies.push((strength, "one measured friction coefficient: measured = [[load, coefficient]]"));
+/// Odds as people say them.
+struct Odds(f64);
+
+impl Display for Odds {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.0 {
+            odds if odds < 0.05 => f.write_str("below 1 in 20"),
+            odds if odds <= 0.5 => write!(f, "1 in {:.0}", 1.0 / odds),
+            odds if odds < 0.95 => write!(f, "{:.0} in 10", 10.0 * odds),
+            _ => f.write_str("above 19 in 20"),
+        }
     }
-    if let Some(machined) = &estimate.described.machined {
-        remedies.push((
-            roughness,
-            match (machined.has_height, machined.has_slope) {
-                (true, _) => "the mean width of the elements of the profile: RSm",
-                (false, true) => "the height of the profile: Ra or Rq",
-                (false, false) => "the profile: Ra or Rq, and RSm",
-            },
-        ));
-    }
-    remedies.push((measurement, "more measured points, or more exact ones"));
-    remedies.sort_by(|one, other| other.0.total_cmp(&one.0));
-    for (share, remedy) in remedies.into_iter().filter(|(share, _)| *share >= WORTHWHILE) {
-        writeln!(out, "to narrow it: {remedy} ({:.0} % of the variance)", 100.0 * share)?;
-    }
-    Ok(())
 }
 
 /// What rows tell: "steel/steel dry 0.57 at 12 N".

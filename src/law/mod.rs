@@ -137,14 +137,6 @@ impl Reach {
             most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * branch.kinks().len(),
         }
     }
-
-    /// The part of it between two loads above pull-off, in the model's units, which is not empty.
-    fn between(self, log_lightest: f64, log_heaviest: f64) -> Self {
-        // Wherever it begins, two rows' length holds a whole one.
-        let log_heaviest = (log_heaviest + ROW).max(self.log_lightest + 2.0 * ROW).min(self.log_heaviest);
-        let log_lightest = (log_lightest - ROW).min(log_heaviest - 2.0 * ROW).max(self.log_lightest);
-        Self { log_lightest, log_heaviest, ..self }
-    }
 }
 
 impl Law {
@@ -159,21 +151,6 @@ impl Law {
         lengths: Lengths,
     ) -> Result<Self, Unfollowed> {
         Self::compiled(branch, load, units, lengths, Reach::of(branch))
-    }
-
-    /// The same between two loads above pull-off alone, in the model's units: sooner, for few questions.
-    ///
-    /// # Errors
-    /// As [`Law::new`].
-    pub fn between(
-        branch: &Branch,
-        load: f64,
-        units: [f64; Quantity::COUNT],
-        lengths: Lengths,
-        [lightest, heaviest]: [f64; 2],
-    ) -> Result<Self, Unfollowed> {
-        let reach = Reach::of(branch).between(log(lightest), log(heaviest));
-        Self::compiled(branch, load, units, lengths, reach)
     }
 
     fn compiled(

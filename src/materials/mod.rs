@@ -39,6 +39,8 @@ pub struct Material {
     pub state: &'static str,
     /// Burgers vector, in m; in a glass the distance of like atoms.
     pub burgers_vector: f64,
+    /// The metal that it is one of, or an alloy of; empty of what is no metal.
+    pub family: &'static str,
     /// Where the numbers are from.
     pub reference: &'static CStr,
 }
@@ -89,13 +91,31 @@ impl Interface {
 
     /// Those of two bodies without a lubricant, whatever else is said of them: "steel/steel dry".
     pub fn of_bodies(bodies: &Bodies) -> Vec<&'static Self> {
-        let (first, second) = (bodies.first.name.to_bytes(), bodies.second.name.to_bytes());
+        let name = |body: &Material| body.name;
+        Self::dry(|one, other| {
+            (name(one), name(other)) == (name(bodies.first), name(bodies.second))
+                || (name(other), name(one)) == (name(bodies.first), name(bodies.second))
+        })
+    }
+
+    /// Those of metals of the same two families without a lubricant.
+    pub fn of_families(bodies: &Bodies) -> Vec<&'static Self> {
+        let (first, second) = (bodies.first.family, bodies.second.family);
+        Self::dry(|one, other| {
+            bodies.are_metals()
+                && ((one.family, other.family) == (first, second) || (other.family, one.family) == (first, second))
+        })
+    }
+
+    /// Those of two materials of the table, without a lubricant, that are wanted.
+    fn dry(is_wanted: impl Fn(&Material, &Material) -> bool) -> Vec<&'static Self> {
         let is_of = |interface: &&Self| {
             let Some((one, other)) = halves(interface.name.to_bytes()) else { return false };
             let mut words = other.split(|&byte| byte == b' ');
-            let both = (one, words.next().unwrap_or_default());
+            let named = |name: &[u8]| MATERIALS.iter().find(|material| material.name.to_bytes() == name);
+            let (Some(one), Some(other)) = (named(one), named(words.next().unwrap_or_default())) else { return false };
             let is_lubricated = words.next().is_some_and(|word| [&b"with"[..], b"greased"].contains(&word));
-            !is_lubricated && (both == (first, second) || both == (second, first))
+            !is_lubricated && is_wanted(one, other)
         };
         INTERFACES.iter().filter(is_of).collect()
     }
@@ -129,6 +149,11 @@ impl Bodies {
         let (first, second) = (self.first.name.to_bytes(), self.second.name.to_bytes());
         let is_of = |both| both == (first, second) || both == (second, first);
         PAIRS.iter().find(|pair| halves(pair.name.to_bytes()).is_some_and(is_of))
+    }
+
+    /// Whether both are metals.
+    pub fn are_metals(&self) -> bool {
+        !self.first.family.is_empty() && !self.second.family.is_empty()
     }
 
     /// The longer Burgers vector; None if one of them has none.

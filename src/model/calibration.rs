@@ -4,10 +4,8 @@
 //! as they are. A measured force F at the load P gives c = (F - kappa P_H)/F0. All else, how F changes with load, area, roughness
 //! and adhesion, is the model's.
 
-use super::points::{misfit, nearest, tell_pressure, MeasuredPoint, Seen};
-use super::Model;
+use super::Surfaces;
 use crate::error::{CalibrationFailure as Reason, Error};
-use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{Params, LARGEST_QUANTITY};
 use std::ops::RangeInclusive;
@@ -21,15 +19,15 @@ const LARGEST_USUAL_LOAD: f64 = 2.0;
 /// Strengths so close to the measured one are it.
 const SAME_STRENGTH: f64 = 1e-12;
 
-/// What a calibration found.
-#[derive(Debug)]
-pub(crate) struct Calibrated {
-    /// The points, with the parts of their forces.
-    pub seen: Vec<Seen>,
-    /// How far off the points are.
-    pub misfit: f64,
-    /// Whether the points set the pressure coefficient.
-    pub tells_pressure: bool,
+/// A friction force measured at a load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredPoint {
+    /// [force]
+    pub load: f64,
+    /// [force]
+    pub force: f64,
+    /// Relative standard error.
+    pub error: f64,
 }
 
 impl Params {
@@ -75,160 +73,57 @@ impl Params {
     /// coefficient gives alone, or so large that a stress exceeds G*; and those of [`Model::new`] and
     /// [`Model::state_at_load`]. The parameters are then as before.
     pub fn calibrate_force(&mut self, load: f64, friction_force: f64) -> Result<(), Error> {
-        let point = MeasuredPoint { load, force: friction_force, error: self.calibration_error };
-        self.calibrate_points(&[point], false, None).map(|_| ())
+        self.check_measured(load, friction_force)?;
+        let surfaces = Surfaces::new(&Self { pressure_coefficient: 0.0, ..self.clone() })?;
+        self.strengthen(&surfaces, load, friction_force)
     }
 
-    /// The same from one point or several: the curve nearest to them in their logarithms, each weighted by its error. Where they
-    /// tell the pressure coefficient and it is free, it is led by them too. The measurement that is kept is that of the curve at
-    /// the mean of the logarithms of the loads.
-    ///
-    /// A model without a pressure coefficient, where there is one, is not made again.
-    pub(crate) fn calibrate_points(
-        &mut self,
-        points: &[MeasuredPoint],
-        pressure_is_free: bool,
-        without_pressure: Option<&Model>,
-    ) -> Result<Calibrated, Error> {
-        let refused = |point: &MeasuredPoint, reason: Reason, number: f64| {
-            Err(Error::Uncalibrated { load: point.load, friction_force: point.force, reason, number })
-        };
-        if let Some(point) = points.iter().find(|point| !finite(point.force) || point.force <= 0.0) {
-            return refused(point, Reason::NotPositive, 0.0);
+    /// Refuses what can be no measurement of these parameters.
+    pub(crate) fn check_measured(&self, load: f64, friction_force: f64) -> Result<(), Error> {
+        let refused = |reason| Err(Error::Uncalibrated { load, friction_force, reason, number: 0.0 });
+        if !finite(friction_force) || friction_force <= 0.0 {
+            return refused(Reason::NotPositive);
         }
         if self.slip.stress_1 == 0.0 && self.slip.stress_2 == 0.0 {
-            return refused(&points[0], Reason::NoStress, 0.0);
+            return refused(Reason::NoStress);
         }
-        let made;
-        let model = match without_pressure {
-            Some(model) => model,
-            None => {
-                made = Model::new(&Self { pressure_coefficient: 0.0, ..self.clone() })?;
-                &made
-            }
-        };
-        let mut seen = Vec::with_capacity(points.len());
-        for point in points {
-            let state = model.state_at_load(point.load)?;
-            let of_pressure = self.pressure_coefficient * state.hertz_load;
-            if point.force <= of_pressure {
-                return refused(point, Reason::Pressure, of_pressure);
-            }
-            // Where the load hardly presses, the force may be too small for a number.
-            if state.friction_force < f64::MIN_POSITIVE {
-                return refused(point, Reason::NoFriction, state.friction_force);
-            }
-            let (force, pressed, measured) = (state.friction_force, state.hertz_load, log(point.force));
-            seen.push(Seen { force, pressed, measured, error: point.error });
+        Ok(())
+    }
+
+    /// The same with surfaces that have all of these parameters but the pressure coefficient.
+    pub(crate) fn strengthen(&mut self, surfaces: &Surfaces, load: f64, friction_force: f64) -> Result<(), Error> {
+        let borne = surfaces.borne_at_load(load)?;
+        let refused = |reason, number| Err(Error::Uncalibrated { load, friction_force, reason, number });
+        let of_pressure = self.pressure_coefficient * borne.hertz_load;
+        if friction_force <= of_pressure {
+            return refused(Reason::Pressure, of_pressure);
         }
-        let tells_pressure = pressure_is_free && tell_pressure(&seen);
-        let (factor, kappa) = match seen[..] {
-            [one] => {
-                let kappa = self.pressure_coefficient;
-                ((points[0].force - kappa * one.pressed) / one.force, kappa)
-            }
-            _ => {
-                let (log_c, kappa) = nearest(&seen, (!tells_pressure).then_some(self.pressure_coefficient));
-                (exp(log_c), kappa)
-            }
-        };
-        let [least, most] = [
-            1.0 / (LARGEST_QUANTITY * self.slip.stress_1.min(self.slip.stress_2)),
-            1.0 / self.slip.stress_1.max(self.slip.stress_2),
-        ];
-        // The error names the point that is farthest beyond.
-        let beyond = |reason: Reason, bound: f64, sign: f64| {
-            let allowed = |one: &Seen| bound * one.force + kappa * one.pressed;
-            let excess = |(point, one): &(&MeasuredPoint, &Seen)| sign * (log(point.force) - log(allowed(one)));
-            let of_all = points.iter().zip(&seen);
-            let (point, one) =
-                of_all.max_by(|one, other| excess(one).total_cmp(&excess(other))).unwrap_or((&points[0], &seen[0]));
-            refused(point, reason, allowed(one))
-        };
+        // Where the load hardly presses, the force may be too small for a number.
+        if borne.friction_force < f64::MIN_POSITIVE {
+            return refused(Reason::NoFriction, borne.friction_force);
+        }
+        let factor = (friction_force - of_pressure) / borne.friction_force;
+        let most = 1.0 / self.slip.stress_1.max(self.slip.stress_2);
+        let least = 1.0 / (LARGEST_QUANTITY * self.slip.stress_1.min(self.slip.stress_2));
         if factor > most {
-            return beyond(Reason::Strength, most, 1.0);
+            return refused(Reason::Strength, most * borne.friction_force + of_pressure);
         }
         if factor < least {
-            return beyond(Reason::Weakness, least, -1.0);
-        }
-        let misfit = misfit(&seen, log(factor), kappa, tells_pressure);
-        let MeasuredPoint { mut load, force: mut friction_force, .. } = points[0];
-        if points.len() > 1 {
-            load = exp(points.iter().map(|point| log(point.load)).sum::<f64>() / points.len() as f64);
-            let state = model.state_at_load(load)?;
-            friction_force = factor * state.friction_force + kappa * state.hertz_load;
+            return refused(Reason::Weakness, least * borne.friction_force + of_pressure);
         }
         if (factor - 1.0).abs() > SAME_STRENGTH {
             self.slip.stress_1 *= factor;
             self.slip.stress_2 *= factor;
         }
-        self.pressure_coefficient = kappa;
-        let precision: f64 = points.iter().map(|point| 1.0 / (point.error * point.error)).sum();
-        self.calibration_error = if points.len() > 1 { misfit.max(1.0) / precision.sqrt() } else { points[0].error };
-        self.calibration_error = self.calibration_error.min(1.0);
+        self.calibration_error = self.error_of_point();
         (self.calibration_load, self.calibration_friction_force) = (load, friction_force);
-        Ok(Calibrated { seen, misfit, tells_pressure })
+        Ok(())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Twice the strength, and 0.02 of Hertz' loads.
-    #[test]
-    fn several_points_set_strength_and_pressure_coefficient_and_keep_the_point_in_their_middle() {
-        let before = Params { work_of_adhesion: 0.0, ..Params::paper() };
-        let model = Model::new(&before).expect("a model");
-        let points = [(1.0, 1e-3), (10.0, 2e-3), (1000.0, 2e-3), (1e4, 1e-3)].map(|(load, error)| {
-            let state = model.state_at_load(load).expect("a state");
-            MeasuredPoint { load, force: 2.0 * state.friction_force + 0.02 * state.hertz_load, error }
-        });
-        for known in [None, Some(&model)] {
-            let mut params = before.clone();
-            let found = params.calibrate_points(&points, true, known).expect("a strength");
-            assert!(found.tells_pressure && found.misfit < 0.1 && found.seen.len() == 4, "{found:?}");
-            assert!((params.slip.stress_1 / before.slip.stress_1 - 2.0).abs() < 0.01, "{params:?}");
-            assert!((params.slip.stress_2 / before.slip.stress_2 - 2.0).abs() < 0.01, "{params:?}");
-            assert!((params.pressure_coefficient - 0.02).abs() < 1e-4, "{params:?}");
-            assert!((params.calibration_load / 100.0 - 1.0).abs() < 1e-12);
-            let kept = Model::new(&params).expect("a model").state_at_load(100.0).expect("a state").friction_force;
-            assert!((params.calibration_friction_force / kept - 1.0).abs() < 1e-9, "{params:?}, {kept}");
-            assert!((params.calibration_error / 1e-3 - 0.4_f64.sqrt()).abs() < 1e-9, "{params:?}");
-        }
-        // Far off, and so no more known than they agree; a coefficient that is not free stays.
-        let mut params = Params { pressure_coefficient: 0.01, ..before };
-        let off = points
-            .map(|point| MeasuredPoint { force: point.force * (1.0 + 0.1 * (point.load.log10() % 2.0)), ..point });
-        let found = params.calibrate_points(&off, false, None).expect("a strength");
-        assert!(!found.tells_pressure && found.misfit > 2.0 && params.pressure_coefficient == 0.01, "{found:?}");
-        let error = 1e-3 * 0.4_f64.sqrt() * found.misfit;
-        assert!((params.calibration_error / error - 1.0).abs() < 1e-9, "{params:?}");
-        let wild = [1.0, 1e-4].map(|part| MeasuredPoint { force: part * points[1].force, error: 0.9, ..points[1] });
-        params.pressure_coefficient = 0.0;
-        params.calibrate_points(&wild, false, None).expect("a strength");
-        assert_eq!(params.calibration_error, 1.0);
-    }
-
-    /// One that is beyond its bound by 1 in its logarithm, and one by 3.
-    #[test]
-    fn of_several_points_that_which_is_farthest_beyond_is_named() {
-        let params = Params { calibration_error: 0.1, ..Params::paper() };
-        for (force, sign) in [(1e20, 1.0), (1e-290, -1.0)] {
-            let beyond = |load: f64, off: f64| match params.clone().calibrate_force(load, force) {
-                Err(Error::Uncalibrated { number, .. }) => {
-                    MeasuredPoint { load, force: number * exp(sign * off), error: 0.1 }
-                }
-                other => panic!("{other:?}"),
-            };
-            let mut points = [beyond(0.1, 1.0), beyond(1e5, 3.0)];
-            for _ in 0..2 {
-                let refused = params.clone().calibrate_points(&points, false, None);
-                assert!(matches!(refused, Err(Error::Uncalibrated { load: 1e5, .. })), "{refused:?}, {points:?}");
-                points.reverse();
-            }
-        }
-    }
 
     #[test]
     fn friction_that_is_no_number_has_no_strength() {

@@ -1,11 +1,10 @@
 //! What is evaluated exactly, by sums over the summits at a separation: states, microslip, warnings.
 
 use super::validity::{warnings_between, Measures};
-use super::Model;
+use super::{Model, Surfaces};
 use crate::error::Error;
 use crate::numerics::elementary::log;
 use crate::numerics::float_bits::finite;
-use crate::params::Params;
 use crate::population::{Statistics, Sums};
 
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
@@ -83,6 +82,19 @@ pub struct State {
     pub(crate) friction_bias: f64,
 }
 
+/// What surfaces bear at a load, in the caller's units, as in a [`State`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Borne {
+    /// Of the mean of the summits, in standard deviations of their heights.
+    pub separation: f64,
+    pub friction_force: f64,
+    pub real_area: f64,
+    pub hertz_load: f64,
+    pub tangential_stiffness: f64,
+    pub normal_stiffness: f64,
+    pub contact_radius_sum: f64,
+}
+
 impl Model {
     /// The exact state at a load, without the compiled law.
     ///
@@ -90,36 +102,17 @@ impl Model {
     /// [`Error::InvalidLoad`], [`Error::Separated`] below pull-off, [`Error::OutOfRange`].
     pub fn state_at_load(&self, load: f64) -> Result<State, Error> {
         let (separation, sums) = self.equilibrium_at(load)?;
-        let mut state = self.state(load, separation, &sums)?;
-        if self.is_pull_off(load) {
+        let mut state = State { gap: self.law.gap_at(separation), ..self.surfaces.state(load, separation, &sums)? };
+        if self.branch.pull_off().is_some() && load == self.pull_off_load() {
             state.dforce_dload = f64::INFINITY;
             state.dload_dgap = 0.0;
         }
         Ok(state)
     }
 
-    /// Whether a load is that of the pull-off point.
-    fn is_pull_off(&self, load: f64) -> bool {
-        self.branch.pull_off().is_some() && load == self.pull_off_load()
-    }
-
     /// The separation at a load, in sigma, and the sums there.
     fn equilibrium_at(&self, load: f64) -> Result<(f64, Sums), Error> {
-        self.validate_load(load)?;
-        let pull_off = self.pull_off_load();
-        if let Some(point) = self.branch.pull_off() {
-            if load == pull_off {
-                return Ok((point.separation, self.branch.population().at_separation(point.separation)));
-            }
-        } else if load == 0.0 {
-            let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
-            return Err(Error::out_of_range("load", load, allowed));
-        }
-        // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
-        let log_excess = log(load - pull_off) - log(self.units.load);
-        let guess = self.law.separation_of(load);
-        // A guess may lead nowhere where the load hardly changes with separation.
-        self.branch.at_log_excess(log_excess, guess).or_else(|_| self.branch.at_log_excess(log_excess, None))
+        self.surfaces.equilibrium_at(load, || self.law.separation_of(load))
     }
 
     /// The tangential force T at a load and a displacement along the surfaces, and dT/d(displacement), without the compiled
@@ -154,24 +147,87 @@ impl Model {
         Ok((tangential.copysign(displacement), slipping.sticking / slipping.radius * stiffness))
     }
 
+    /// The exact state at a gap between the mean planes, in contact or not, on the branch of load control or beyond it.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a gap that is not finite, [`Error::OutOfRange`].
+    pub fn state_at_gap(&self, gap: f64) -> Result<State, Error> {
+        let separation = self.separation_at(gap)?;
+        let sums = self.branch.population().at_separation(separation);
+        let load = sums.load() * self.units.load;
+        Ok(State { gap: self.law.gap_at(separation), ..self.surfaces.state(load, separation, &sums)? })
+    }
+
+    /// The separation of the population, in sigma, at a gap.
+    pub(super) fn separation_at(&self, gap: f64) -> Result<f64, Error> {
+        self.in_sigma("gap", gap).map(|_| self.law.separation_at(gap))
+    }
+}
+
+impl Surfaces {
+    /// The exact state at a load, but for the gap, which is NaN.
+    ///
+    /// # Errors
+    /// As [`Model::state_at_load`].
+    pub(crate) fn state_at_load(&self, load: f64) -> Result<State, Error> {
+        let (separation, sums) = self.equilibrium_at(load, || None)?;
+        self.state(load, separation, &sums)
+    }
+
+    /// What the sums over the summits make of a load, in the caller's units.
+    ///
+    /// # Errors
+    /// As [`Model::state_at_load`].
+    pub(crate) fn borne_at_load(&self, load: f64) -> Result<Borne, Error> {
+        self.borne_near(load, None)
+    }
+
+    /// The same, from the separation of surfaces like these under this load.
+    pub(crate) fn borne_near(&self, load: f64, guess: Option<f64>) -> Result<Borne, Error> {
+        let (separation, sums) = self.equilibrium_at(load, || guess)?;
+        let (spread_radius, _) = sums.spread_radius();
+        Ok(Borne {
+            separation,
+            friction_force: sums.friction * self.units.force,
+            real_area: sums.area * self.units.area,
+            hertz_load: sums.hertz_load * self.units.load,
+            tangential_stiffness: spread_radius * self.units.stiffness,
+            normal_stiffness: -sums.load_slope / sums.psi() * self.units.load / self.units.length,
+            contact_radius_sum: spread_radius * self.params.burgers_vector * self.units.count,
+        })
+    }
+
+    /// The separation at a load, in sigma, and the sums there, from a guess if there is one.
+    fn equilibrium_at(&self, load: f64, guess: impl FnOnce() -> Option<f64>) -> Result<(f64, Sums), Error> {
+        self.validate_load(load)?;
+        let pull_off = self.pull_off_load();
+        if let Some(point) = self.branch.pull_off() {
+            if load == pull_off {
+                return Ok((point.separation, self.branch.population().at_separation(point.separation)));
+            }
+        } else if load == 0.0 {
+            let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
+            return Err(Error::out_of_range("load", load, allowed));
+        }
+        // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
+        let log_excess = log(load - pull_off) - log(self.units.load);
+        // A guess may lead nowhere where the load hardly changes with separation.
+        self.branch.at_log_excess(log_excess, guess()).or_else(|_| self.branch.at_log_excess(log_excess, None))
+    }
+
     /// The warnings of all states between two loads, both included.
     ///
     /// # Errors
     /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
     pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
-        let (farthest, light) = self.equilibrium_at(lightest).map_err(|error| error.of_load("lightest"))?;
-        let (nearest, heavy) = self.equilibrium_at(heaviest).map_err(|error| error.of_load("heaviest"))?;
+        let (farthest, light) = self.equilibrium_at(lightest, || None).map_err(|error| error.of_load("lightest"))?;
+        let (nearest, heavy) = self.equilibrium_at(heaviest, || None).map_err(|error| error.of_load("heaviest"))?;
         if lightest > heaviest {
             return Err(Error::invalid("lightest", lightest, "must not be above heaviest"));
         }
         let ends = self.measures_of(lightest, farthest, &light)?.warnings()
             | self.measures_of(heaviest, nearest, &heavy)?.warnings();
         Ok(ends | warnings_between(nearest, farthest, |d| self.measures_at(d))?)
-    }
-
-    /// The same with the strength that other parameters of these surfaces have.
-    pub(crate) fn check_loads_with(&self, params: &Params, lightest: f64, heaviest: f64) -> Result<u64, Error> {
-        Self { params: params.clone(), ..self.clone() }.check_loads(lightest, heaviest)
     }
 
     /// How far what the model assumes fails under a load, at a separation in sigma, with these sums.
@@ -186,22 +242,11 @@ impl Model {
         self.measures_of(sums.load() * self.units.load, separation, &sums)
     }
 
-    /// The exact state at a gap between the mean planes, in contact or not, on the branch of load control or beyond it.
-    ///
-    /// # Errors
-    /// [`Error::InvalidParameter`] for a gap that is not finite, [`Error::OutOfRange`].
-    pub fn state_at_gap(&self, gap: f64) -> Result<State, Error> {
-        let separation = self.separation_at(gap)?;
-        let sums = self.branch.population().at_separation(separation);
-        let load = sums.load() * self.units.load;
-        self.state(load, separation, &sums)
-    }
-
     /// The friction force [force] of a summit that carries a load >= 0 alone, at the separation that the surfaces have at this load: of
     /// less than one contact, what a specimen stands on.
     pub(crate) fn one_summit_at_load(&self, load: f64) -> f64 {
         // Far off all tall summits have the same radius.
-        let separation = self.equilibrium_at(load).map_or(FARTHEST_SEPARATION, |(separation, _)| separation);
+        let separation = self.equilibrium_at(load, || None).map_or(FARTHEST_SEPARATION, |(separation, _)| separation);
         let population = self.branch.population();
         let of_one = load / self.units.load * self.units.count;
         let mut summit = population.one_summit(separation, 0.0, 0.0);
@@ -218,11 +263,6 @@ impl Model {
         }
         population.contact_at(&mut summit, pressed).map_or(0.0, |one| one.friction) * self.units.force
             / self.units.count
-    }
-
-    /// The separation of the population, in sigma, at a gap.
-    pub(super) fn separation_at(&self, gap: f64) -> Result<f64, Error> {
-        self.in_sigma("gap", gap).map(|_| self.law.separation_at(gap))
     }
 
     /// Minus gaps beyond this are out of range.
@@ -340,7 +380,7 @@ impl Model {
         let (spread_radius, _) = sums.spread_radius();
         let mut state = State {
             load,
-            gap: self.law.gap_at(separation),
+            gap: f64::NAN,
             friction_force,
             friction_coefficient: coefficient,
             dforce_dload,

@@ -6,7 +6,6 @@ pub(crate) mod calibration;
 mod exact;
 mod gap;
 mod microslip;
-pub(crate) mod points;
 pub mod validity;
 
 use crate::asperity::groups::Groups;
@@ -21,6 +20,7 @@ use crate::params::Params;
 use crate::population::Population;
 pub use exact::State;
 pub(crate) use gap::by_gap;
+use std::ops::Deref;
 
 /// Heavier loads than this many E* b^2 per summit are out of range: intermediate numbers would overflow.
 const HEAVIEST_LOAD: f64 = 1e80;
@@ -32,16 +32,31 @@ const MOST_MINIMA: usize = 8;
 /// The friction law of a surface pair. Immutable: threads may share it.
 #[derive(Debug, Clone)]
 pub struct Model {
+    surfaces: Surfaces,
+    law: Law,
+    known: [Known; Quantity::COUNT],
+}
+
+/// A surface pair of which sums over the summits are asked, one load at a time: what a model is without its compiled law.
+#[derive(Debug, Clone)]
+pub struct Surfaces {
     params: Params,
     groups: Groups,
     branch: Branch,
-    law: Law,
     units: Units,
     /// 1 / max_friction_coefficient, of a finite one.
     inverse_cap: f64,
-    known: [Known; Quantity::COUNT],
     /// The heaviest load that can be evaluated.
     heaviest: f64,
+}
+
+impl Deref for Model {
+    type Target = Surfaces;
+
+    #[inline(always)]
+    fn deref(&self) -> &Surfaces {
+        &self.surfaces
+    }
 }
 
 /// Friction force or tangential stiffness at loads beside its table, found when the model is made.
@@ -119,41 +134,20 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
     pub fn new(params: &Params) -> Result<Self, Error> {
-        Self::compiled(params, None)
-    }
-
-    /// The same for loads from one to another, from the pull-off load upwards: sooner, where no others are asked for.
-    ///
-    /// # Errors
-    /// As [`Model::new`].
-    pub(crate) fn between(params: &Params, loads: [f64; 2]) -> Result<Self, Error> {
-        Self::compiled(params, Some(loads))
-    }
-
-    fn compiled(params: &Params, loads: Option<[f64; 2]>) -> Result<Self, Error> {
-        let (groups, heights, radius) = params.surface()?;
-        let units = Units::new(params);
-        let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
+        let mut surfaces = Surfaces::new(params)?;
+        let units = surfaces.units;
         let compile = |branch: &Branch| {
             // Heights count from the mean of the summits, gaps from the mean plane.
             let origin = branch.population().heights().origin() + params.summit_mean_height / units.length;
             let lengths = Lengths { unit: units.length, origin };
-            let of_quantities = Quantity::ALL.map(|quantity| units.of(quantity));
-            match loads {
-                None => Law::new(branch, units.load, of_quantities, lengths),
-                Some(loads) => {
-                    let excess = loads.map(|load| (load / units.load - branch.pull_off_load()).max(f64::MIN_POSITIVE));
-                    Law::between(branch, units.load, of_quantities, lengths, excess)
-                }
-            }
+            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), lengths)
         };
-        let mut branch = Branch::new(population)?;
-        let mut law = compile(&branch);
+        let mut law = compile(&surfaces.branch);
         for _ in 0..MOST_MINIMA {
             let Err(Unfollowed { separation }) = law else { break };
             // Following the branch found an earlier minimum than the search did.
-            branch = branch.ending_near(separation)?;
-            law = compile(&branch);
+            surfaces.branch = surfaces.branch.ending_near(separation)?;
+            law = compile(&surfaces.branch);
         }
         let law = law.map_err(|Unfollowed { separation }| Error::NotConverged {
             what: "load on the branch at separation",
@@ -163,14 +157,10 @@ impl Model {
         if error > tolerance::MOST {
             return Err(Error::NotConverged { what: "table_error", value: error });
         }
-        let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
-        let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
-        let params = params.clone();
-        let known = [Known::default(); Quantity::COUNT];
-        let mut model = Self { params, groups, branch, law, units, inverse_cap, known, heaviest };
+        let mut model = Self { surfaces, law, known: [Known::default(); Quantity::COUNT] };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         // A model of compiled calls alone takes half the memory.
-        model.branch.forget_table();
+        model.surfaces.branch.forget_table();
         Ok(model)
     }
 
@@ -192,11 +182,6 @@ impl Model {
         // The next load below: the table's end is not of it.
         let heaviest_tabulated = end.below();
         Known { at_pull_off, at_zero, apart, light_slope, heavy: at(heaviest_tabulated).0 }
-    }
-
-    /// The parameters that the model was made from.
-    pub fn params(&self) -> &Params {
-        &self.params
     }
 
     /// Friction coefficient F/P, at most `max_friction_coefficient`; equal to that for pull-off <= load <= 0; 0 below
@@ -293,15 +278,6 @@ impl Model {
         self.law.beyond(quantity)
     }
 
-    /// What the sums are over.
-    pub(crate) fn population(&self) -> &Population {
-        self.branch.population()
-    }
-
-    pub(crate) fn units(&self) -> &Units {
-        &self.units
-    }
-
     /// The gap between the mean planes at a separation in sigma.
     pub(crate) fn gap_at(&self, separation: f64) -> f64 {
         self.law.gap_at(separation)
@@ -310,26 +286,6 @@ impl Model {
     /// The same where neighbours change nothing.
     pub(crate) fn gap_of_lone(&self, separation: f64) -> f64 {
         self.law.gap().lengths().callers(separation)
-    }
-
-    /// Whether the surfaces can carry a load.
-    ///
-    /// # Errors
-    /// [`Error::InvalidLoad`] if it is not finite, [`Error::Separated`] below pull-off, [`Error::OutOfRange`] above 1e80 E* b^2
-    /// per summit.
-    pub fn validate_load(&self, load: f64) -> Result<(), Error> {
-        if !finite(load) {
-            return Err(Error::InvalidLoad { name: LOAD, value: load });
-        }
-        let pull_off = self.pull_off_load();
-        if load < pull_off {
-            return Err(Error::Separated { name: LOAD, load, pull_off });
-        }
-        if load > self.heaviest {
-            let allowed = "must be below 1e80 composite_modulus burgers_vector^2 asperity_count";
-            return Err(Error::out_of_range("load", load, allowed));
-        }
-        Ok(())
     }
 
     /// The error of an admissible load whose state could not be found.
@@ -363,6 +319,66 @@ impl Model {
         }
     }
 
+    /// The compiled law of a quantity.
+    #[inline]
+    pub(crate) fn table(&self, quantity: Quantity) -> &Table {
+        self.law.table(quantity)
+    }
+}
+
+impl Surfaces {
+    /// A surface pair without a compiled law.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
+    pub(crate) fn new(params: &Params) -> Result<Self, Error> {
+        let (groups, heights, radius) = params.surface()?;
+        let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
+        let (units, branch) = (Units::new(params), Branch::new(population)?);
+        let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
+        let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
+        Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest })
+    }
+
+    /// The parameters of the surfaces.
+    pub fn params(&self) -> &Params {
+        &self.params
+    }
+
+    /// What the sums are over.
+    pub(crate) fn population(&self) -> &Population {
+        self.branch.population()
+    }
+
+    pub(crate) fn units(&self) -> &Units {
+        &self.units
+    }
+
+    /// Whether the surfaces can carry a load.
+    ///
+    /// # Errors
+    /// [`Error::InvalidLoad`] if it is not finite, [`Error::Separated`] below pull-off, [`Error::OutOfRange`] above 1e80 E* b^2
+    /// per summit.
+    pub fn validate_load(&self, load: f64) -> Result<(), Error> {
+        if !finite(load) {
+            return Err(Error::InvalidLoad { name: LOAD, value: load });
+        }
+        let pull_off = self.pull_off_load();
+        if load < pull_off {
+            return Err(Error::Separated { name: LOAD, load, pull_off });
+        }
+        if load > self.heaviest {
+            let allowed = "must be below 1e80 composite_modulus burgers_vector^2 asperity_count";
+            return Err(Error::out_of_range("load", load, allowed));
+        }
+        Ok(())
+    }
+
+    /// These surfaces with the strength that other parameters of them have, where states are judged.
+    pub(crate) fn judged_as(&self, params: &Params) -> Self {
+        Self { params: params.clone(), ..self.clone() }
+    }
+
     fn pull_off_load(&self) -> f64 {
         self.branch.pull_off_load() * self.units.load
     }
@@ -376,12 +392,6 @@ impl Model {
     #[cfg(target_arch = "x86_64")]
     pub(crate) fn heaviest_load(&self) -> f64 {
         self.heaviest
-    }
-
-    /// The compiled law of a quantity.
-    #[inline]
-    pub(crate) fn table(&self, quantity: Quantity) -> &Table {
-        self.law.table(quantity)
     }
 
     /// F/P from the force at a load not below pull-off, capped.
@@ -439,24 +449,6 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_model_between_loads_has_them_in_its_table_and_their_friction() {
-        let params = Params { work_of_adhesion: 1e-2 * Params::paper().composite_modulus, ..Params::paper() };
-        let whole = Model::new(&params).expect("a model");
-        let pull_off = -whole.summary().pull_off_load;
-        assert!(pull_off > 0.0);
-        for loads in [[-0.5, 0.5], [0.0, 3.0], [1.0, 10.0]].map(|loads| loads.map(|load| load * pull_off)) {
-            let part = Model::between(&params, loads).expect("a model");
-            let summary = part.summary();
-            assert!(summary.min_table_load <= loads[0] && summary.max_table_load >= loads[1], "{loads:?}: {summary:?}");
-            assert!(summary.max_table_load < 4.0 * loads[1], "{loads:?}: {summary:?}");
-            for load in loads {
-                let [part, whole] = [&part, &whole].map(|model| model.friction_force_at_load(load));
-                assert!((part / whole - 1.0).abs() < 1e-6, "{load}: {part}, not {whole}");
-            }
-        }
-    }
 
     #[test]
     fn slopes_saturate_where_they_would_overflow() {

@@ -14,7 +14,7 @@ pub use crate::distribution::HeightFamily;
 use crate::error::Error;
 use crate::materials::{Bodies, Interface};
 use crate::numerics::float_bits::infinite;
-pub(crate) use checks::{LARGEST_PRESSURE_COEFFICIENT, STEEPEST_SURFACE};
+pub(crate) use checks::STEEPEST_SURFACE;
 pub(crate) use numbers::positive;
 pub(crate) use numbers::LARGEST_QUANTITY;
 use numbers::{magnitude, not_negative, poisson_ratio};
@@ -86,7 +86,7 @@ pub struct Params {
     pub calibration_load: f64,
     /// The friction force measured at it [force]; 0 if the strength was not calibrated.
     pub calibration_friction_force: f64,
-    /// The relative standard error of that measurement.
+    /// The relative standard error of that measurement; 1 without one where an estimate took the strength of other materials.
     pub calibration_error: f64,
     /// Height of the mean of the summits above the mean plane of the surface [length]; 0 if not known: gaps then count from the
     /// mean of the summits.
@@ -117,6 +117,10 @@ pub(crate) const UNSET: f64 = f64::from_bits(0x7ff8_0000_756e_7365);
 fn is_unset(value: f64) -> bool {
     value.to_bits() == UNSET.to_bits()
 }
+
+/// The error of a measurement where nothing else is said, and what says that there was none.
+const USUAL_ERROR: f64 = 0.05;
+pub(crate) const OF_OTHER_MATERIALS: f64 = 1.0;
 
 /// The bandwidth of summits of a Gaussian surface is 0.897 + (eta sigma R/0.02036)^2.
 const NARROWEST_BANDWIDTH: f64 = 0.8968;
@@ -152,7 +156,7 @@ impl Params {
             bandwidth: 0.0,
             calibration_load: 0.0,
             calibration_friction_force: 0.0,
-            calibration_error: 0.05,
+            calibration_error: USUAL_ERROR,
             summit_mean_height: 0.0,
             rms_slope: 0.0,
             length_unit: 1.0,
@@ -287,6 +291,7 @@ impl Params {
         self.slip.stress_1 = strength / self.effective_shear_modulus;
         self.slip.stress_2 = self.slip.stress_1;
         self.pressure_coefficient = interface.pressure_coefficient;
+        self.calibration_error = self.error_of_point();
         (self.calibration_load, self.calibration_friction_force) = (0.0, 0.0);
         Ok(())
     }
@@ -373,11 +378,22 @@ impl Params {
         self.asperity_count != 1.0
     }
 
-    /// Whether the strength of the interface is the default, not a measured one.
+    /// Whether the strength of the interface is the default, or what an estimate took of other materials, and not a measured one.
     pub(crate) fn has_default_strength(&self) -> bool {
         let SlipConstants { stress_1, stress_2, .. } = SlipConstants::default();
-        let is_default = self.slip.stress_1 == stress_1 && self.slip.stress_2 == stress_2;
-        is_default && self.pressure_coefficient == 0.0 && self.calibration_friction_force == 0.0
+        let is_default =
+            self.slip.stress_1 == stress_1 && self.slip.stress_2 == stress_2 && self.pressure_coefficient == 0.0;
+        self.calibration_friction_force == 0.0 && (is_default || self.calibration_error == OF_OTHER_MATERIALS)
+    }
+
+    /// The error of a measurement that is made on these surfaces.
+    pub(crate) fn error_of_point(&self) -> f64 {
+        let is_marked = self.calibration_friction_force == 0.0 && self.calibration_error == OF_OTHER_MATERIALS;
+        if is_marked {
+            USUAL_ERROR
+        } else {
+            self.calibration_error
+        }
     }
 
     /// E* (sigma/R)^(1/2)/H; 0 if the hardness is not known.

@@ -21,7 +21,6 @@
 #define ASPERITY_STRENGTH_TABLE 1
 #define ASPERITY_STRENGTH_GIVEN 2
 #define ASPERITY_STRENGTH_MEASURED 3
-#define ASPERITY_STRENGTH_FACTOR 10
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 #define ASPERITY_HEIGHTS_WEIBULL 1
 #define ASPERITY_HEIGHTS_JOHNSON 2
@@ -64,17 +63,33 @@ typedef struct asperity_estimate {
   double low; /* 24, 8 */
   double high; /* 32, 8 */
   double friction_force; /* 40, 8 */
-  double contacts; /* 48, 8 */
-  double specimen_force; /* 56, 8 */
-  double specimen_scatter; /* 64, 8 */
-  double strength_share; /* 72, 8 */
-  double roughness_share; /* 80, 8 */
-  double measurement_share; /* 88, 8 */
-  double misfit; /* 96, 8 */
-  uint64_t warnings; /* 104, 8 */
-  int32_t strength_source; /* 112, 4 */
-  int32_t is_of_pressures; /* 116, 4 */
-} asperity_estimate; /* 120 */
+  double curve_coefficient; /* 48, 8 */
+  double constant_odds; /* 56, 8 */
+  double contacts; /* 64, 8 */
+  double specimen_force; /* 72, 8 */
+  double specimen_scatter; /* 80, 8 */
+  double strength_share; /* 88, 8 */
+  double size_share; /* 96, 8 */
+  double pressure_share; /* 104, 8 */
+  double adhesion_share; /* 112, 8 */
+  double hardness_share; /* 120, 8 */
+  double slope_share; /* 128, 8 */
+  double measurement_share; /* 136, 8 */
+  double model_share; /* 144, 8 */
+  double tangential_stiffness; /* 152, 8 */
+  double tangential_stiffness_low; /* 160, 8 */
+  double tangential_stiffness_high; /* 168, 8 */
+  double normal_stiffness; /* 176, 8 */
+  double normal_stiffness_low; /* 184, 8 */
+  double normal_stiffness_high; /* 192, 8 */
+  double contact_radius_sum; /* 200, 8 */
+  double contact_radius_sum_low; /* 208, 8 */
+  double contact_radius_sum_high; /* 216, 8 */
+  double error_growth; /* 224, 8 */
+  uint64_t warnings; /* 232, 8 */
+  int32_t strength_source; /* 240, 4 */
+  int32_t is_of_pressures; /* 244, 4 */
+} asperity_estimate; /* 248 */
 
 typedef struct asperity_params {
   uint64_t struct_size; /* 0, 8 */
@@ -233,7 +248,6 @@ asperity_status asperity_params_get_value(const struct asperity_params *, const 
 asperity_status asperity_params_init(struct asperity_params *, size_t);
 asperity_status asperity_params_read(struct asperity_params *, const char *);
 asperity_status asperity_params_set_dimensionless(struct asperity_params *, double, double, double, double, double);
-asperity_status asperity_params_set_estimate(struct asperity_params *, const char *, size_t);
 asperity_status asperity_params_set_materials(struct asperity_params *, double, double, double, double);
 asperity_status asperity_params_set_pair(struct asperity_params *, const char *);
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *, double, double, double, double);

@@ -53,7 +53,6 @@ static asperity_estimate estimates[FEW];
     X(params_set_pair, _of_no_name, (&changed, "stele/alumina")) \
     X(params_calibrate, , (&changed, in[0], 0.2)) \
     X(params_calibrate_force, , (&changed, in[0], 0.2 * in[0])) \
-    X(params_set_estimate, , (&changed, SURFACE, sizeof SURFACE - 1)) \
     X(params_set_text, , (&changed, SURFACE, sizeof SURFACE - 1)) \
     X(params_set_text, _calibrated, (&changed, text_of_calibrated, sizeof text_of_calibrated)) \
     X(params_set_text, _of_no_key, (&changed, "hardnes = 1", 11)) \

@@ -177,7 +177,6 @@ static void texts_and_estimates(void)
         asperity_params_init(&p, sizeof p);
         ASK(0, params_set_text, &p, texts[i], strlen(texts[i]));
         ASK(0, params_text, &p, text, sizeof text);
-        ASK(0, params_set_estimate, &p, texts[i], strlen(texts[i]));
         ASK(0, estimate_text, texts[i], strlen(texts[i]), 3, (const double[]){ 0, 1e-3, 10 }, text, sizeof text);
         for (int k = 0; i == 1 && k < SPECIAL; k++) {
             asperity_estimate found = { .struct_size = sizeof found };

@@ -145,7 +145,7 @@ void parameters_are_set_and_read_by_name() {
 }
 
 constexpr const char *STEEL = "pair = \"steel/steel\"\ncontact_law = \"elastic-plastic\"\nwork_of_adhesion = 0\nnominal_area = 1e-4\n"
-                              "calibration_load = 1000\ncalibration_friction_coefficient = 0.16\n"
+                              "calibration_load = 1000\ncalibration_friction_coefficient = 0.16\nsize_effect = 1\npressure_coefficient = 0\n"
                               "[roughness]\nm0 = 1e-12\nm2 = 0.02\nm4 = 4e9\n";
 
 void parameters_come_from_what_is_known(const std::string &path) {
@@ -185,8 +185,7 @@ void an_estimate_needs_a_text_alone() {
     EXPECT(found.size() == 2 && found[0].load == 10.0 && close(found[1].friction_coefficient, 0.16, 1e-6));
     EXPECT(close(asperity::estimate(GROUND, 10.0).friction_coefficient, found[0].friction_coefficient, 1e-7));
     EXPECT(begins(asperity::estimate_text(GROUND, loads).c_str(), "mu(10 N) = "));
-    EXPECT(Params::paper().set_estimate(GROUND).calibration_load() == 1000.0);
-    EXPECT(begins(thrown_by([] { Params().set_estimate("mu = 1"); }).what(), "line 1: mu: no such key"));
+    EXPECT(Params::paper().set_text(GROUND).calibration_load() == 1000.0);
     EXPECT(begins(thrown_by([] { (void)asperity::estimate("mu = 1", 1.0); }).what(), "line 1: mu: no such key"));
     EXPECT(begins(thrown_by([&] { (void)asperity::estimate_text("mu = 1", loads); }).what(), "line 1: mu: no such key"));
 }

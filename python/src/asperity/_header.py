@@ -25,7 +25,6 @@ ASPERITY_STRENGTH_DEFAULT = 0
 ASPERITY_STRENGTH_TABLE = 1
 ASPERITY_STRENGTH_GIVEN = 2
 ASPERITY_STRENGTH_MEASURED = 3
-ASPERITY_STRENGTH_FACTOR = 10
 ASPERITY_HEIGHTS_GAUSSIAN = 0
 ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
@@ -74,13 +73,29 @@ class asperity_estimate(Structure):
         ("low", c_double),
         ("high", c_double),
         ("friction_force", c_double),
+        ("curve_coefficient", c_double),
+        ("constant_odds", c_double),
         ("contacts", c_double),
         ("specimen_force", c_double),
         ("specimen_scatter", c_double),
         ("strength_share", c_double),
-        ("roughness_share", c_double),
+        ("size_share", c_double),
+        ("pressure_share", c_double),
+        ("adhesion_share", c_double),
+        ("hardness_share", c_double),
+        ("slope_share", c_double),
         ("measurement_share", c_double),
-        ("misfit", c_double),
+        ("model_share", c_double),
+        ("tangential_stiffness", c_double),
+        ("tangential_stiffness_low", c_double),
+        ("tangential_stiffness_high", c_double),
+        ("normal_stiffness", c_double),
+        ("normal_stiffness_low", c_double),
+        ("normal_stiffness_high", c_double),
+        ("contact_radius_sum", c_double),
+        ("contact_radius_sum_low", c_double),
+        ("contact_radius_sum_high", c_double),
+        ("error_growth", c_double),
         ("warnings", c_uint64),
         ("strength_source", c_int32),
         ("is_of_pressures", c_int32),
@@ -250,7 +265,6 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_calibrate": (c_int32, [_params, c_double, c_double]),
     "asperity_params_calibrate_force": (c_int32, [_params, c_double, c_double]),
     "asperity_params_set_text": (c_int32, [_params, c_char_p, c_size_t]),
-    "asperity_params_set_estimate": (c_int32, [_params, c_char_p, c_size_t]),
     "asperity_params_text": (c_size_t, [_params, POINTER(c_char), c_size_t]),
     "asperity_params_read": (c_int32, [_params, c_char_p]),
     "asperity_create": (c_int32, [_params, POINTER(_model)]),

@@ -24,7 +24,7 @@ _PHYSICAL = {"pair", *REQUIRED, "summit_density", *KEYS["materials"], *KEYS["rou
 _LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)")
 # What an option is, where that is not a number alone: its unit, or what stands for its words.
 _METAVARS = {name: SI[dimension] for name, dimension in DIMENSIONS.items() if dimension in SI and not name.startswith("table_")} | {
-    "pair": "PAIR", "interface": "NAME", "calibration_friction_coefficient": "MU", "measured": "N MU ERROR", "coverage": "P",
+    "pair": "PAIR", "interface": "NAME", "calibration_friction_coefficient": "MU", "measured": "N MU ERROR", "coverage": "P", "interface_kind": "KIND",
     "first": "BODY", "second": "BODY", "summits": "KIND", "process": "NAME", **dict.fromkeys(WORDS, "WORD"),
 }  # fmt: skip
 # What may be more than one number.
@@ -33,6 +33,9 @@ _HELP = {
     "pair": "two materials, as steel/steel, or FILE.toml; before all options",
     "nominal_area": "without it loads are pressures",
     "interface": "strength of an interface that is known, as in asperity.materials.INTERFACES",
+    "interface_kind": "film (oxide or film, the default), clean (crystals), dry metal, or rock (glass and grains too)",
+    "size_effect": "0 of a film to 1 of clean crystals, where it is known",
+    "model_error": "how far real interfaces leave the law, over what is usual",
     "measured": "load, friction coefficient and, if known, its relative error; may be given several times",
     "coverage": "probability of the band (0.95)",
     "Ra": "mean deviation of the profile; here and below two numbers if both surfaces are rough",

@@ -48,9 +48,30 @@ class Roughness(TypedDict, total=False):
     process: Process
 
 
+class KnownTo(TypedDict, total=False):
+    """Factors within which 95 % of the true inputs are."""
+
+    slope: float
+    hardness: float
+    work_of_adhesion: float
+    E: float
+
+
+class MeasuredOn(Roughness, Bodies, total=False):
+    """The specimen that was measured, where it is not the surface asked for."""
+
+    nominal_area: float
+    hardness: float
+
+
 class Surface(Joint, Roughness, total=False):
     """All that surface files have beside the pair, the nominal area and the coverage."""
 
+    interface_kind: Literal["film", "clean", "dry metal", "rock"]
+    size_effect: float
+    model_error: float
+    known_to: KnownTo
+    measured_on: MeasuredOn
     height_std: float
     summit_radius: float
     asperity_count: float
@@ -59,7 +80,8 @@ class Surface(Joint, Roughness, total=False):
 
 REQUIRED = tuple(field.name for field in fields(Params) if field.default is MISSING)
 _IN_TABLES = {"materials": ("first", "second", *Bodies.__annotations__), "roughness": tuple(Roughness.__annotations__)}
-_APART = [*REQUIRED, "summit_density", *chain(*_IN_TABLES.values())]
+_TABLES = ("known_to", "measured_on")
+_APART = [*REQUIRED, "summit_density", *_TABLES, *chain(*_IN_TABLES.values())]
 # The keys of surface files, by their table, in the order of the help.
 KEYS = {
     "": (
@@ -100,6 +122,8 @@ def literal(name: str, value: Any, load: str) -> str:
         return quoted(value)
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
+    if isinstance(value, dict) and name in _TABLES:
+        return "{" + ", ".join(f"{key} = {literal(key, one, load)}" for key, one in value.items()) + "}"
     if name == "measured":
         return _points(value, load)
     return literal_of(name, value, load if DIMENSIONS.get(name) == "force" else of(name))

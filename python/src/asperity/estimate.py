@@ -7,7 +7,7 @@ import os
 import re
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -32,10 +32,19 @@ _SOURCES = {
     _header.ASPERITY_STRENGTH_GIVEN: "given",
     _header.ASPERITY_STRENGTH_MEASURED: "measured",
 }
+_SHARES = ("strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement", "model")
 # Of more loads the text has the first and the last.
 _WRITTEN = 8
 # A line over these loads in a figure; around one load it reaches so far either way.
 _DRAWN, _AROUND = 61, 10.0
+
+
+class Band(NamedTuple):
+    """A quantity with the ends of its band, like the loads."""
+
+    value: Any
+    low: Any
+    high: Any
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -58,11 +67,15 @@ class Estimate:
             where it is not known. `low` and `high` are without the scatter of specimens; what is printed has the band of one specimen.
         specimen_scatter: its standard deviation from specimen to specimen over this mean, like `value`; NaN for less than one contact, or
             where it is not known.
-        shares: "strength", "roughness" and "measurement" to the share of the variance of ln(F/P) that each causes, like
-            `value`: what would narrow the band.
+        curve: F/P of `Model(estimate.params)`, like `value`: the same to the digits that are printed, or the text says how far off it is. NaN
+            where no strength gives the measured friction.
+        constant_odds: how probable it is that F/P is within 10 % of the measured mean, like `value`: above 0.8 a constant does.
+        stiffness, normal_stiffness, contact_radius_sum: K_t and -dP/d(gap) [N/m] and the sum of the radii of all contacts [m], each a `Band` of
+            `value`, `low` and `high`; the constriction conductance is 2 k times the last. 0 for loads <= 0.
+        shares: "strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement" and "model" to the share of the variance of
+            ln(F/P) that each causes, like `value`: what would narrow the band.
         strength: what the strength of the interface rests on: "default", "table" (of interfaces), "given" or "measured".
-        misfit: how far the measured points are off the law, root mean square in their errors; above 2 the law cannot follow
-            their trend.
+        error_growth: by how much the errors of the measured points grew, since they contradict each other; 1 if they do not.
         warnings: what of the model fails between the lightest and the heaviest load > 0.
         unit: of the loads, "N"; "Pa" if no nominal area was given: loads are nominal pressures then, and forces shear stresses.
     """
@@ -75,9 +88,14 @@ class Estimate:
     contacts: Any
     specimen_force: Any
     specimen_scatter: Any
+    curve: Any
+    constant_odds: Any
+    stiffness: Band
+    normal_stiffness: Band
+    contact_radius_sum: Band
     shares: dict[str, Any]
     strength: str
-    misfit: float
+    error_growth: float
     warnings: Warnings
     unit: str
     _text: str
@@ -93,7 +111,7 @@ class Estimate:
     @cached_property
     def params(self) -> Params:
         """The surfaces as the estimate takes them, with its contact law and strength: `Model(estimate.params)` has its friction."""
-        return Params.from_estimate(self._text)
+        return Params.from_text(self._text if self.unit == "N" else f"nominal_area = 1.0\n{self._text}")
 
     @property
     def surface(self) -> str:
@@ -174,6 +192,9 @@ def estimate(surface: str, load: Any, coverage: float = 0.95, unit: str = "") ->
         values = np.ascontiguousarray(table[name]).reshape(loads.shape)
         return checks.shaped(load, values, name)
 
+    def band(name: str) -> Band:
+        return Band(column(name), column(f"{name}_low"), column(f"{name}_high"))
+
     known = bool((table["low"] == table["high"]).all())
     return Estimate(
         column("friction_coefficient"),
@@ -184,9 +205,14 @@ def estimate(surface: str, load: Any, coverage: float = 0.95, unit: str = "") ->
         column("contacts"),
         column("specimen_force"),
         column("specimen_scatter"),
-        {name: column(f"{name}_share") for name in ("strength", "roughness", "measurement")},
+        column("curve_coefficient"),
+        column("constant_odds"),
+        band("tangential_stiffness"),
+        band("normal_stiffness"),
+        band("contact_radius_sum"),
+        {name: column(f"{name}_share") for name in _SHARES},
         _SOURCES[found[0].strength_source],
-        found[0].misfit,
+        found[0].error_growth,
         Warnings(found[0].warnings),
         "Pa" if found[0].is_of_pressures else "N",
         surface,

@@ -36,29 +36,23 @@ def friction(
 
     >>> estimate = asperity.friction("steel/steel", Ra=0.8e-6, process="ground", load=10.0, nominal_area=1e-4, measured=(1000, 0.16))
     >>> print(f"{estimate:.3f}")
-    0.194 (0.167 to 0.221)
+    0.173 (0.108 to 0.279)
 
     `print(estimate)` says what the number rests on and what would narrow its band. It is the call `asperity_estimate_at_loads` of
     the library, of the surface file that the arguments make (docs/solvers.md). For more than the coefficient make a model of the same
     surfaces: `Model(estimate.params)`.
 
-    Three things widen the band, which is log-normal:
-
-    - The strength of the interface was not measured: an order of magnitude for a default, a factor of 3 either way for one from
-      the table of interfaces. Give `measured`.
-    - The slopes of a machined surface are assumed: the slope along a profile is 0.14 (Rq/um)^(1/2) to a factor of 4. Without Ra
-      or Rq, the roughness is the usual one of the process.
-    - The measured points have errors.
-
-    Numbers of a pair count as known, as does its hardness, 7.5 GPa for hardened steel: give your own. `print` tells what another
-    hardness would make.
+    The band has all that is not known, narrowed by the points that were `measured`: the strength of the interface, whether it depends on
+    the size of contacts (a film is taken, unless `interface_kind` is "clean") and on pressure, adhesion, the slope of the surface, the
+    hardness, and how real interfaces leave the law between loads. docs/when-to-use.md has what is taken of each. `known_to` says
+    what you know better, as {"slope": 1.2, "hardness": 1.1}.
 
     Where summits yield (a plasticity index above 1) the contact law is elastic-plastic, without adhesion, unless you give a
     `contact_law` or a `work_of_adhesion`. A surface file has the same law.
 
     Args:
         pair: a name in `asperity.materials.PAIRS`, as "steel/steel", in either order; or two names in `MATERIALS`, as
-            "SiC/SiC", with a `work_of_adhesion`. `E1`, `nu1`, `E2`, `nu2` and `hardness` replace its numbers. Without a pair give
+            "SiC/SiC". `E1`, `nu1`, `E2`, `nu2` and `hardness` replace its numbers. Without a pair give
             these, or `composite_modulus` and `effective_shear_modulus`, and `work_of_adhesion`, `adhesion_range` and
             `burgers_vector`.
         load: normal load [N] on `nominal_area`; a number, an array, a pandas Series or an xarray DataArray. Here and in all
@@ -70,7 +64,8 @@ def friction(
             `height_std`, `summit_radius` and `summit_density`. Two rough surfaces are two numbers for each. `measured`, a
             measured point (load, coefficient) or (load, coefficient, relative error), or several of them; or
             `calibration_load` with `calibration_friction_coefficient`. `interface`, a name in
-            `asperity.materials.INTERFACES`. And what is to replace the numbers of the pair or a default:
+            `asperity.materials.INTERFACES`; `interface_kind`, "film", "clean", "dry metal" or "rock". `measured_on`, the roughness of the
+            specimen that was measured, where it is not this one, as {"Ra": 1.6e-6, "RSm": 80e-6}: its strength in Pa is taken. And what is to replace the numbers of the pair or a default:
             `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...
 
     Raises:

@@ -598,18 +598,6 @@ class Params:
         _set_text(struct, checks.instance("text", text, str))
         return cls._of_struct(struct, start is None or start.in_si)
 
-    @classmethod
-    def from_estimate(cls, text: str) -> Params:
-        """The surfaces that an estimate takes for the text of a surface file, as `asperity.friction` does: as `from_text`, with the
-        strength of the interface from the table of interfaces too, and without `nominal_area` for 1 m^2.
-
-        Raises:
-            Error: as `from_text`.
-        """
-        struct, written = _initialised(), checks.instance("text", text, str).encode()
-        check(LIBRARY.asperity_params_set_estimate(ctypes.byref(struct), written, len(written)))
-        return cls._of_struct(struct, True)
-
     def to_toml(self, path: str | os.PathLike[str]) -> None:
         """Writes a file of which `from_toml` makes equal parameters; fields that have their defaults are left out.
 

@@ -760,7 +760,7 @@ impl<'a> Calls<'a> {
         let status = call!(self, what(), asperity_estimate_at_loads(text_at, text.len(), 2_usize, loads_at, found_at));
         if status == OK {
             for one in found {
-                let numbers = [one.friction_coefficient, one.low, one.high, one.friction_force, one.strength_share];
+                let numbers = [one.friction_coefficient, one.low, one.high, one.friction_force, one.model_share];
                 assert!(numbers.iter().all(|number| *number >= 0.0), "{}: {one:?}", what());
                 assert!(one.low <= one.high, "{}: {one:?}", what());
             }
@@ -775,10 +775,12 @@ impl<'a> Calls<'a> {
         assert_eq!(length > 0, status == OK, "{}", what());
         let mut params = asperity_params::unset();
         let at: *mut asperity_params = &mut params;
-        let of_estimate = call!(self, what(), asperity_params_set_estimate(at, text_at, text.len()));
-        assert!(of_estimate == OK || status != OK, "{}: {}", what(), message());
+        let of_text = call!(self, what(), asperity_params_set_text(at, text_at, text.len()));
+        // A text without an area is one of pressures for an estimate alone; a strength above the shear modulus has no curve.
+        let has_none = found.iter().all(|one| one.curve_coefficient.is_nan()) || found[0].is_of_pressures == 1;
+        assert!(of_text == OK || status != OK || has_none, "{}: {}", what(), message());
         let taken = bytes(&params) != bytes(&asperity_params::unset());
-        assert_eq!(taken, of_estimate == OK, "{}: refused, yet changed", what());
+        assert!(of_text == OK || !taken, "{}: refused, yet changed", what());
     }
 
     /// Other parameters for a model: where they are refused, it answers bit for bit as before; where they are taken, as

@@ -73,7 +73,7 @@ const SORTED: Needs = needs(64);
 /// What integrates over the summits; what makes a model, or calibrates.
 const EXACT: Needs = Needs { allocates: true, ..BATCH };
 const MAKE: Needs = Needs { allocates: true, ..SORTED };
-const READ: Needs = Needs { opens_files: true, ..MAKE };
+const READ: Needs = Needs { opens_files: true, ..ESTIMATE };
 const ESTIMATE: Needs = Needs { allocates: true, ..needs(96) };
 
 /// The bits of an argument.
@@ -172,8 +172,7 @@ pub const CALLS: &[Call] = calls! {
     asperity_params_get_value[LIST](params: Params, name: Text(c"rms_slope"), value: Out(1));
     asperity_params_calibrate[MAKE](params: ChangedParams, load: Number(1.0), friction_coefficient: Number(0.3));
     asperity_params_calibrate_force[MAKE](params: ChangedParams, load: Number(1.0), friction_force: Number(0.3));
-    asperity_params_set_text[MAKE](params: ChangedParams, text: Text(c"rms_slope = 0.2"), length: Length);
-    asperity_params_set_estimate[ESTIMATE](params: ChangedParams, surface: Text(SURFACE), length: Length);
+    asperity_params_set_text[ESTIMATE](params: ChangedParams, text: Text(c"rms_slope = 0.2"), length: Length);
     asperity_params_text[MAKE](params: Params, buffer: Buffer, length: Room);
     asperity_params_read[READ](params: ChangedParams, path: Text(c"hosts/surface.toml"));
     asperity_create[MAKE](params: Params, model: NewModel);

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from .. import _header, units
+from .. import units
 from .._friction_law import FrictionLaw
 from ..errors import Error
 from ..params import Params
@@ -49,10 +49,10 @@ _NARROWEST = 1e-6
 _MANY = 1000
 # Surfaces that are drawn together, between two tellings of progress, and those of them that a worker is given at a time.
 _TOGETHER, _BLOCK = 512, 16
-# Of the logarithm of a default strength, of which 95 % lie within the library's factor.
-STRENGTH_DEVIATION = math.log(_header.ASPERITY_STRENGTH_FACTOR) / 1.959963984540054
+# Of the logarithm of a default strength, of which 95 % lie within a factor of 10.
+STRENGTH_DEVIATION = math.log(10) / 1.959963984540054
 # What bands say that they rest on.
-NOT_MEASURED = f"strength of the interface: not measured, a factor {_header.ASPERITY_STRENGTH_FACTOR} either way"
+NOT_MEASURED = "strength of the interface: not measured, a factor 10 either way"
 AS_GIVEN = "strength of the interface: as given"
 ALL_ELSE = "all else: taken as known"
 # The name of the strength that a measurement sets.

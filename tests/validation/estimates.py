@@ -1,0 +1,117 @@
+"""Bands of estimates against published measurements: one point of a study predicts the others, and so do simpler rules.
+
+usage: estimates.py        prints the table of scores
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from asperity.estimate import estimate
+
+REACH = 1.959964
+
+
+class Point(NamedTuple):
+    load: float
+    coefficient: float
+    error: float
+
+
+class Study(NamedTuple):
+    name: str
+    kind: str
+    surface: str
+    points: list[Point]
+
+
+class Prediction(NamedTuple):
+    """ln F/P: its middle, and its standard deviations below and above."""
+
+    middle: float
+    below: float
+    above: float
+
+    def score(self, point: Point) -> float:
+        """The logarithm of the density at what was measured."""
+        off = math.log(point.coefficient) - self.middle
+        below, above = (math.hypot(self.below, point.error), math.hypot(self.above, point.error))
+        deviation = below if off < 0 else above
+        return -0.5 * (off / deviation) ** 2 - math.log(0.5 * (below + above) * math.sqrt(2 * math.pi))
+
+    def covers(self, point: Point) -> bool:
+        off = math.log(point.coefficient) - self.middle
+        return abs(off) <= REACH * math.hypot(self.below if off < 0 else self.above, point.error)
+
+
+def studies() -> list[Study]:
+    found: dict[str, Study] = {}
+    with open(Path(__file__).with_name("friction_loads.csv"), encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            study = found.setdefault(row["set"], Study(row["set"], row["kind"], row["surface"].replace(" | ", "\n"), []))
+            study.points.append(Point(float(row["load"]), float(row["coefficient"]), float(row["error"])))
+    return list(found.values())
+
+
+def banded(study: Study, seen: Point, asked: Point, more: str = "") -> Prediction:
+    """The estimate of the library."""
+    measured = f"measured = [{seen.load}, {seen.coefficient}, {seen.error}]\n"
+    found = estimate(f"{more}{measured}{study.surface}", asked.load)
+    low, middle, high = (math.log(x) for x in (found.low, found.value, found.high))
+    return Prediction(middle, (middle - low) / REACH, (high - middle) / REACH)
+
+
+def power(exponent: float, deviation: float) -> Callable[[Study, Point, Point], Prediction]:
+    """A coefficient that goes with a power of the load, to this standard deviation of its logarithm."""
+
+    def predicted(_: Study, seen: Point, asked: Point) -> Prediction:
+        middle = math.log(seen.coefficient) + exponent * math.log(asked.load / seen.load)
+        return Prediction(middle, deviation, deviation)
+
+    return predicted
+
+
+RULES: dict[str, Callable[[Study, Point, Point], Prediction]] = {
+    "this library": banded,
+    "the law alone ± 5 %": lambda study, seen, asked: banded(study, seen, asked, "model_error = 0\nsize_effect = 1\npressure_coefficient = 0\n")._replace(
+        below=math.log(1.05), above=math.log(1.05)
+    ),
+    "constant ± 5 %": power(0, math.log(1.05)),
+    "constant ± 50 %": power(0, math.log(1.5)),
+    "P^(−1/3) ± 50 %": power(-1 / 3, math.log(1.5)),
+    "P^(−1/6) ± 50 %": power(-1 / 6, math.log(1.5)),
+}
+
+
+def scored(rule: str, kind: str | None = None) -> tuple[float, float, int]:
+    """Mean score and coverage over the studies, in each over all ordered pairs of points; and how many studies."""
+    scores, covers = [], []
+    for study in studies():
+        if kind in (None, study.kind):
+            pairs = [(seen, asked) for seen in study.points for asked in study.points if seen is not asked]
+            predictions = [(RULES[rule](study, *pair), pair[1]) for pair in pairs]
+            scores.append(np.mean([prediction.score(asked) for prediction, asked in predictions]))
+            covers.append(np.mean([prediction.covers(asked) for prediction, asked in predictions]))
+    return float(np.mean(scores)), float(np.mean(covers)), len(scores)
+
+
+def table() -> str:
+    """Score and coverage of each rule."""
+    kinds = {"all": None, "many asperities": "many", "one smooth ball": "ball"}
+    counts = {name: scored("constant ± 5 %", kind)[2] for name, kind in kinds.items()}
+    rows = [f"| One point predicts the others by | {' | '.join(f'{name} ({count})' for name, count in counts.items())} |"]
+    rows.append("|---" * (len(kinds) + 1) + "|")
+    for rule in RULES:
+        cells = (f"{score:.2f} / {100 * cover:.0f} %" for score, cover, _ in (scored(rule, kind) for kind in kinds.values()))
+        rows.append(f"| {rule} | {' | '.join(cells)} |".replace("-", "−"))
+    return "\n".join([rows[0], "|---" * (len(kinds) + 1) + "|", *rows[2:]])
+
+
+if __name__ == "__main__":
+    print(table())
