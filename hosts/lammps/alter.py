@@ -94,7 +94,7 @@ WRONG = {
     "no pair_coeff of the contact": ({"coeff": ["1 1", "2 2"]}, "no pair_coeff for types 1 and 2"),
     "no file": (words("surface missing.toml"), "missing.toml: "),
     "a file with a wrong key": ({"file": "hardnes = 51e9\n"}, "film.toml: line 1: hardnes: no such key; the nearest is hardness"),
-    "an empty file": ({"file": None}, "surface film.toml: nominal_area must be given"),
+    "an empty file": ({"file": None}, "film.toml: is empty: must be a file with a surface"),
     "no value": (behind("style", "hardness"), "hardness: its value is missing"),
     "no number": (behind("style", "hardness hard"), "hardness: 'hard' is not a number"),
     "mu beside a surface": (behind("style", "mu 0.3"), "mu: stands in place of a surface"),
