@@ -339,8 +339,7 @@ module asperity
                                                     ! pull-off and the first row
     real(c_double) :: zero_force                    ! Friction force at zero load [force]
     real(c_double) :: zero_slope                    ! dF/d(load) at zero load [-]
-    real(c_double) :: separated_slope               ! dF/d(load) below the pull-off load [-]: 0 with adhesion; without
-                                                    ! adhesion that of the lightest load of the table
+    real(c_double) :: separated_slope               ! dF/d(load) below the pull-off load [-]: 0
     real(c_double) :: heavy_force                   ! Friction force at the end of the last row [force], which
                                                     ! asperity_eval.h takes for all heavier loads
   end type asperity_table

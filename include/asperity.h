@@ -454,9 +454,7 @@ typedef struct asperity_table {
   /** dF/d(load) [-] of the straight line that replaces F between pull-off and the first row. */ double light_slope;
   /** Friction force at zero load [force]. */ double zero_force;
   /** dF/d(load) at zero load [-]. */ double zero_slope;
-  /** dF/d(load) below the pull-off load [-]: 0 with adhesion; without adhesion that of the lightest load of the
-   * table. */
-  double separated_slope;
+  /** dF/d(load) below the pull-off load [-]: 0. */ double separated_slope;
   /** Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads. */
   double heavy_force;
 } asperity_table;
@@ -806,8 +804,8 @@ asperity_status asperity_friction_at_loads(const struct asperity_model *model, s
  * @param load          n loads [force]
  * @param force         receives n forces [force]
  * @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the
- *                      pull-off load itself, 0 below it. Without adhesion F has no slope at zero load: at zero load
- *                      and below, the library writes the slope at the lightest load of the table, `min_table_load`
+ *                      pull-off load itself, 0 below it. Without adhesion F has no slope at zero load: there the
+ *                      library writes the slope at the lightest load of the table, `min_table_load`, and 0 below
  * @return as `asperity_friction_at_loads` */
 asperity_status asperity_friction_force_at_loads(const struct asperity_model *model, size_t n, const double *load,
     double *force, double *dforce_dload);
@@ -823,8 +821,8 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model, d
  *
  * @param load          normal load [force]
  * @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
- *                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the
- *                      library writes the slope at the lightest load of the table, `min_table_load`. NaN where F is
+ *                      itself, 0 below it. Without adhesion F has no slope at zero load: there the library writes the
+ *                      slope at the lightest load of the table, `min_table_load`, and 0 below. NaN where F is
  *                      NaN
  * @return as `asperity_friction_force_at_load` */
 double asperity_friction_force_and_slope_at_load(const struct asperity_model *model, double load,

@@ -20,12 +20,12 @@
  *
  * A kernel cannot call the library, so that every load has its rule:
  *
- *   below pull-off             as the library: force and coefficient 0; slope table.separated_slope (0 with adhesion)
+ *   below pull-off             as the library: force and coefficient 0; slope table.separated_slope, 0
  *   zero                       as the library
  *   pulling, pull-off to zero  from the table; the coefficient is the cap
  *   lighter than the table     a straight line from the force at pull-off to the table's lightest load, with the slope of
  *                              that line. Where the table reaches pull-off, such loads lie within 1e-9 of the pull-off
- *                              load above it and the force is right to 2e-4; elsewhere they are below 1e-24 of the load
+ *                              load above it and the force is right to 2e-4; elsewhere they are below 1e-15 of the load
  *                              at which half the summits touch, and the coefficient is about that of the lightest load
  *   heavier than the table     the force of the heaviest load, slope 0: a bound, 1e3 and more times beyond the load at
  *                              which half the summits touch. The library goes on with a power of the load

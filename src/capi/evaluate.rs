@@ -1,7 +1,7 @@
 //! The calls of a solver's inner loop.
 
 use super::batch::{self, Arrays, Asked};
-use super::boundary::{self, not_null, write};
+use super::boundary::{self, not_null};
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 
@@ -62,8 +62,8 @@ pub unsafe extern "C" fn asperity_friction_at_loads(
 /// @param load          n loads [force]
 /// @param force         receives n forces [force]
 /// @param dforce_dload  receives n slopes dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the
-///                      pull-off load itself, 0 below it. Without adhesion F has no slope at zero load: at zero load
-///                      and below, the library writes the slope at the lightest load of the table, `min_table_load`
+///                      pull-off load itself, 0 below it. Without adhesion F has no slope at zero load: there the
+///                      library writes the slope at the lightest load of the table, `min_table_load`, and 0 below
 /// @return as `asperity_friction_at_loads`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_at_loads(
@@ -87,15 +87,15 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
     load: f64,
     dmu_dload: *mut f64,
 ) -> f64 {
-    with_slope(model, Asked::Coefficient, load, dmu_dload, |slope| slope)
+    model::with_slope(model, Asked::Coefficient, load, dmu_dload)
 }
 
 /// Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
 ///
 /// @param load          normal load [force]
 /// @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
-///                      itself, 0 below it. Without adhesion F has no slope at zero load: at zero load and below, the
-///                      library writes the slope at the lightest load of the table, `min_table_load`. NaN where F is
+///                      itself, 0 below it. Without adhesion F has no slope at zero load: there the library writes the
+///                      slope at the lightest load of the table, `min_table_load`, and 0 below. NaN where F is
 ///                      NaN
 /// @return as `asperity_friction_force_at_load`
 #[no_mangle]
@@ -104,23 +104,7 @@ pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(
     load: f64,
     dforce_dload: *mut f64,
 ) -> f64 {
-    with_slope(model, Asked::Force, load, dforce_dload, |slope| slope)
-}
-
-/// A quantity at its argument, of a model of a caller, NaN without one; its slope by that is written as it is told.
-#[inline(always)]
-pub(super) unsafe fn with_slope(
-    model: *const asperity_model,
-    quantity: Asked,
-    argument: f64,
-    out: *mut f64,
-    told: fn(f64) -> f64,
-) -> f64 {
-    boundary::contained_value(|| {
-        let (value, slope) = model.as_ref().map_or((f64::NAN, f64::NAN), |handle| quantity.at(&handle.model, argument));
-        write(out, 0, told(slope));
-        value
-    })
+    model::with_slope(model, Asked::Force, load, dforce_dload)
 }
 
 pub(super) unsafe fn evaluate(

@@ -2,7 +2,6 @@
 
 use super::batch::{self, Arrays, Asked, FirstInvalid};
 use super::boundary::{self, not_null, write};
-use super::evaluate::with_slope;
 use super::model::{self, asperity_model};
 use super::status::asperity_status;
 use crate::model::{by_gap, Model};
@@ -34,7 +33,7 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
     if dload_dgap.is_null() {
         return model::value_at(model, Asked::Load, -gap);
     }
-    with_slope(model, Asked::Load, -gap, dload_dgap, by_gap)
+    model::with_slope(model, Asked::Load, -gap, dload_dgap)
 }
 
 /// Loads at many gaps, and their slopes.

@@ -1,9 +1,10 @@
 //! Making, changing and freeing models.
 
 use super::batch::Asked;
+use super::boundary::write;
 use super::boundary::{self, reference, reference_mut, Failure};
 use super::params::{asperity_params, check_size};
-use super::scalar::{self, ScalarCall};
+use super::scalar::{self, ScalarCall, SlopeCall};
 use super::status::asperity_status;
 use crate::model::Model;
 
@@ -11,6 +12,7 @@ use crate::model::Model;
 pub struct asperity_model {
     pub(super) model: Model,
     scalar_calls: [ScalarCall; 4],
+    slope_calls: [SlopeCall; 4],
 }
 
 /// The model of a caller.
@@ -30,10 +32,25 @@ pub(super) unsafe fn value_at(model: *const asperity_model, quantity: Asked, at:
     model.as_ref().map_or(f64::NAN, |handle| (handle.scalar_calls[quantity as usize])(&handle.model, at))
 }
 
+/// The same with its slope, which is written if there is where.
+///
+/// # Safety
+/// As [`of`], and there is room for the slope.
+#[inline(always)]
+pub(super) unsafe fn with_slope(model: *const asperity_model, quantity: Asked, at: f64, slope: *mut f64) -> f64 {
+    match model.as_ref() {
+        Some(handle) => (handle.slope_calls[quantity as usize])(&handle.model, at, slope),
+        None => {
+            write(slope, 0, f64::NAN);
+            f64::NAN
+        }
+    }
+}
+
 impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
         let params = asperity_params::read(params)?.to_params()?;
-        Ok(Self { model: Model::new(&params)?, scalar_calls: scalar::calls() })
+        Ok(Self { model: Model::new(&params)?, scalar_calls: scalar::calls(), slope_calls: scalar::slope_calls() })
     }
 }
 

@@ -5,13 +5,15 @@
 //! the addresses of the functions that suit the processor, so that a call does not look for them.
 
 use super::batch::Asked;
-use super::boundary;
-use crate::law::{polynomial, Row};
-use crate::model::Model;
-use crate::numerics::float_bits::finite;
+use super::boundary::{self, write};
+use crate::law::{polynomial, Row, Table};
+use crate::model::{by_gap, Model};
+use crate::numerics::float_bits::{nan, tame};
 
 /// A quantity at a load, or at minus a gap.
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
+/// The same, with its slope, which is written if there is where; of a load by gap.
+pub type SlopeCall = unsafe extern "C" fn(&Model, f64, *mut f64) -> f64;
 
 /// The quantities, as constants of functions.
 const COEFFICIENT: u8 = Asked::Coefficient as u8;
@@ -37,6 +39,63 @@ pub fn calls() -> [ScalarCall; 4] {
     PORTABLE
 }
 
+/// The same with slopes.
+pub fn slope_calls() -> [SlopeCall; 4] {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("bmi2") {
+        return [
+            avx2::with_slope::<COEFFICIENT>,
+            avx2::with_slope::<FORCE>,
+            avx2::with_slope::<STIFFNESS>,
+            avx2::with_slope::<LOAD>,
+        ];
+    }
+    PORTABLE_SLOPES
+}
+
+const PORTABLE_SLOPES: [SlopeCall; 4] =
+    [with_slope::<COEFFICIENT>, with_slope::<FORCE>, with_slope::<STIFFNESS>, with_slope::<LOAD>];
+
+/// # Safety
+/// There is room for the slope, or it is NULL; the functions of other processors ask for their instructions.
+unsafe extern "C" fn with_slope<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
+    tabulated_with_slope::<QUANTITY>(model, load, slope)
+}
+
+#[inline(always)]
+unsafe fn tabulated_with_slope<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
+    let table = quantity(QUANTITY).table(model);
+    if !tame(load) {
+        return beside_rows::<QUANTITY>(model, load, slope);
+    }
+    let x = load - table.pull_off;
+    let Some(index) = table.index_of(x) else {
+        return beside_rows::<QUANTITY>(model, load, slope);
+    };
+    let (force, rate) = polynomial(&table.rows.get_unchecked(index).0, table.within(x));
+    if nan(force) {
+        return beside_rows::<QUANTITY>(model, load, slope);
+    }
+    let found = (force, rate * Table::per_mantissa(x));
+    let (value, by_load) = match QUANTITY {
+        COEFFICIENT => model.coefficient_and_slope(load, found.0, found.1),
+        LOAD => (found.0, by_gap(found.1)),
+        _ => found,
+    };
+    write(slope, 0, by_load);
+    value
+}
+
+/// What a link leads to, and what the table does not answer.
+#[inline(never)]
+unsafe extern "C" fn beside_rows<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
+    boundary::contained_value(|| {
+        let (value, by_load) = quantity(QUANTITY).at(model, load);
+        write(slope, 0, if QUANTITY == LOAD { by_gap(by_load) } else { by_load });
+        value
+    })
+}
+
 const PORTABLE: [ScalarCall; 4] = [value_at::<COEFFICIENT>, value_at::<FORCE>, value_at::<STIFFNESS>, value_at::<LOAD>];
 
 /// # Safety
@@ -48,8 +107,8 @@ unsafe extern "C" fn value_at<const QUANTITY: u8>(model: &Model, load: f64) -> f
 #[inline(always)]
 fn tabulated<const QUANTITY: u8>(model: &Model, load: f64, force: impl FnOnce(&Row, f64) -> f64) -> f64 {
     let table = quantity(QUANTITY).table(model);
-    // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-    if !finite(load) {
+    // Tested by bits: arithmetic with a signalling NaN, or with the largest number, would raise a floating-point exception.
+    if !tame(load) {
         return beside_table::<QUANTITY>(model, load);
     }
     let x = load - table.pull_off;
@@ -108,6 +167,13 @@ mod avx2 {
         super::tabulated::<QUANTITY>(model, load, |row, t| unsafe { polynomial(row, t) })
     }
 
+    /// # Safety
+    /// The processor has the instructions, and there is room for the slope.
+    #[target_feature(enable = "avx2,bmi2")]
+    pub unsafe extern "C" fn with_slope<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
+        super::tabulated_with_slope::<QUANTITY>(model, load, slope)
+    }
+
     /// [`crate::law::polynomial`], its four lines side by side: the same operations in the same order.
     #[inline(always)]
     unsafe fn polynomial(row: &Row, t: f64) -> f64 {
@@ -143,6 +209,14 @@ mod tests {
                     let found = unsafe { call(&model, load) };
                     let expected = quantity(of as u8 % 4).at(&model, load).0;
                     assert_eq!(found.to_bits(), expected.to_bits(), "{of} at {load:e}: {found:e}, not {expected:e}");
+                }
+                for (of, call) in PORTABLE_SLOPES.into_iter().chain(slope_calls()).enumerate() {
+                    let mut slope = 0.0;
+                    // SAFETY: as above, and there is room for a slope.
+                    let found = unsafe { call(&model, load, &mut slope) };
+                    let (value, by_load) = quantity(of as u8 % 4).at(&model, load);
+                    let expected = [value, if of % 4 == 3 { by_gap(by_load) } else { by_load }];
+                    assert_eq!([found, slope].map(f64::to_bits), expected.map(f64::to_bits), "{of} at {load:e}");
                 }
             }
         }

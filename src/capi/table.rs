@@ -55,8 +55,7 @@ pub struct asperity_table {
     pub zero_force: f64,
     /// dF/d(load) at zero load [-].
     pub zero_slope: f64,
-    /// dF/d(load) below the pull-off load [-]: 0 with adhesion; without adhesion that of the lightest load of the
-    /// table.
+    /// dF/d(load) below the pull-off load [-]: 0.
     pub separated_slope: f64,
     /// Friction force at the end of the last row [force], which `asperity_eval.h` takes for all heavier loads.
     pub heavy_force: f64,

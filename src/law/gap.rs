@@ -12,6 +12,7 @@ use super::table::Table;
 use super::Reach;
 use crate::equilibrium::Branch;
 use crate::numerics::elementary::{exp, log};
+use crate::numerics::float_bits::TAMEST;
 use crate::numerics::neighbours::Neighbours;
 use crate::numerics::root;
 
@@ -119,6 +120,10 @@ impl Gap {
     /// Whether the surfaces are apart at a gap.
     #[inline]
     pub fn is_open(&self, gap: f64) -> bool {
+        // The difference from the largest number may be infinite.
+        if gap.abs() > TAMEST {
+            return gap > 0.0;
+        }
         -self.table.pull_off - gap < self.least()
     }
 

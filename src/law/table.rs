@@ -73,10 +73,14 @@ impl Table {
     #[inline]
     pub fn at_excess(&self, x: f64) -> Option<(f64, f64)> {
         let (row, t) = self.row_at_excess(x)?;
-        // 1/2^exponent: dF/dx = dF/d(mantissa) / 2^exponent
-        let per_mantissa = f64::from_bits(Self::TWICE_BIAS - (x.to_bits() & !Self::MANTISSA));
         let (force, rate) = self.in_row(row, t);
-        Some((force, rate * per_mantissa))
+        Some((force, rate * Self::per_mantissa(x)))
+    }
+
+    /// 1/2^exponent of x: dF/dx = dF/d(mantissa) / 2^exponent.
+    #[inline]
+    pub fn per_mantissa(x: f64) -> f64 {
+        f64::from_bits(Self::TWICE_BIAS - (x.to_bits() & !Self::MANTISSA))
     }
 
     /// The value and its slope by the mantissa at t within a row.

@@ -4,7 +4,7 @@ use super::validity::{warnings_between, Measures};
 use super::{Model, Surfaces};
 use crate::error::Error;
 use crate::numerics::elementary::log;
-use crate::numerics::float_bits::finite;
+use crate::numerics::float_bits::{finite, TAMEST};
 use crate::population::{Statistics, Sums};
 
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
@@ -267,7 +267,7 @@ impl Surfaces {
 
     /// Minus gaps beyond this are out of range.
     pub(crate) fn deepest_compression(&self) -> f64 {
-        (FARTHEST_SEPARATION * self.units.length).min(f64::MAX)
+        (FARTHEST_SEPARATION * self.units.length).min(TAMEST)
     }
 
     /// A length in sigma.

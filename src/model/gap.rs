@@ -5,7 +5,7 @@
 use super::Model;
 use crate::error::Error;
 use crate::law::{Beyond, Table};
-use crate::numerics::float_bits::{finite, finite_up_to, nan};
+use crate::numerics::float_bits::{finite, finite_up_to, nan, tame};
 
 impl Model {
     /// The load at a gap on the branch of load control; 0 where the surfaces are apart: from pull-off's gap on, or
@@ -25,7 +25,7 @@ impl Model {
     #[inline]
     pub(crate) fn tabulated_load(&self, approach: f64) -> Option<(f64, f64)> {
         // Tested by bits, as loads are.
-        if !finite(approach) {
+        if !tame(approach) {
             return None;
         }
         self.law.gap().table().at_load(approach)

@@ -14,7 +14,7 @@ use crate::error::{Error, LOAD};
 use crate::law::tolerance::{self, larger};
 use crate::law::{Beyond, Law, Lengths, Quantity, Table, Unfollowed};
 use crate::numerics::elementary::cbrt;
-use crate::numerics::float_bits::{finite, finite_up_to};
+use crate::numerics::float_bits::{finite, finite_up_to, tame, TAMEST};
 use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
@@ -175,8 +175,8 @@ impl Model {
                 let value = quantity.of(&point.sums).0 * self.units.of(quantity);
                 ((value, f64::INFINITY), at(0.0), 0.0)
             }
-            // Both vanish with load, and have no slope there but that next to it.
-            None => ((0.0, lightest_slope), (0.0, lightest_slope), lightest_slope),
+            // Both vanish with load, and have no slope there but that next to it. An open contact has none.
+            None => ((0.0, lightest_slope), (0.0, lightest_slope), 0.0),
         };
         let light_slope = (light - at_pull_off.0) / (lightest - table.pull_off);
         // The next load below: the table's end is not of it.
@@ -205,7 +205,7 @@ impl Model {
     }
 
     /// Friction force and its slope dF/dP, which is infinite at the pull-off load itself and 0 below it. Without
-    /// adhesion the slope at zero load and below is that of the lightest load of the table.
+    /// adhesion the slope at zero load is that of the lightest load of the table, and 0 below.
     pub fn friction_force_and_slope(&self, load: f64) -> (f64, f64) {
         self.value_and_slope(Quantity::Friction, load)
     }
@@ -225,8 +225,8 @@ impl Model {
     /// The same where the compiled law answers.
     #[inline]
     pub(crate) fn tabulated(&self, quantity: Quantity, load: f64) -> Option<(f64, f64)> {
-        // Tested by bits: arithmetic with a signalling NaN would raise a floating-point exception.
-        if !finite(load) {
+        // Tested by bits: arithmetic with a signalling NaN, or with the largest number, would raise a floating-point exception.
+        if !tame(load) {
             return None;
         }
         self.law.table(quantity).at_load(load)
@@ -336,7 +336,7 @@ impl Surfaces {
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
         let (units, branch) = (Units::new(params), Branch::new(population)?);
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
-        let heaviest = (HEAVIEST_LOAD * units.load).min(f64::MAX);
+        let heaviest = (HEAVIEST_LOAD * units.load).min(TAMEST);
         Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest })
     }
 

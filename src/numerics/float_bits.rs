@@ -14,6 +14,14 @@ pub fn finite(x: f64) -> bool {
     x.to_bits() << 1 < 0x7ff << 53
 }
 
+/// Numbers are tame up to this: the difference of two of them is finite, however it is rounded.
+pub const TAMEST: f64 = 0.5 * f64::MAX;
+
+/// Whether the size of a number is below 2^1023: by bits, as above.
+pub fn tame(x: f64) -> bool {
+    x.to_bits() << 1 < 0x7fe << 53
+}
+
 /// Whether a number is finite and at most a bound > 0. By bits also for the bound: the compiler may compare numbers ahead of a test
 /// whether they are finite, and a signalling NaN would raise a floating-point exception there.
 pub fn finite_up_to(x: f64, bound: f64) -> bool {
@@ -69,6 +77,8 @@ mod tests {
         }
         for x in [0.0, -0.0, 5e-324, -1.0, 1.5, f64::MAX, f64::MIN] {
             assert!(!nan(x) && finite(x) && !infinite(x), "{x}");
+            assert_eq!(tame(x), x.abs() <= TAMEST, "{x}");
         }
+        assert!(tame(TAMEST) && tame(-TAMEST) && !tame(TAMEST.above()) && !tame(f64::NAN));
     }
 }

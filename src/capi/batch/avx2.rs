@@ -49,6 +49,13 @@ impl Lanes {
             let exponent = Self::splat_bits(0x7ff << 52);
             _mm256_castsi256_pd(_mm256_cmpeq_epi64(Self::and_bits(self.bits(), exponent), exponent))
         }
+        /// As `not_finite`, and numbers of size 2^1023 and above: arithmetic with them may overflow.
+        fn not_tame(self) -> Mask {
+            let exponent = Self::and_bits(self.bits(), Self::splat_bits(0x7ff << 52));
+            _mm256_castsi256_pd(_mm256_cmpgt_epi64(exponent, Self::splat_bits(0x7fd << 52)))
+        }
+        /// By its sign, which is all that is looked at of a mask.
+        fn is_negative(self) -> Mask { self.0 }
         /// `other` where the mask is set.
         fn or_where(self, mask: Mask, other: Self) -> Self { Self(_mm256_blendv_pd(self.0, other.0, mask)) }
         /// All coefficients of the row of each lane, at an offset in bytes, transposed: a vector each.

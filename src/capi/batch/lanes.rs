@@ -12,7 +12,7 @@ const SIGN_AND_EXPONENT: u64 = !Table::MANTISSA;
 const ROW_SHIFT: u32 = size_of::<Row>().trailing_zeros();
 /// Lighter positive loads may make a slope overflow: the scalar call takes care.
 const LIGHTEST: f64 = 1e-100;
-/// In place of a load that is not finite, of which arithmetic or a comparison would raise a flag: below any table.
+/// In place of a load that is not tame, of which arithmetic or a comparison would raise a flag: below any table.
 const BELOW_TABLES: f64 = -1e300;
 
 /// Vectors whose rows are found before the first of them is read. What a processor can look ahead is less than the way
@@ -22,7 +22,7 @@ const BLOCK: usize = 16;
 /// Where the table has the answers to a vector of loads.
 #[derive(Clone, Copy)]
 struct Found {
-    /// The loads, with [`BELOW_TABLES`] for those that are not finite.
+    /// The loads, with [`BELOW_TABLES`] for those that are not tame.
     load: Lanes,
     /// Where within its row, or the part of it, each load lies; NaN where the table does not reach.
     t: Lanes,
@@ -246,7 +246,7 @@ unsafe fn write_and_ask<const SLOPE: bool>(
 /// Finds the rows.
 #[inline(always)]
 unsafe fn find(table: &Table, loads: Lanes) -> Found {
-    let load = loads.or_where(loads.not_finite(), Lanes::splat(BELOW_TABLES));
+    let load = loads.or_where(loads.not_tame(), Lanes::splat(BELOW_TABLES));
     let x = load.sub(Lanes::splat(table.pull_off)).bits();
     // The row's offset in bytes: its index times 64.
     let shifted =
@@ -310,12 +310,17 @@ unsafe fn beside_rows<const SLOPE: bool>(
     value: Lanes,
     slope: Lanes,
 ) -> Answers {
-    // Those that are not finite have no answer: go on with 1.
-    let not_finite = loads.not_finite();
-    let load = loads.or_where(not_finite, Lanes::splat(1.0));
+    // Those that are not tame have no answer: go on with 1. But below all loads the surfaces are apart.
+    let (mut load, mut unanswered) = (loads, loads.not_tame());
+    if Lanes::lanes_of(unanswered) != 0 {
+        let lowest = Lanes::and_mask(loads.is_negative(), Lanes::not_mask(loads.not_finite()));
+        load = load.or_where(unanswered, Lanes::splat(1.0));
+        load = load.or_where(Lanes::and_mask(unanswered, lowest), Lanes::splat(BELOW_TABLES));
+        unanswered = Lanes::and_mask(unanswered, Lanes::not_mask(lowest));
+    }
     let (zero, x) = (Lanes::splat(0.0), load.sub(Lanes::splat(limits.table.pull_off)));
     let apart = x.lt(Lanes::splat(limits.least));
-    let excessive = Lanes::or_mask(not_finite, Lanes::splat(limits.heaviest).lt(load));
+    let excessive = Lanes::or_mask(unanswered, Lanes::splat(limits.heaviest).lt(load));
     let failed = Lanes::or_mask(apart, excessive);
     let nan = Lanes::splat(f64::NAN);
     let pressing = zero.lt(load);

@@ -14,7 +14,7 @@ use super::fp_environment;
 use crate::error::Error;
 use crate::law::{Beyond, Quantity, Table};
 use crate::model::Model;
-use crate::numerics::float_bits::{moderate, nan};
+use crate::numerics::float_bits::{moderate, nan, tame};
 
 /// Which law is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +82,7 @@ impl Asked {
     #[inline(always)]
     fn continued(self, model: &Model, load: f64) -> (f64, f64) {
         let beyond = self.beyond(model);
-        if beyond.is_moderate(load) && (self != Self::Coefficient || moderate(load)) {
+        if tame(load) && beyond.is_moderate(load) && (self != Self::Coefficient || moderate(load)) {
             self.of_tabulated(model, load, beyond.at_moderate(load))
         } else {
             fp_environment::held(|| self.of_tabulated(model, load, beyond.at(load)))
