@@ -17,6 +17,7 @@ import numpy as np
 import adhesion
 import boundary_elements
 import coverage
+import estimates
 import yielding
 from boundary_elements import PRESSURES, AnyRow
 
@@ -193,6 +194,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("when-to-use.md", "roughness"): contacts.roughness,
     ("when-to-use.md", "defaults"): defaults.table,
     ("validation.md", "calibrated"): calibrated.verdicts,
+    ("validation.md", "estimates"): estimates.table,
     ("validation.md", "measurements"): measured.verdicts,
     ("validation.md", "errors"): errors,
     ("dev/validation-data.md", "calibrated-table"): calibrated.table,

@@ -11,11 +11,13 @@ from typing import Any, Optional
 import numpy as np
 
 from .. import _header
+from ..estimate import estimate
 from ..model import Model
 from ..params import Params
 from ..tools import output
 from .export_formats import FORMATS, Contact, written
 from .pressure_table import (
+    Stiffness,
     Table,
     conductance_at_pressure,
     friction_at_pressure,
@@ -68,6 +70,15 @@ def add(commands: Any) -> None:
     command.add_argument("-o", "--output", metavar="FILE", help="where to (standard output)")
 
 
+def _slip_band(surface: str, middle: Stiffness, load: float) -> tuple[float, float]:
+    """The ends of the band of F/K_t about its value: those of friction and of the stiffness, taken as independent."""
+    found = estimate(Path(surface).read_text(encoding="utf-8-sig"), load)
+    below, above = (0.0, 0.0) if found.low is None else (math.log(found.value / found.low), math.log(found.high / found.value))
+    low = math.hypot(below, math.log(found.stiffness.high / found.stiffness.value))
+    high = math.hypot(above, math.log(found.stiffness.value / found.stiffness.low))
+    return middle.slip * math.exp(-low), middle.slip * math.exp(high)
+
+
 def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     if not 1e-6 <= options.tolerance <= 0.1:
         parser.error(f"--tolerance {options.tolerance:g}: must be 1e-6 to 0.1")
@@ -101,7 +112,8 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         contact = Contact()
         if options.stiffness or options.format == "calculix":
             at = [stiffness_at_pressure(model, pressure) for pressure in (lowest, middle, highest)]
-            contact = Contact((at[0], at[1], at[2]), overclosure_table(model, lowest, highest, options.tolerance))
+            slips = _slip_band(options.surface, at[1], middle * model.params.nominal_area)
+            contact = Contact((at[0], at[1], at[2]), slips, overclosure_table(model, lowest, highest, options.tolerance))
         if conductivity:
             law = conductance_at_pressure(model, conductivity)
             rows = pressure_table(law, lowest, highest, options.tolerance)

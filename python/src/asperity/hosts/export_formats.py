@@ -14,9 +14,10 @@ Rows = List[Tuple[str, str]]
 
 class Contact(NamedTuple):
     """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, between and at the
-    highest; normal compliance; conductance."""
+    highest; the 95 % band of the elastic slip between; normal compliance; conductance."""
 
     stiffness: Optional[Tuple[Stiffness, Stiffness, Stiffness]] = None
+    slip_band: Tuple[float, float] = (0.0, 0.0)
     overclosure: Optional[Overclosure] = None
     conductance: Optional[Table] = None
 
@@ -56,7 +57,8 @@ class _Table(NamedTuple):
         low, middle, high = ((at.slip / self.metre, at.pressure / self.pascal) for at in self.contact.stiffness)
         return (
             f"** Elastic slip F/K: {low[0]:.3g} at the pressure {low[1]:.3g}, {middle[0]:.3g} at {middle[1]:.3g}, "
-            f"{high[0]:.3g} at {high[1]:.3g}.\n"
+            f"{high[0]:.3g} at {high[1]:.3g}.\n** 95 % band of {middle[0]:.3g}, since the slope of the surface is hardly known: "
+            f"{self.contact.slip_band[0] / self.metre:.3g} to {self.contact.slip_band[1] / self.metre:.3g}.\n"
         )
 
 

@@ -1,0 +1,77 @@
+"""A text has one meaning: what a solver's curve says is the median that `friction` prints, or the answer says by how much it is not.
+
+The texts are those of the pages that are whole surfaces, each as it is and altered as users alter them.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from asperity import Error, Model, Params
+from asperity.estimate import estimate
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = sorted(ROOT.glob("docs/*.md")) + [ROOT / "README.md"]
+# As it is, and with other parts or other numbers.
+ALTERED = (
+    ("", ""),
+    (r"^measured = .*$", ""),
+    (r"^measured = \[?\[(\S+), ([^\],]+).*$", r"measured = [[\1, \2], [10, 0.2]]"),
+    (r"^nominal_area = .*$", "nominal_area = 3e-5"),
+    (r"\A", 'interface_kind = "clean"\n'),
+    (r"\A", "pressure_coefficient = 0.02\n"),
+    (r'^process = .*$', "Rdq = 0.1"),
+)
+
+
+def texts() -> list[str]:
+    found = []
+    for page in PAGES:
+        for block in re.findall(r"```toml\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL):
+            for old, new in ALTERED:
+                text = re.sub(old, new, block, flags=re.MULTILINE)
+                if "nominal_area" in text and "[vary]" not in text and text not in found:
+                    found.append(text)
+    return found
+
+
+def doors(text: str, path: Path, loads: np.ndarray) -> dict[str, np.ndarray]:
+    path.write_text(text, encoding="utf-8")
+    made = {"from_text": Params.from_text(text), "from_toml": Params.from_toml(path), "written": Params.from_text(Params.from_text(text).to_text())}
+    return {name: np.asarray(Model(params).friction_at_load(loads)) for name, params in made.items()}
+
+
+def test_every_text_of_the_pages_means_the_same_through_all_doors(tmp_path: Path) -> None:
+    asked = 0
+    for text in texts():
+        area = float(re.findall(r"nominal_area = (\S+)", text)[0])
+        loads = np.array([1e5, 1e6, 1e7]) * area
+        try:
+            found = estimate(text, loads)
+        except Error:
+            with pytest.raises(Error):
+                Params.from_text(text)
+            continue
+        asked += 1
+        for name, friction in doors(text, tmp_path / "surface.toml", loads).items():
+            assert friction == pytest.approx(found.curve, rel=1e-5), (name, text)
+        for load, value, curve in zip(loads, found.value, found.curve):
+            says = f"a solver's curve has {curve:.3g} at {load:g} N" in found.text
+            assert says or curve == pytest.approx(value, rel=6e-3), text
+    assert asked >= 12
+
+
+def test_the_command_line_and_a_table_have_it_too(tmp_path: Path) -> None:
+    path = tmp_path / "surface.toml"
+    path.write_text('pair = "steel/steel"\nnominal_area = 1e-4\n[roughness]\nprocess = "ground"\nRa = 0.8e-6\n', encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-m", "asperity", "export", str(path), "--format", "csv", "--range", "1e5:1e7"], capture_output=True, text=True, check=True
+    )
+    pressure, mu = np.loadtxt(done.stdout.splitlines(), delimiter=",", skiprows=1).T
+    assert mu == pytest.approx(estimate(path.read_text(), pressure * 1e-4).curve, rel=2e-3) and (mu > 0.4).all()
