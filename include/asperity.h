@@ -470,8 +470,9 @@ extern "C" {
  *
  * The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
  * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
- * `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Give `hardness` if the metal is not as hard
- * as that of the table. It takes tens of milliseconds, and up to one for each load.
+ * `interface`, also one with a friction coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of
+ * the band, 0.95. Give `hardness` if the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces
+ * adhere, and some for each load.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -665,8 +666,8 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
 
 /** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
  *
- * What it does not give stays as it is. If it describes a whole surface but gives no `contact_law`, metal that yields has the
- * elastic-plastic law. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
+ * What it does not give stays as it is. A whole surface, and one with measured points, has the strength and the contact law that
+ * `asperity_estimate_at_loads` takes for the text: a model has its median, or its `curve_coefficient` where they differ. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"

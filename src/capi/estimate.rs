@@ -115,8 +115,9 @@ unsafe fn estimated(
 ///
 /// The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
 /// `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
-/// `interface`, also one with a friction coefficient alone; `coverage` of the band, 0.95. Give `hardness` if the metal is not as hard
-/// as that of the table. It takes tens of milliseconds, and up to one for each load.
+/// `interface`, also one with a friction coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of
+/// the band, 0.95. Give `hardness` if the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces
+/// adhere, and some for each load.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"

@@ -66,8 +66,8 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
-/// What it does not give stays as it is. If it describes a whole surface but gives no `contact_law`, metal that yields has the
-/// elastic-plastic law. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
+/// What it does not give stays as it is. A whole surface, and one with measured points, has the strength and the contact law that
+/// `asperity_estimate_at_loads` takes for the text: a model has its median, or its `curve_coefficient` where they differ. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"

@@ -242,8 +242,8 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
     (
         c"UNCALIBRATED",
         WARNING_UNCALIBRATED,
-        c"the strength of the interface is the default, not a measured one, and friction is proportional to it: \
-          with the default it was up to 14 times too low or 26 times too high; measure friction once and calibrate \
+        c"the strength of the interface is the default or that of other materials, not a measured one, and friction \
+          is proportional to it: with the default it was up to 14 times too low or 26 times too high; measure friction once and calibrate \
           with it, or set slip stresses and pressure_coefficient to measured values",
     ),
     (
@@ -258,8 +258,8 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
         c"STRONG",
         WARNING_STRONG,
         c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
-          sqrt 3): that body shears before the interface slips; calibrate with a measured friction force, or set \
-          lower slip stresses",
+          sqrt 3): that body shears before the interface slips, or it is harder than was given, or more of it \
+          touches than the model says; give the hardness of the softer body, or lower slip stresses",
     ),
     (
         c"FEW_WAVES",
