@@ -7,4 +7,5 @@ mod domain;
 mod domain_map;
 mod findings;
 mod found_by_sweeps;
+mod states;
 mod thresholds;
