@@ -46,6 +46,7 @@ mod model;
 mod numerics;
 mod params;
 mod specimens;
+mod text;
 
 // Parts of the physics, which tests of this crate ask one by one; no part of the interface.
 #[doc(hidden)]

@@ -10,7 +10,6 @@ use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::estimate::known::SUMMIT_PRODUCT;
 use crate::estimate::priors::{Class, CLASSES, ROW_PRESSURE, USUAL_WORK};
-use crate::estimate::Estimate;
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
 use crate::model::calibration::MeasuredPoint;
 use crate::numerics::float_bits::nan;
@@ -44,16 +43,20 @@ const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coeffici
 /// What chooses heights.
 const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
 
-/// Sets what a text gives; of what it does not, all stays as it is. A whole surface, and one with measured points, has the strength and the
-/// contact law that an estimate of the text takes.
+/// Sets what a text gives; of what it does not, all stays as it is. `solve` says which strength and contact law an estimate of the
+/// text takes, where the text tells a strength.
 ///
 /// # Errors
 /// [`Error::InText`], with the line; [`Error::Meaningless`] of a text that is too long. The draft is of no use then.
-pub fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Error> {
+pub fn read(
+    bytes: &[u8],
+    draft: &mut Draft,
+    solve: impl FnOnce(Described) -> Result<Params, Error>,
+) -> Result<(), Error> {
     in_text(bytes, |entries| {
         let described = entries.describe(draft)?;
         let params = match described.tells_strength() {
-            true => Estimate::of(described).and_then(|estimate| estimate.params().cloned()),
+            true => solve(described),
             false => described.interface_alone().and_then(|()| described.with_law(described.params.clone())),
         };
         let params = params.map_err(|error| entries.problem(error, entries.measured()))?;

@@ -21,7 +21,7 @@ impl asperity_params {
         text: &[u8],
         refuse: impl FnOnce(Error) -> Failure,
     ) -> Result<(), Failure> {
-        self.set_draft(|draft| by_name::read(text, draft).map_err(refuse))
+        self.set_draft(|draft| crate::text::read(text, draft).map_err(refuse))
     }
 
     /// Sets what is changed of a draft.
