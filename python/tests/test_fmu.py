@@ -218,7 +218,7 @@ def test_a_parameter_that_is_refused_is_an_error_and_mends(instance: Any, refere
 
 
 def test_each_warning_is_logged_once_in_a_run(instance: Any, references: dict[str, int]) -> None:
-    uncalibrated = "at a load of 0.5: the strength of the interface is the default, not a measured one"
+    uncalibrated = "at a load of 0.5: the strength of the interface is the default or that of other materials"
     instance.enterInitializationMode()
     for load in (0.5, 0.6, 1e-6, 0.5, 1e-6):
         instance.setReal([LOAD], [load])
