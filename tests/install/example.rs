@@ -29,10 +29,15 @@ fn check_table(rows: &[[f64; 7]]) {
     assert_near(rows[32][0], 1.0, 1e-9, "the heaviest load");
     for &[load, mu, low, high, friction, area, contacts] in rows {
         assert_near(mu * load, friction, 2e-9, "mu P");
-        assert_near(low * high, mu * mu, 2e-3, "the band is even in ln mu");
-        assert!((1.08..1.2).contains(&(high / mu)), "a band of {low} to {high} at {load}");
+        assert_near(low * high, mu * mu, 2e-2, "the band is nearly even in ln mu");
+        assert!((1.08..2.0).contains(&(high / mu)), "a band of {low} to {high} at {load}");
         assert!((20.0..1e5).contains(&contacts) && area < 0.1 * 1e-8, "{contacts} contacts on {area} at {load}");
     }
+    let width = |row: &[f64; 7]| row[3] / row[2];
+    assert!(
+        width(&rows[0]) > width(&rows[16]) && width(&rows[32]) > width(&rows[16]),
+        "narrowest where it was measured"
+    );
     for pair in rows.windows(2) {
         assert!(pair[1][1] < pair[0][1], "mu does not fall with load: {pair:?}");
         assert!([0, 4, 5, 6].iter().all(|&k| pair[1][k] > pair[0][k]), "something falls with load: {pair:?}");
