@@ -279,7 +279,7 @@ static void draw_band(FILE *svg, const axes *a, const row *rows, int n)
 
 static void draw_legend(FILE *svg, double constant)
 {
-    const int x = LEFT + 130, y = BOTTOM - 84;
+    const int x = LEFT + 130, y = TOP + 6;
 
     fprintf(svg, "<path class=\"band\" d=\"M%d %d h36 v16 h-36 Z\"/>\n", x, y + 4);
     fprintf(svg, "<path class=\"law\" d=\"M%d %d h36\"/>\n", x, y + 12);
