@@ -22,7 +22,7 @@ const named: Params = { ...params, calibration_load: 1e-3, calibration_friction_
 const conductance: number = model.tangentialStiffnessAtLoad(1e-3) / model.summary().stiffness_per_radius;
 const written: string = toText(readText("skew = 0.1", params));
 const filmed: Params = withInterface(params, "MoS2 film in dry air");
-const estimated: number = estimate("pair = 'Si/Si'", 1).low + estimate("pair = 'Si/Si'", [1])[0].misfit;
+const estimated: number = estimate("pair = 'Si/Si'", 1).low + estimate("pair = 'Si/Si'", [1])[0].error_growth;
 const taken: Params = readText("pair = 'Si/Si'");
 const said: string = estimateText("pair = 'Si/Si'", [1]);
 const moments = momentsOfMap(new Float64Array(9), 3, 1e-8);

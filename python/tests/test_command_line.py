@@ -51,7 +51,7 @@ def test_the_table_is_that_of_the_model(params: Params) -> None:
         for load, *found in rows:
             state = model.state_at_load(load)
             expected = [state.friction_coefficient, state.friction_force, state.real_area, state.contacting]
-            assert found == pytest.approx(expected, rel=1e-8)
+            assert found == pytest.approx(expected, rel=1e-6)
 
 
 def test_a_surface_file_stands_for_the_options(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ def test_the_stiffness_is_that_of_the_state(law: Model) -> None:
     for load, found in zip(loads.flat, stiffness.flat):
         assert type(law.tangential_stiffness_at_load(float(load))) is float
         assert law.tangential_stiffness_at_load(float(load)) == found
-        assert math.isclose(law.state_at_load(float(load)).tangential_stiffness, found, rel_tol=1e-8)
+        assert math.isclose(law.state_at_load(float(load)).tangential_stiffness, found, rel_tol=1e-6)
     assert law.tangential_stiffness_at_load(-1e9) == 0.0
     with pytest.raises(Error, match="element 1: load = nan|element 1: load = NaN") as refusal:
         law.tangential_stiffness_at_load([1.0, math.nan])
@@ -40,8 +40,8 @@ def test_force_and_slope_of_numbers_and_arrays(law: Model) -> None:
     force, slope = law.tangential(100.0, displacements)
     assert force.shape == slope.shape == displacements.shape
     assert force[:5].tolist() == (-force[4::-1]).tolist() and slope[:5].tolist() == slope[4::-1].tolist()
-    assert math.isclose(slope[2], law.tangential_stiffness_at_load(100.0), rel_tol=1e-8) and slope[5] == 0.0
-    assert math.isclose(force[5], law.friction_force_at_load(100.0), rel_tol=1e-8)
+    assert math.isclose(slope[2], law.tangential_stiffness_at_load(100.0), rel_tol=1e-6) and slope[5] == 0.0
+    assert math.isclose(force[5], law.friction_force_at_load(100.0), rel_tol=1e-6)
     one = law.tangential(100.0, displacements[3])
     assert [type(x) for x in one] == [float, float] and one == (force[3], slope[3])
     table, _ = law.tangential([[10.0], [100.0]], displacements)
