@@ -261,7 +261,7 @@ test("a text in TOML is a surface", () => {
   assert.equal(params.contact_law, "elastic-plastic");
   assert.equal(params.slip_onset, "whole");
   assert.equal(params.calibrated.calibration_load, 1000);
-  assert.ok(Math.abs(new Model(params).frictionAtLoad(1000) / 0.16 - 1) < 1e-3);
+  assert.ok(Math.abs(new Model(params).frictionAtLoad(1000) / 0.16 - 1) < 1e-6);
   // What the text does not give is left out, or is that of others.
   assert.ok(!("height_std" in readText("pair = 'steel/steel'")));
   assert.equal(readText("height_std = 1e-9", silicon).summit_radius, silicon.summit_radius);
