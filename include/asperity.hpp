@@ -126,6 +126,11 @@ using Estimate = asperity_estimate;
 /// Single specimens under one load; its fields are described in asperity.h.
 using Specimens = asperity_specimens;
 
+/// Specimens at loads, one by one: the loads of one specimen are next to each other. NaN is the gap of one that is apart.
+struct EachSpecimen {
+    std::vector<double> friction_force, tangential_stiffness, normal_stiffness, gap, contacts, pull_off_force;
+};
+
 // ---- Versions ----
 
 /// Version of the library loaded, "major.minor.patch".
@@ -1040,6 +1045,23 @@ public:
     std::vector<Specimens> specimens_at_loads(Span<const double> load, std::size_t specimens = 400, std::uint64_t seed = 0) const {
         std::vector<Specimens> found(load.size(), detail::sized<Specimens>());
         check(asperity_specimens_at_loads(open(), specimens, seed, load.size(), load.data(), found.data()));
+        return found;
+    }
+
+    /// The same specimens one by one, from `first` on: each at each load, the loads of one specimen next to each other. For threads, and
+    /// for a rough sphere of radius R [length]; 0 is a plane.
+    ///
+    /// Throws Error as specimens_at_loads, and of a sphere that would flatten or bears on too few summits.
+    EachSpecimen each_specimen_at_loads(Span<const double> load, double sphere_radius, std::uint64_t first, std::size_t specimens,
+                                        std::uint64_t seed = 0) const {
+        EachSpecimen found;
+        for (auto *numbers : {&found.friction_force, &found.tangential_stiffness, &found.normal_stiffness, &found.gap,
+                              &found.contacts, &found.pull_off_force})
+            numbers->resize(specimens * load.size());
+        check(asperity_each_specimen_at_loads(open(), sphere_radius, first, specimens, seed, load.size(), load.data(),
+                                              found.friction_force.data(), found.tangential_stiffness.data(),
+                                              found.normal_stiffness.data(), found.gap.data(), found.contacts.data(),
+                                              found.pull_off_force.data()));
         return found;
     }
 

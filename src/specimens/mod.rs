@@ -10,6 +10,7 @@ mod unload;
 
 use crate::error::Error;
 use crate::model::Model;
+use crate::numerics::elementary::pow;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
 use heights::Heights;
@@ -135,7 +136,7 @@ impl Model {
             return refused(radius, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill, a specimen of one \
                                     summit of this radius");
         }
-        let touched = (0.75 * load * radius / composite_modulus).powf(2.0 / 3.0);
+        let touched = pow(0.75 * load * radius / composite_modulus, 2.0 / 3.0);
         if touched > radius * height_std {
             return refused(radius, "under this load the sphere itself flattens, beyond Hertz' radius of (R height_std)^(1/2): take a flat \
                                     specimen of the area pi (a^2 + 1.5 R height_std), with a of Hertz");

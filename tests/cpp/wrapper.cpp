@@ -270,6 +270,8 @@ void every_call_answers_as_the_library() {
     const std::vector<asperity::Specimens> specimens = model.specimens_at_loads(specimen_loads, 3);
     EXPECT(specimens.size() == 2 && specimens[1].load == 0.0 && specimens[0].contacts[ASPERITY_SPREAD_MEAN] == 1.0);
     EXPECT(close(specimens[0].friction_force[ASPERITY_SPREAD_HIGH], specimens[0].friction_force[ASPERITY_SPREAD_LOW], 1e-9));
+    const asperity::EachSpecimen each = model.each_specimen_at_loads(specimen_loads, 0.0, 3, 2);
+    EXPECT(each.friction_force.size() == 4 && each.friction_force[0] > 0.0 && each.pull_off_force[0] >= 0.0);
     EXPECT(thrown_by([&] { model.specimens_at_loads(none); }).status() == ASPERITY_INVALID_LOAD);
     EXPECT(model.table(ASPERITY_TABLE_LOAD_AT_GAP).rows != model.table().rows);
     EXPECT(refused([&] { model.table(2); }));
