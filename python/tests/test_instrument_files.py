@@ -84,7 +84,7 @@ def test_what_a_text_file_does_not_say_must_be_given(tmp_path: Path) -> None:
         surface.read(file, unit="nm")
     for sizes in ((1.0,), (1.0, -1.0), (1.0, np.nan)):
         with pytest.raises(ValueError, match="physical_sizes = .*: must be two finite numbers > 0"):
-            surface.read(file, unit="nm", physical_sizes=sizes)  # type: ignore[arg-type]
+            surface.read(file, unit="nm", physical_sizes=sizes)
     with pytest.raises(ValueError, match="Unknown unit 'furlong'"):
         surface.read(file, unit="furlong", physical_sizes=(1.0, 1.0))
     heights, dx, dy = surface.read(file, unit="nm", physical_sizes=(2000.0, 6000.0))

@@ -19,7 +19,7 @@ import pint
 import pytest
 import xarray
 from astropy.utils.masked import Masked
-from test_mistakes import DRAWS, INNER, PAPER, RIGHT, called, model, public, summits
+from test_mistakes import DRAWS, INNER, PAPER, RIGHT, called, public, summits
 
 import asperity
 from asperity import Error, Model, Params, surface
@@ -27,7 +27,7 @@ from asperity._surface_text import Surface
 from asperity.tools.checks import has_unit
 from asperity.units import of
 
-REGISTRY = pint.UnitRegistry()
+REGISTRY: Any = pint.UnitRegistry()
 # Another unit of each, and how many of it are one of the first.
 OTHERS = {"N": ("kN", 1e-3), "m": ("nm", 1e9), "Pa": ("MPa", 1e-6), "m^2": ("mm^2", 1e6), "N/m": ("kN/m", 1e-3), "": ("percent", 100.0)}
 OTHERS |= {"1/m": ("1/mm", 1e-3), "1/m^2": ("1/mm^2", 1e-6), "rad": ("deg", 180 / math.pi), "s": ("ms", 1e3)}
@@ -61,7 +61,7 @@ MORE: dict[str, dict[str, Any]] = {
     "Params.from_profile": {"Rq": 5e-9, "RSm": 1e-6},
     "Params.from_spectral_moments": {"Ra": 5e-9, "m4": 1e12},
 }  # fmt: skip
-STEEL = dict(pair="steel/steel", Ra=0.8e-6, process="ground", nominal_area=1e-4, load=10.0)
+STEEL: dict[str, Any] = dict(pair="steel/steel", Ra=0.8e-6, process="ground", nominal_area=1e-4, load=10.0)
 # Right values of the keys of a surface.
 KEYS = {name: getattr(PAPER, name) for name in (field for field in Surface.__annotations__ if hasattr(PAPER, field))} | {
     "E1": 2e11, "nu1": 0.3, "E2": 2e11, "nu2": 0.3, "m0": 1e-14, "m2": 1e-2, "m4": 1e12, "Ra": 1e-7, "Rq": 1e-7, "RSm": 1e-5, "Rdq": 0.1, "Sq": 1e-7,
@@ -255,8 +255,8 @@ NUMBER = re.compile(r"-?\d+\.?\d*(?:e[-+]?\d+)?")
 def is_like(one: Any, other: Any) -> bool:
     """Whether two answers are the same but for rounding."""
     texts = [re.sub(r" at 0x\w+|<xarray.Dataset>.*", "", f"{found}") for found in (one, other)]
-    numbers = [[float(number) for number in NUMBER.findall(text)] for text in texts]
-    return len(numbers[0]) == len(numbers[1]) and bool(np.allclose(*numbers, rtol=1e-3, atol=0))
+    one, other = ([float(number) for number in NUMBER.findall(text)] for text in texts)
+    return len(one) == len(other) and bool(np.allclose(one, other, rtol=1e-3, atol=0))
 
 
 IDS = [f"{name} {argument}" for name, argument, _ in cases()]
@@ -330,18 +330,19 @@ def test_points_of_which_a_number_is_masked_are_left_out() -> None:
     free, masked = ["slip_stress"], np.array([False, False, False, True])
     surfaces = asperity.friction(**STEEL).params
     right = asperity.fit(load[:3], mu[:3], [0.01] * 3, free, params=surfaces)
-    for given in (
+    cases: list[tuple[Any, Any, Any]] = [
         (np.ma.masked_array(load, masked), mu, [0.01] * 4),
         (load, np.ma.masked_array(mu, masked), 0.01),
         (load, pandas.Series([0.2, 0.19, 0.17, None], dtype="Float64"), [0.01] * 4),
         (load, mu, np.ma.masked_array([0.01] * 4, masked)),
-    ):
+    ]
+    for given in cases:
         assert asperity.fit(*given, free, params=surfaces).values == right.values
     points = np.ma.masked_array(np.stack([load, mu], axis=1), np.stack([masked, ~masked & masked], axis=1))
     found = asperity.friction(**STEEL, measured=points)
     assert found.value == asperity.friction(**STEEL, measured=np.stack([load, mu], axis=1)[:3]).value
     with pytest.raises(Error, match="measured: all points are masked"):
-        asperity.friction(**STEEL, measured=np.ma.masked_all((2, 2)))
+        asperity.friction(**STEEL, measured=np.ma.masked_array(points, True))
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")

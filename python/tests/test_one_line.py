@@ -14,7 +14,7 @@ import pandas
 import pytest
 
 import asperity
-from asperity import Error, Estimate, Model, Params, ValidityWarning, friction, uncertainty
+from asperity import Error, Estimate, Model, Params, ValidityWarning, friction
 from asperity._surface_text import KEYS, Roughness, Surface, text_of
 from asperity.materials import PAIRS, contact
 
@@ -146,7 +146,7 @@ def test_an_interface_brings_its_strength() -> None:
 def test_another_roughness_keeps_the_strength_in_pascal() -> None:
     """A steeper surface has less area and so less friction; without the specimen's roughness nothing would change."""
     rough: dict[str, Any] = {"pair": "steel/steel", "nominal_area": 1e-4, "measured": (1000, 0.16), "load": 1000.0, "hardness": 20e9}
-    same = {"Ra": 0.2e-6, "RSm": 80e-6}
+    same: Any = {"Ra": 0.2e-6, "RSm": 80e-6}
     plain = friction(**rough, **same)
     assert plain.value == pytest.approx(0.16, rel=1e-3)
     assert friction(**rough, **same, measured_on=same).value == pytest.approx(0.16, rel=1e-3)

@@ -70,7 +70,8 @@ def test_specimens_are_those_of_a_simulation_of_summits_one_by_one() -> None:
     """Hertz' summits of one shear strength, 3000 for each of 1,200 specimens, each pressed by bisection: mean over model and scatter."""
     count, summits, random = 1200, 3000, np.random.default_rng(4)
     heights = np.sort(random.standard_normal((count, summits)), axis=1)[:, ::-1][:, :400]
-    params = Params.dimensionless(alpha=0.02, beta=400.0, gamma=0.0, asperity_count=float(summits), slip_stress_1=1e-3, slip_stress_2=1e-3)
+    params = Params.dimensionless(alpha=0.02, beta=400.0, gamma=0.0, slip_stress_1=1e-3, slip_stress_2=1e-3)
+    params = params.replace(asperity_count=float(summits))
     of_one = 4 / 3 * params.composite_modulus * params.summit_radius**0.5 * params.height_std**1.5
     with Model(params) as model:
         loads = [load for load in np.geomspace(0.1, 30.0, 9) * of_one]
@@ -97,8 +98,8 @@ def test_the_mean_of_specimens_departs_from_the_model_by_one_over_the_number_of_
     with Model(bare) as model:
         gaps = np.linspace(0, 6, 400) * bare.height_std
         states = [model.state_at_gap(gap) for gap in gaps]
-    by = [np.log([getattr(state, name) for state in states])[::-1] for name in ("contacting", "load")]
-    loads = np.exp(np.interp(np.log([1.7, 4.6, 14, 59]), *by))
+    contacts, of_gaps = (np.log([getattr(state, name) for state in states])[::-1] for name in ("contacting", "load"))
+    loads = np.exp(np.interp(np.log([1.7, 4.6, 14, 59]), contacts, of_gaps))
     found = pads(bare, loads, 400)
     assert found.bias == pytest.approx(np.array([1.41, 1.15, 1.045, 1.010]), abs=0.025)
     assert found.scatter == pytest.approx(np.array([0.24, 0.24, 0.17, 0.086]), rel=0.12)

@@ -191,16 +191,20 @@ def test_parameters_remember_that_they_are_in_si_units(params: Params, tmp_path:
         assert metric.replace(in_si=False) != metric
         assert "[N/m]" in str(metric) and "[Pa]" in str(metric) and "in_si" not in str(metric) + metric._repr_html_()
     assert Params.from_text("height_std = 2e-9", start=steel).in_si and steel.with_interface("MoS2 film in dry air").in_si
-    for other in (steel.in_units(length=1e-3, force=1.0), params, params.replace(skew=0.1), Params.from_text("skew = 0.1", start=params)):
+    for other in (steel.replace(in_si=False), params.in_units(length=1e-3, force=1.0), params, params.replace(skew=0.1), Params.from_text("skew = 0.1", start=params)):
         assert not other.in_si
-        with pytest.raises(Error, match=r"^in_si = False: .*in SI units: convert by in_units, then replace\(in_si=True\)"):
+        with pytest.raises(Error, match=r"^in_si = False: .*says its units: convert to SI by in_units, then replace\(in_si=True\)"):
             other.to_toml(tmp_path / "surface.toml")
     assert not (tmp_path / "surface.toml").exists()
     millimetres = steel.in_units(length=1e-3, force=1.0)
     with pytest.raises(Error, match="^length_unit = 0.001: must be 1 for this"):
         millimetres.in_units(length=1e-3, force=1.0)
-    again = Params.from_text(millimetres._as_text())
-    assert again == millimetres and not again.in_si and again.length_unit == 1e-3
+    millimetres.to_toml(tmp_path / "surface.toml")
+    for again in (Params.from_text(millimetres.to_text()), Params.from_toml(tmp_path / "surface.toml")):
+        assert again == millimetres and not again.in_si and again.length_unit == 1e-3
+    for of, change in ((millimetres, {"in_si": True}), (steel, {"length_unit": 1e-3})):
+        with pytest.raises(Error, match="^length_unit = 0.001 and force_unit = 1.0: must be 1 where in_si is True; in_units"):
+            of.replace(**change)
     with pytest.raises(Error, match="length_unit = 1: must be 0.001"):
         Params.from_text("skew = 0.1", start=millimetres)
     with pytest.raises(TypeError, match="^in_si = 'SI': must be True or False"):

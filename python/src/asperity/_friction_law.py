@@ -340,7 +340,7 @@ class FrictionLaw:
 
     def each_specimen_at_loads(
         self, load: npt.ArrayLike, specimens: int, *, sphere_radius: float = 0.0, seed: int = 0, first: int = 0
-    ) -> _Array:
+    ) -> Array:
         """Single specimens with the summits that they happen to have, one by one; `asperity.pads` is the way to ask for them.
 
         Args:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from enum import IntFlag
 from functools import reduce
 from operator import or_
-from typing import Any, Iterator, NamedTuple
+from typing import Any, Iterator
 
 import numpy as np
 import numpy.typing as npt

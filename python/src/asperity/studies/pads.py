@@ -48,7 +48,7 @@ class _Range(NamedTuple):
     params: Params
     sphere_radius: float
     first: int
-    count: int
+    specimens: int
     seed: int
     loads: Array
 
@@ -214,7 +214,7 @@ def pads(
 def _unloaded(asked: _Range) -> Array:
     with Model(asked.params) as model:
         return model.each_specimen_at_loads(
-            asked.loads, asked.count, sphere_radius=asked.sphere_radius, seed=asked.seed, first=asked.first
+            asked.loads, asked.specimens, sphere_radius=asked.sphere_radius, seed=asked.seed, first=asked.first
         )
 
 
