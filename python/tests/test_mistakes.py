@@ -139,6 +139,7 @@ MISTAKES: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("friction", {"coverage": 95}, Error, r"coverage = 95: must be between 0 and 1: is it in per cent\?"),
     ("friction", {"load": math.nan}, Error, "load = NaN: must be finite"),
     ("friction", {"Rz": 5e-6}, TypeError, "Rz: no such key; a height from peak to valley"),
+    ("friction", {"known_to": 1.2}, TypeError, "known_to = 1.2: must be a mapping of keys to values"),
     ("friction", {"measured": {1000: 0.16}}, TypeError, r"measured = {1000: 0.16}: must be \(load, coefficient\)"),
     ("fit", {"free": ["gama"]}, Error, "name 'gama': must be one of .*gamma"),
     ("uncertainty", {"spread": {"gama": 0.1}}, Error, "name 'gama': must be one of"),

@@ -42,7 +42,7 @@ WHOLE = {"samples", "specimens", "seed", "count", "starts", "points", "detrend",
 NO_NUMBERS = {
     "pair", "free", "params", "loss", "quantity", "progress", "executor", "sampling", "checkpoint", "warnings", "rows", "spikes", "dust", "counted",
     "path", "channel", "unit", "physical_sizes", "name", "first", "second", "text", "start", "summits", "heights", "trend", "process", "slope",
-    "height_distribution", "attraction", "contact_law", "slip_onset", "interface", "found", "dtype", "shape", "keep", "details",
+    "height_distribution", "attraction", "contact_law", "slip_onset", "interface", "interface_kind", "found", "dtype", "shape", "keep", "details",
 }  # fmt: skip
 # Beside the arguments of `RIGHT`, one at a time: others that are right.
 MORE: dict[str, dict[str, Any]] = {
@@ -67,6 +67,7 @@ KEYS = {name: getattr(PAPER, name) for name in (field for field in Surface.__ann
     "E1": 2e11, "nu1": 0.3, "E2": 2e11, "nu2": 0.3, "m0": 1e-14, "m2": 1e-2, "m4": 1e12, "Ra": 1e-7, "Rq": 1e-7, "RSm": 1e-5, "Rdq": 0.1, "Sq": 1e-7,
     "Sdq": 0.1, "Ssc": 1e5, "Sds": 1e12, "Ssk": 0.1, "Sku": 3.2, "summit_density": 1e12, "slip_stress_1": 0.02, "slip_stress_2": 0.001, "max_friction_coefficient": 10.0, "hardness": 1e9, "calibration_load": 10.0,
     "calibration_friction_coefficient": 0.2, "table_height": [0.0, 1.0, 2.0], "table_density": [0.1, 1.0, 0.1], "measured": [1000.0, 0.16],
+    "size_effect": 0.5, "model_error": 0.1, "known_to": {"hardness": 1.2}, "measured_on": {"hardness": 3e9},
 }  # fmt: skip
 
 
@@ -209,6 +210,8 @@ def at(value: Any, made: Callable[[Any], Any]) -> Any:
 def unit_of(name: str, argument: str, value: Any) -> str:
     if argument == "vary" and isinstance(value["height_std" if "height_std" in value else "gamma"], list):
         return "m"
+    if argument == "measured_on":
+        return "Pa"
     if argument in ("measured", "spread", "vary", "bounds", "mu", "sigma"):
         return ""
     return UNITS.get(argument, of(argument))
@@ -217,6 +220,8 @@ def unit_of(name: str, argument: str, value: Any) -> str:
 def answer(name: str, argument: str, value: Any) -> Any:
     """What a call answers, or the words of its refusal, and whether it is one."""
     given = dict(STEEL) if name == "friction" else {}
+    if argument == "measured_on":
+        given["measured"] = (1000.0, 0.16)
     if name == "fit" and argument == "force":
         given["mu"] = None
     if name == "Params.si" and argument in ("composite_modulus", "effective_shear_modulus", "asperity_count"):

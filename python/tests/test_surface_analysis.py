@@ -68,8 +68,10 @@ def test_a_clean_map_is_usable_and_gives_friction_and_its_surface(plain: Array, 
     assert truth.value == float(truth) == pytest.approx(float(expected), rel=1e-9)
     assert truth.low < expected.low < expected.high < truth.high  # the map's own spread beside the strength's
     assert truth.params is not None and truth.cutoffs is not None and truth.cutoffs.recommended == pytest.approx(6 * PIXEL)
+    assert truth.estimate is not None and truth.estimate.curve == pytest.approx(truth.value, rel=0.03)
     with Model(truth.params) as model:
-        assert model.friction_at_load(LOAD) == pytest.approx(truth.value, rel=1e-6)
+        assert model.friction_at_load(LOAD) == pytest.approx(truth.estimate.curve, rel=1e-6)
+    assert f"; Model(params) has {truth.estimate.curve:.3g}\n" in str(truth)
     assert truth.families.keys() == {"gaussian", "weibull", "johnson", "tabulated"}
     assert truth.spread["cutoffs"] == pytest.approx(math.log(np.divide(*truth.cutoffs.spread[::-1])) / math.sqrt(12))
     text = str(truth)
@@ -210,7 +212,7 @@ def test_an_interface_of_the_table_is_that_of_its_surface_too(plain: Array, inte
     found = analysed(100 * plain, dx=30 * PIXEL, load=10.0, pair="steel/steel", interface=interface)
     assert found.estimate is not None and found.estimate.strength == "table" and found.params == found.estimate.params
     with Model(found.params) as model:
-        assert model.friction_at_load(10.0) == pytest.approx(found.value, rel=1e-6)
+        assert model.friction_at_load(10.0) == pytest.approx(found.estimate.curve, rel=1e-6)
 
 
 def test_long_waves_are_removed_and_what_is_asked_for_wrongly_is_refused(plain: Array, truth: surface.Analysis) -> None:

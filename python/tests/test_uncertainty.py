@@ -282,7 +282,7 @@ def test_spreads_that_leave_the_domain_are_drawn_anew_or_refused(params: Params)
         ({"spread": {}}, "must name at least one"),
         ({"spread": {"nonsense": 0.1}}, "name 'nonsense'"),
         ({"spread": {"sigma": -0.1}}, "spread of sigma = -0.1"),
-        ({"spread": {"w": 30}}, "spread of w = 30: is relative to the value and must be at most 2.*; 30 % are 0.3"),
+        ({"spread": {"w": 30}}, "spread of w = 30.0: is relative to the value and must be at most 2.*; 30 % are 0.3"),
         ({"spread": {"R": 4e-8}}, "spread of R = 4e-08: is relative .* at least 1e-06; divide an error in units by the value"),
         ({"spread": {"N": 2e11}}, "divide an error in units by the value"),
         ({"spread": {"sigma": 0.1, "height_std": 0.1}}, "both vary"),

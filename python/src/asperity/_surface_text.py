@@ -122,11 +122,23 @@ def literal(name: str, value: Any, load: str) -> str:
         return quoted(value)
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if isinstance(value, dict) and name in _TABLES:
-        return "{" + ", ".join(f"{key} = {literal(key, one, load)}" for key, one in value.items()) + "}"
+    if name in _TABLES:
+        return _table(name, value)
     if name == "measured":
         return _points(value, load)
     return literal_of(name, value, load if DIMENSIONS.get(name) == "force" else of(name))
+
+
+def _table(name: str, given: Any) -> str:
+    """A table within the text; what is known to a factor has no unit."""
+    if not isinstance(given, Mapping):
+        raise TypeError(f"{name} = {given!r}: must be a mapping of keys to values")
+    parts = []
+    for key, value in given.items():
+        written = key if f"{key}".isidentifier() else quoted(f"{key}")
+        number = quoted(value) if isinstance(value, str) else literal_of(f"{name} {key}", value, "" if name == "known_to" else of(key))
+        parts.append(f"{written} = {number}")
+    return "{" + ", ".join(parts) + "}"
 
 
 def _points(given: Any, load: str) -> str:

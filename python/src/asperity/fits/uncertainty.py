@@ -292,7 +292,10 @@ def _distribution(
     given: Any = {} if spread is None else spread
     if not isinstance(given, Mapping):
         raise TypeError(f"spread = {given!r}: must be a mapping, {{name: standard deviation}}")
-    given = {name: checks.real(f"spread of {name}", deviation) for name, deviation in given.items()}
+    try:
+        given = {name: checks.real(f"spread of {name}", deviation) for name, deviation in given.items()}
+    except TypeError as error:
+        raise TypeError(f"{error}; 10 % are 0.1") from None
     for name, deviation in given.items():
         if not 0 <= deviation < math.inf:
             raise Error(f"spread of {name} = {deviation!r}: must be finite and >= 0")

@@ -102,7 +102,7 @@ class Analysis:
         cutoffs: friction against the cutoff of the S-filter; None likewise.
         summits: of the filtered map; None likewise.
         estimate: friction as `asperity.friction` gives it, whose band has only the strength of the interface; None likewise.
-        params: the surface, for `Model`; None likewise.
+        params: the surface, for `Model`, whose friction is `estimate.curve`; None likewise.
     """
 
     load: float
@@ -144,7 +144,9 @@ class Analysis:
         if math.isfinite(self.value):
             band = f"{self.coverage:.0%} band {self.low:.3g} to {self.high:.3g}"
             parts = ", ".join(f"{name} {deviation:.0%}" for name, deviation in self.spread.items())
-            lines.append(f"friction: mu({self.load:g} N) = {self.value:.3g}, {band}; of the map: {parts}")
+            law = math.nan if self.estimate is None else float(self.estimate.curve)
+            off = "" if f"{law:.3g}" in (f"{self.value:.3g}", "nan") else f"; Model(params) has {law:.3g}"
+            lines.append(f"friction: mu({self.load:g} N) = {self.value:.3g}, {band}; of the map: {parts}{off}")
         return "\n".join([*lines, f"verdict: {self.verdict}"])
 
 
