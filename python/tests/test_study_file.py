@@ -131,7 +131,7 @@ HOSTILE = [
     ('[vary]\n"../../etc/passwd" = 0.1\n' + LOADS, "'../../etc/passwd': no parameter has this name"),
     ('[vary]\nheight_std = "0.1"\n' + LOADS, r"\[vary\] height_std = '0.1': must be a number"),
     ('[vary]\nheight_std = [1, "a"]\n' + LOADS, r"\[vary\] height_std = \[1, 'a'\]: must be a number"),
-    ("[vary]\nheight_std = []\n" + LOADS, r"vary height_std = \[\]: a list must have one or more"),
+    ("[vary]\nheight_std = []\n" + LOADS, r"vary height_std: must be a one-dimensional array of one or more real numbers, not of shape \(0,\)"),
     ("[vary]\nheight_std = 10\n" + LOADS, "10 % are 0.1"),
     ("[vary]\nheight_std = 1" + 400 * "0" + "\n" + LOADS, r"\[vary\] height_std = a number of more than 300 digits: must be finite"),
     ("[vary]\nheight_std = {}\n" + LOADS, r"\[vary\] height_std: distribution = None: must be the name of one of scipy.stats"),
