@@ -52,12 +52,15 @@ def test_an_estimate_tells_what_single_specimens_have(pair: str) -> None:
     told = friction(pair, **surface, load=loads)
     found = pads(told.params, loads, 400, progress=False)
     error = found.mean_force * found.scatter / 20
+    # Pads have the strength of the law, which the estimate says to be off its median.
+    law = np.divide(told.curve, told.value, out=np.ones(len(loads)), where=np.array(loads) > 0)
+    specimen, mean = law * told.specimen_force, law * told.force
     for i, contacts in enumerate(told.contacts):
         if contacts >= 1:
-            assert abs(told.specimen_force[i] - found.mean_force[i]) < 0.2 * abs(found.mean_force[i] - told.force[i]) + 3 * error[i], i
+            assert abs(specimen[i] - found.mean_force[i]) < 0.2 * abs(found.mean_force[i] - mean[i]) + 3 * error[i], i
             assert told.specimen_scatter[i] == pytest.approx(found.scatter[i], rel=0.2), i
         else:
-            times = found.mean_force[i] / told.specimen_force[i]
+            times = found.mean_force[i] / specimen[i]
             assert 1 - 3 * error[i] / found.mean_force[i] < times < 2 and math.isnan(told.specimen_scatter[i]), (i, times)
     assert told.contacts[0] > 20 and f"few contacts: {told.contacts[1]:.3g} summits touch at" in told.text
     assert told.text.count("few contacts: ") == 5
