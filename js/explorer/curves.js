@@ -9,8 +9,8 @@ export function loadsOf(lightest, heaviest) {
   return Float64Array.from({ length: POINTS }, (_, i) => (i === POINTS - 1 ? heaviest : lightest * Math.exp(i * step)));
 }
 
-/** A coefficient with its band, as the library estimates it. */
-const banded = ({ friction_coefficient: mu, low, high }) => ({ mu, low, high });
+/** A coefficient of the model, which the copied programs compute too, in the band that the library estimates of the file. */
+const banded = (model, { load, low, high }) => ({ mu: model.frictionAtLoad(load), low, high });
 
 /**
  * The curve of a surface.
@@ -21,10 +21,10 @@ const banded = ({ friction_coefficient: mu, low, high }) => ({ mu, low, high });
 export function curveOf(library, params, [lightest, heaviest], text) {
   const model = new library.Model(params);
   try {
-    const band = (load) => banded(library.estimate(text, load));
+    const band = (load) => banded(model, library.estimate(text, load));
     const loads = loadsOf(lightest, heaviest);
     const states = Array.from(loads, (load) => model.stateAtLoad(load));
-    return { model, band, loads, states, warnings: model.checkLoads(lightest, heaviest), ...columns(library.estimate(text, loads).map(banded)) };
+    return { model, band, loads, states, warnings: model.checkLoads(lightest, heaviest), ...columns(library.estimate(text, loads).map((found) => banded(model, found))) };
   } catch (error) {
     model.free();
     throw error;

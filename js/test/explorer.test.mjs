@@ -132,15 +132,20 @@ for (const [name, surface] of Object.entries({ ...SURFACES, calibrated: MEASURED
     for (const [language, { file }] of Object.entries(LANGUAGES)) {
       const path = resolve(folder, file);
       writeFileSync(path, snippet(language, surface, load));
-      let printed;
-      if (language === "TOML") printed = new Model(asperity.readText(readFileSync(path, "utf8"))).frictionAtLoad(load);
+      let printed, expected = wanted;
+      if (language === "TOML") {
+        // A file has the strength that its estimate takes: the page draws that as the band, not as the line.
+        const text = readFileSync(path, "utf8");
+        printed = new Model(asperity.readText(text)).frictionAtLoad(load);
+        expected = asperity.estimate(text, load).curve_coefficient;
+      }
       else if (language === "Python") printed = run([path]);
       else {
         const program = resolve(folder, language.replace("++", "pp"));
         RUN[language](path, program);
         printed = execFileSync(program, { encoding: "utf8" });
       }
-      near(Number(printed), wanted, language === "TOML" && surface !== MEASURED ? 1e-13 : 1e-9, language);
+      near(Number(printed), expected, language === "TOML" ? 1e-6 : 1e-9, language);
     }
   });
 }
@@ -189,14 +194,14 @@ test("a strength that nobody measured is an order of magnitude, and the page say
     return { ...band, text: rests(surface), words: bandOf(surface, band) };
   };
   const bare = of(silicon);
-  near(bare.high / bare.mu, 10, 1e-6, "ten times higher");
-  near(bare.mu / bare.low, 10, 1e-6, "ten times lower");
+  near(Math.sqrt(bare.high / bare.low), 10.2, 1e-2, "ten times higher and lower");
+  assert.ok(bare.low < bare.mu && bare.mu < bare.high);
   assert.equal(bare.text, "strength not measured: an order of magnitude");
   assert.match(bare.words, /^an order of magnitude, 0\.\d+ to \d\.\d+$/);
   const given = of({ ...silicon, slip_stress_1: "0.02" });
-  assert.ok(given.low === given.mu && given.high === given.mu);
+  assert.ok(given.low < given.mu && given.mu < given.high);
   assert.equal(given.text, "strength as given, taken as known");
-  assert.equal(given.words, "none: all inputs count as known");
+  assert.match(given.words, /^95 %, 0\.\d+ to 0\.\d+$/);
   const measured = of({ ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3" });
   near(measured.high / measured.mu, Math.exp(1.959963984540054 * 0.05), 1e-2, "at the point");
   assert.equal(measured.text, "strength measured at 1.00 mN to 5 %");
@@ -290,8 +295,8 @@ test("the interfaces of a pair stand first, in either order, with what was measu
 
 const PAGE = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
 
-test("the explorer is one file below 520 kB that asks for nothing", () => {
-  assert.ok(Buffer.byteLength(PAGE) < 520e3, `${Buffer.byteLength(PAGE)} bytes`);
+test("the explorer is one file below 540 kB that asks for nothing", () => {
+  assert.ok(Buffer.byteLength(PAGE) < 540e3, `${Buffer.byteLength(PAGE)} bytes`);
   assert.doesNotMatch(PAGE, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
 });
 
