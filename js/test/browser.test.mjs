@@ -471,7 +471,8 @@ test("the band says what it rests on", async () => {
   await page.locator("#calibration_load").fill("");
   await page.locator("#materials-section summary").click();
   await page.locator("#slip_stress_1").fill("0.02");
-  near(await width(), 1);
+  // Slope and adhesion stay open.
+  (await width()).forEach((ratio) => assert.ok(ratio > 1 && ratio < 2, `${ratio}`));
   assert.equal(await note(), "A Si/Si: strength as given, taken as known.");
   assert.deepEqual(wrong, []);
   await page.close();
