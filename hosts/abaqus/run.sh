@@ -76,7 +76,7 @@ surfaces=$build/surfaces
 mkdir -p "$surfaces/hosts/abaqus"
 stops surface 'surface 1: hosts/surface.toml: No such file' "$surfaces"
 sed 's/hardness/hardnes/' hosts/surface.toml >"$surfaces/hosts/surface.toml"
-stops surface 'surface 1: hosts/surface.toml: line 9: hardnes: no such key; the nearest is hardness' "$surfaces"
+stops surface 'surface 1: hosts/surface.toml: line 10: hardnes: no such key; the nearest is hardness' "$surfaces"
 { printf 'calibration_load = 100\ncalibration_friction_coefficient = 0.2\n'; grep -v nominal_area hosts/abaqus/smooth.toml; } \
     >"$surfaces/hosts/surface.toml"
 stops surface 'surface 1: hosts/surface.toml: nominal_area must be given' "$surfaces"

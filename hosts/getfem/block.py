@@ -16,7 +16,7 @@ import verdict
 
 getfem.util_trace_level(0)
 
-LIMIT = 1e-8
+LIMIT = 1e-6
 LENGTH, HEIGHT = 40.0, 20.0  # thickness 1 mm, plane strain
 YOUNG, POISSON = 2.1e5, 0.3
 PRESS = 0.002  # what the top is pushed down by

@@ -16,7 +16,7 @@ import verdict
 
 getfem.util_trace_level(0)
 
-LIMIT = 1e-8
+LIMIT = 1e-6
 WIDTH, POISSON = 10.0, 0.3  # half of each block, the rest being its mirror image; thickness 1 mm, plane strain
 LOWER, UPPER = 4.0, 3.0  # heights
 YOUNG = 2.1e5, 0.7e5  # of the lower and the upper block

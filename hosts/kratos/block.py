@@ -153,7 +153,7 @@ def check_measured_point_and_warnings(folder):
     text = SURFACE.read_text(encoding="utf-8")
     file = folder / "measured.toml"
     load, mu = PRESSURE * AREA, 0.15
-    uncalibrated = "the strength of the interface is the default, not a measured one"
+    uncalibrated = "the strength of the interface is the default or that of other materials, not a measured one"
     for key, value in ((None, None), ("calibration_friction_coefficient", mu), ("calibration_friction_force", mu * load)):
         file.write_text((f"calibration_load = {load!r}\n{key} = {value!r}\n" if key else "") + text, encoding="utf-8")
         log = folder / f"{key}.log"

@@ -16,7 +16,7 @@ adams_c_Cffsub Cffsub;
 
 enum { NUMBERS = 4, MISSING = 9 };
 static const double nominal_area = 1e-4, creep_speed = 1e-4, lightest = 1, heaviest = 5000;
-static const double force_limit = 1e-8, braking_limit = 1e-6;
+static const double force_limit = 1e-6, braking_limit = 1e-6;
 
 static char stopped[640];
 static int stopped_contact;
