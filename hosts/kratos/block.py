@@ -25,7 +25,7 @@ SURFACE = HERE.parent / "surface.toml"
 AREA = 1e-4  # its nominal area
 WIDTH, CELLS = 0.02, 10  # of the block; it is 1 m thick, as plane strain is
 PRESSURE = 1e7  # LINE_LOAD
-LAGGED_LIMIT, LIMIT = 1e-3, 1e-8
+LAGGED_LIMIT, LIMIT = 1e-3, 1e-6
 EQUILIBRIUM_LIMIT = 1e-4  # the shares of the nodes and the normals are those of the undeformed block
 
 
@@ -115,7 +115,7 @@ def check_altered(folder):
     files = {name: str(folder / f"{name}.toml") for name in ("slippery", "stiffer")}
     as_it_is, slippery = surface.surface(AREA), surface.surface(AREA).replace(work_of_adhesion=0.02)
     slippery.to_toml(files["slippery"])
-    surface.surface(AREA, force=1e-2).replace(in_si=True).to_toml(files["stiffer"])  # all its stresses are 100 times as great
+    surface.surface(AREA, force=1e-2).replace(in_si=True, length_unit=1.0, force_unit=1.0).to_toml(files["stiffer"])  # all its stresses are 100 times as great
 
     def in_hectopascal(parameters):
         process_of(parameters, 1)["surface"].SetString(files["stiffer"])
