@@ -22,7 +22,7 @@ ALTERED_SLIDE_LIMIT = 0.05  # hops of another surface, mass or step
 FILM = surface(1e-6)
 FLAT = '<geom type="box" size="0.1 0.05 0.05" mass="{mass}"/>'
 BALL = '<geom type="sphere" size="0.05" mass="{mass}"/>'
-GIVEN = dict(text=FILM._as_text(), config="", mass=1.0, solref="0.02 1", timestep=0.002, integrator="Euler", solver="Newton",
+GIVEN = dict(text=FILM._as_text().replace('"', "'"), config="", mass=1.0, solref="0.02 1", timestep=0.002, integrator="Euler", solver="Newton",
              impratio=10, friction=1, cone="elliptic", other="")  # fmt: skip
 
 
@@ -92,11 +92,11 @@ def alterations():
         dict(integrator="implicitfast"), dict(solver="PGS"), dict(solver="CG"), dict(impratio=1), dict(friction=0.01),
         dict(config=key("time_constant", 0.04)), dict(config=key("most_pairs", 1)), dict(config=key("pairs", "")),
         dict(config=key("microslip", "no")), dict(config=key("microslip", "yes")), dict(config=key("microslip", "true")),
-        dict(other=slippery._as_text()),
+        dict(other=slippery._as_text().replace('"', "'")),
     ):  # fmt: skip
         yield changes, FILM
-    yield dict(text=slippery._as_text()), slippery
-    yield dict(text=measured._as_text()), measured
+    yield dict(text=slippery._as_text().replace('"', "'")), slippery
+    yield dict(text=measured._as_text().replace('"', "'")), measured
     yield dict(text="", config=key("surface", SURFACE)), asperity.Params.from_toml(SURFACE)
     yield dict(text="work_of_adhesion = 0.02", config=key("surface", SURFACE)), \
         asperity.Params.from_toml(SURFACE).replace(work_of_adhesion=0.02)  # fmt: skip
@@ -109,7 +109,7 @@ def shared_incline():
     cases = {"right": None, "the load of the step before": 1e-9, "the line": 0, "the mean": 0.02, "default": ""}
     for name, time_constant in cases.items():
         error = 0 if time_constant is None else slide(
-            law, math.degrees(incline.ANGLE), text=law.params._as_text(), impratio=1, config=key("time_constant", time_constant)
+            law, math.degrees(incline.ANGLE), text=law.params._as_text().replace('"', "'"), impratio=1, config=key("time_constant", time_constant)
         )  # fmt: skip
         print(f"  the incline of all hosts, {name}: {right * (1 + error):.3f} m/s2")
 

@@ -31,7 +31,8 @@ __all__ = ["PLUGIN", "instance", "solve"]
 
 def instance(name: str, params: Params) -> str:
     """The element `<instance>` of a model that has these surfaces."""
-    return f'<instance name={quoteattr(name)}><config key="text" value={quoteattr(params._as_text())}/></instance>'
+    text = params._as_text().replace('"', "'")  # MuJoCo saves a double quote in an attribute as it is
+    return f'<instance name={quoteattr(name)}><config key="text" value={quoteattr(text)}/></instance>'
 
 
 def solve(model: mujoco.MjModel, data: mujoco.MjData) -> int:
