@@ -206,7 +206,8 @@ def check_measured_point_and_warnings(laws):
     """
     load, mu = 0.5 * MASS * GRAVITY, 0.15
     default = laws["ball"]
-    point = asperity.Model(default.params.calibrated(load, mu))
+    given = changed({"hardness": measured(load, "calibration_friction_coefficient", mu)})
+    point = asperity.Model(asperity.Params.from_text(re.search(f'{TEXT} value="([^"]*)"', given)[1]))
     one = {"height_std": 1e-6, "summit_radius": 0.02, "asperity_count": 1.0}
     moments = dict(radius_amplitude=0.0, radius_rate=0.5, summit_mean_height=0.0, rms_slope=0.0)  # set with Sq and Sdq
     radii = {"slip_radius_1": 30.0, "slip_radius_2": 9e4}
