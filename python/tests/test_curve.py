@@ -206,12 +206,12 @@ def test_a_series_comes_back_as_a_series(model: Model) -> None:
 
 
 def test_a_data_array_comes_back_as_a_data_array(model: Model) -> None:
-    loads = xarray.DataArray(LOADS[:6].reshape(2, 3), dims=("x", "y"), coords={"y": [1, 2, 3]}, attrs={"units": "N"})
+    loads = xarray.DataArray(LOADS[:6].reshape(2, 3), dims=("x", "y"), coords={"y": [1, 2, 3]}, attrs={"long_name": "load"})
     found = model.friction_at_load(loads)
     assert isinstance(found, xarray.DataArray) and found.dims == ("x", "y") and found.attrs == {}
     assert found.name == "friction_coefficient" and found.sel(y=2)[1].item() == model.friction_at_load(loads[1, 1].item())
     assert model.state_at_load(loads).real_area.dims == ("x", "y")
-    assert loads.attrs == {"units": "N"}
+    assert loads.attrs == {"long_name": "load"}
 
 
 def test_a_curve_is_a_table_of_pandas_too(model: Model) -> None:
