@@ -29,7 +29,7 @@ def model() -> Model:
 
 @lru_cache(maxsize=None)
 def height_map() -> dict[str, Any]:
-    waves = np.random.default_rng(1).normal(size=(64, 64))
+    waves = np.random.default_rng(1).normal(size=(40, 40))
     for axis in (0, 1):
         waves = np.sum([np.roll(waves, shift, axis) for shift in range(9)], axis=0)
     return {"height_map": 5e-9 * waves / waves.std(), "dx": 2e-8, "dy": 2e-8}
@@ -158,6 +158,9 @@ MISTAKES: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("surface.filter", {"cutoff": 1.0}, Error, "cutoff = 1: must be from two points"),
     ("surface.cutoffs", {"load": 0.0}, Error, "load = 0.0: must be finite and > 0"),
     ("surface.analyse", {"pair": "steal/steel"}, Error, "steal/steel: no pair has this name; the nearest is steel/steel"),
+    ("surface.analyse", {"dx": -1.0}, Error, "dx = -1.0: must be finite and > 0"),
+    ("surface.analyse", {"cutoff": math.nan}, Error, "cutoff = nan: must be finite and > 0"),
+    ("surface.analyse", {"longest": 0.0}, Error, "longest = 0.0: must be finite and > 0"),
     ("surface.analyse", {"coverage": 95}, Error, "coverage = 95: must be between 0 and 1"),
     ("surface.read", {"path": "no such file"}, FileNotFoundError, "no such file"),
     ("materials.contact", {"first": "unobtainium"}, Error, "unobtainium: no material has this name; docs/materials.md lists them"),

@@ -155,7 +155,7 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
         let (estimate, answers, warnings) = estimated(surface, length, n, load)?;
         let strength_source = match (estimate.is_measured(), estimate.rests()) {
             (true, _) => ASPERITY_STRENGTH_MEASURED,
-            (_, Rests::Metals | Rests::Others) => ASPERITY_STRENGTH_DEFAULT,
+            (_, Rests::Metals | Rests::Others | Rests::GivenByDefault) => ASPERITY_STRENGTH_DEFAULT,
             (_, Rests::Rows(_) | Rests::Family(_)) => ASPERITY_STRENGTH_TABLE,
             (_, Rests::Given) => ASPERITY_STRENGTH_GIVEN,
         };

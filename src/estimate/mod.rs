@@ -576,11 +576,13 @@ impl Estimate {
             let hertz = surfaces(&params)?.borne_at_load(self.strength.load)?.hertz_load;
             params.pressure_coefficient = mean(&|node| node.pressed) * exp(log_force) / hertz;
         }
-        if self.strength.is_stress {
+        if self.strength.is_stress && !self.described.has_stress {
             let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
             let factor = exp(self.strength.mean) / unit;
             params.slip.stress_1 *= factor;
             params.slip.stress_2 *= factor;
+        }
+        if self.strength.is_stress {
             self.mark(&mut params);
             return Ok(Curve { surfaces: surfaces(&params)?, params, failure: None });
         }

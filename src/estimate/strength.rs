@@ -17,6 +17,8 @@ pub enum Rests {
     /// Those of the metals that these bodies are alloys of.
     Family(Vec<&'static Interface>),
     Given,
+    /// Slip stresses that are defaults, or those of other materials, as parameters write them that nobody calibrated.
+    GivenByDefault,
 }
 
 impl Rests {
@@ -25,7 +27,7 @@ impl Rests {
             return Self::Rows(vec![interface]);
         }
         if described.has_stress {
-            return Self::Given;
+            return if described.params.has_default_strength() { Self::GivenByDefault } else { Self::Given };
         }
         let Some(bodies) = &described.bodies else { return Self::Others };
         match (Interface::of_bodies(bodies), Interface::of_families(bodies)) {
@@ -69,10 +71,11 @@ impl Strength {
         let (mean, deviation, load, is_stress) = match &rests {
             Rests::Metals => of(METALS),
             Rests::Others => of(OTHERS),
-            Rests::Given => {
+            Rests::Given | Rests::GivenByDefault => {
                 let slip = described.params.slip;
                 let stress = slip.stress_1.max(slip.stress_2) * described.params.effective_shear_modulus;
-                (log(stress), 0.0, f64::NAN, true)
+                let deviation = if rests == Rests::Given { 0.0 } else { deviation(OTHERS.1) };
+                (log(stress), deviation, f64::NAN, true)
             }
             Rests::Rows(rows) => of_rows(rows, PAIR_FACTOR, area),
             Rests::Family(rows) => of_rows(rows, FAMILY_FACTOR, area),

@@ -225,6 +225,9 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
     let rows: &[Row] = &[
         ("", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about 0.328, 0.0321 to 3.35", "0.3 to a factor of 10 either way", "no asperities yield"]),
         ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["strength of the interface: as given", "dominated by: the slope of the surface"]),
+        // Slip stresses that a text of parameters has, which nobody measured.
+        ("slip_stress_1 = 0.023255813953488372\n", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about", "not measured: slip stresses as given, to a factor of 10 either way", "UNCALIBRATED"]),
+        ("slip_stress_1 = 0.02\ncalibration_error = 1\n", SILICON, SMOOTH, &[1e-3], &["to a factor of 10 either way", "UNCALIBRATED"]),
         ("slip_stress_1 = 0.02\nwork_of_adhesion = 0.06\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\n[known_to]\nslope = 1\n", &[1e-3], &["no band: all inputs count as known"]),
         ("", STEEL, ROUGH, &[10.0], &["steel/steel dry 0.57 at 12 N", "clean 0.78", "oxidised 0.27", "from the 3 rows", "no grease", "no ZDDP", yields]),
         // That which is named stands alone, at its load; a measurement here is worth more than any.

@@ -145,7 +145,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
         _ if friction.low == friction.high => {
             writeln!(out, "mu({at} {unit}) = {mu}, no band: all inputs count as known")?;
         }
-        (Rests::Metals | Rests::Others, false) => {
+        (Rests::Metals | Rests::Others | Rests::GivenByDefault, false) => {
             writeln!(out, "not measured: mu({at} {unit}) about {mu}, {low} to {high}")?;
         }
         _ => writeln!(out, "mu({at} {unit}) = {mu}, {percent} % band {low} to {high}")?,
@@ -306,6 +306,9 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write
                 writeln!(out, "from {}, to a factor of {factor} either way", Names(rows))
             }
             Rests::Given => writeln!(out, "as given"),
+            Rests::GivenByDefault => {
+                writeln!(out, "not measured: slip stresses as given, to a factor of {factor} either way")
+            }
         };
     }
     let points = &estimate.described.points;

@@ -208,11 +208,17 @@ def analyse(
     load = checks.positive("load", load, "N")
     degree(detrend)
     coverage = checks.share("coverage", coverage)
+    cutoff, longest = (None if one is None else checks.positive(name, one, "m") for name, one in (("cutoff", cutoff), ("longest", longest)))
     case = _Case(load, coverage, ({} if pair is None else dict(of_pair(pair))) | {"coverage": coverage} | dict(surface))
     # What the map cannot be blamed for is refused at once, of a plain surface.
     case.at(1e5, {"nominal_area": 1.0, "m0": 1e-16, "m2": 1e-2, "m4": 1e13}, surface)
     try:
         raw = replace(checked(height_map, dx, dy, missing=True), unit="m")
+    except Error as error:
+        if not f"{error}".startswith("height_map"):
+            raise
+        return case.stopped(error)
+    try:
         if (wrong := implausible(raw)) is not None:
             return case.stopped(Error(wrong.partition(": ")[0] + ": give heights and distances in metres"), "units")
         cleaned = _cleaned(case, raw, detrend, rows, spikes, dust, progress)
