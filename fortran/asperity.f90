@@ -103,7 +103,7 @@ module asperity
 
   ! Friction at one load, with its band, and stiffness with theirs
   type, bind(c), public :: asperity_estimate
-    integer(c_int64_t) :: struct_size = 248         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 272         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load [N]
     real(c_double) :: friction_coefficient          ! F/P, the median; infinite from the pull-off load to 0, where F/P
                                                     ! has no limit; 0 below
@@ -142,6 +142,9 @@ module asperity
                                                     ! it
     real(c_double) :: contact_radius_sum_low        ! Lower end of its band
     real(c_double) :: contact_radius_sum_high       ! Upper end
+    real(c_double) :: unloading_stiffness           ! -d(load)/d(gap) when the load begins to fall [N/m]
+    real(c_double) :: unloading_stiffness_low       ! Lower end of its band
+    real(c_double) :: unloading_stiffness_high      ! Upper end
     real(c_double) :: error_growth                  ! By how much the errors of the measured points grew, since they
                                                     ! contradict each other; 1 if they do not
     integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
@@ -240,7 +243,7 @@ module asperity
 
   ! The exact state of a contact, in the units of the parameters
   type, bind(c), public :: asperity_state
-    integer(c_int64_t) :: struct_size = 208         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 216         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load P [force]; negative pulls
     real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [length], as for
                                                     ! asperity_load_and_slope_at_gap
@@ -279,6 +282,7 @@ module asperity
                                                     ! [length]
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
+    real(c_double) :: unloading_stiffness           ! -d(load)/d(gap) when the load begins to fall [force/length]
   end type asperity_state
 
   ! Constants of a model, in the units of the parameters

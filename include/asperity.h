@@ -209,6 +209,9 @@ typedef struct asperity_estimate {
   /** Sum of the radii of all contacts [m]: the conductance is 2 k times it. */ double contact_radius_sum;
   /** Lower end of its band. */ double contact_radius_sum_low;
   /** Upper end. */ double contact_radius_sum_high;
+  /** -d(load)/d(gap) when the load begins to fall [N/m]. */ double unloading_stiffness;
+  /** Lower end of its band. */ double unloading_stiffness_low;
+  /** Upper end. */ double unloading_stiffness_high;
   /** By how much the errors of the measured points grew, since they contradict each other; 1 if they do not. */
   double error_growth;
   /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
@@ -284,9 +287,10 @@ typedef struct asperity_params {
    * `asperity_params_set_materials` sets it. */
   double tangential_modulus;
   /** Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
-   * Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of
-   * contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the
-   * summits approach by. A/A_0 counts as 0.5 at most. */
+   * Where it is known, neighbours share the elastic compliance: tangential stiffness and the sum of contact radii are those
+   * of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes by 1 - (1 - psi) K/(2 E* sum a) times what the
+   * summits approach by, with the normal stiffness K and the radii of lone contacts: by psi if none yields. A/A_0 counts as
+   * 0.5 at most. */
   double nominal_area;
   /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */ int32_t contact_law;
   /** How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
@@ -376,6 +380,9 @@ typedef struct asperity_state {
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
+  /** -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring back elastically, so that it exceeds
+   * -`dload_dgap`; elastic contacts have one stiffness. */
+  double unloading_stiffness;
 } asperity_state;
 
 /** Constants of a model, in the units of the parameters. */

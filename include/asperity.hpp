@@ -606,9 +606,10 @@ public:
     Params &tangential_modulus(double value) noexcept { return assign(c_.tangential_modulus, value); }
 
     /// Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A
-    /// with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them,
-    /// and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by
-    /// psi times what the summits approach by. A/A_0 counts as 0.5 at most.
+    /// with it. Where it is known, neighbours share the elastic compliance: tangential stiffness and the sum of contact
+    /// radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes by 1 - (1 - psi) K/(2
+    /// E* sum a) times what the summits approach by, with the normal stiffness K and the radii of lone contacts: by psi
+    /// if none yields. A/A_0 counts as 0.5 at most.
     double nominal_area() const noexcept { return c_.nominal_area; }
     /// Sets it.
     Params &nominal_area(double value) noexcept { return assign(c_.nominal_area, value); }

@@ -41,6 +41,9 @@ const SOURCES = {
  * @property {number} contact_radius_sum sum of the radii of all contacts [m]: the conductance is 2 k times it
  * @property {number} contact_radius_sum_low
  * @property {number} contact_radius_sum_high
+ * @property {number} unloading_stiffness -d(load)/d(gap) when the load begins to fall [N/m]
+ * @property {number} unloading_stiffness_low
+ * @property {number} unloading_stiffness_high
  * @property {number} error_growth by how much the errors of the measured points grew; 1 if they do not contradict each other
  * @property {number} warnings bits, which `warningsOf` puts into words
  * @property {"default" | "table" | "given" | "measured"} strength_source what the strength of the interface rests on

@@ -61,7 +61,7 @@ export const CONSTANTS = /** @type {const} */ ({
 /** Where the fields of the structs lie in WebAssembly's memory. @type {Record<string, Layout>} */
 export const LAYOUTS = {
   asperity_estimate: {
-    size: 248,
+    size: 272,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "load", type: "double", offset: 8 },
@@ -91,10 +91,13 @@ export const LAYOUTS = {
       { name: "contact_radius_sum", type: "double", offset: 200 },
       { name: "contact_radius_sum_low", type: "double", offset: 208 },
       { name: "contact_radius_sum_high", type: "double", offset: 216 },
-      { name: "error_growth", type: "double", offset: 224 },
-      { name: "warnings", type: "uint64_t", offset: 232 },
-      { name: "strength_source", type: "int32_t", offset: 240 },
-      { name: "is_of_pressures", type: "int32_t", offset: 244 },
+      { name: "unloading_stiffness", type: "double", offset: 224 },
+      { name: "unloading_stiffness_low", type: "double", offset: 232 },
+      { name: "unloading_stiffness_high", type: "double", offset: 240 },
+      { name: "error_growth", type: "double", offset: 248 },
+      { name: "warnings", type: "uint64_t", offset: 256 },
+      { name: "strength_source", type: "int32_t", offset: 264 },
+      { name: "is_of_pressures", type: "int32_t", offset: 268 },
     ],
   },
   asperity_params: {
@@ -152,7 +155,7 @@ export const LAYOUTS = {
     ],
   },
   asperity_state: {
-    size: 208,
+    size: 216,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "load", type: "double", offset: 8 },
@@ -180,6 +183,7 @@ export const LAYOUTS = {
       { name: "fraction_flowing", type: "double", offset: 184 },
       { name: "contact_radius_sum", type: "double", offset: 192 },
       { name: "hertz_load", type: "double", offset: 200 },
+      { name: "unloading_stiffness", type: "double", offset: 208 },
     ],
   },
   asperity_summary: {
@@ -325,6 +329,7 @@ export const FUNCTIONS = {
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
  * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
+ * @property {number} unloading_stiffness -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring back elastically, so that it exceeds -`dload_dgap`; elastic contacts have one stiffness.
  */
 
 /**
@@ -382,7 +387,7 @@ export const FUNCTIONS = {
  * @property {ArrayLike<number>} [table_height] `table_length` summit heights in ascending order, in any unit and from any origin: the library standardises them. Each exceeds the one before by at least 1e-12 of their range. Read only for "tabulated", and copied when a model is made. Empty by default.
  * @property {ArrayLike<number>} [table_density] The density at each of these heights, >= 0; it need not be normalised. Empty by default.
  * @property {number} [tangential_modulus] G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
- * @property {number} [nominal_area] Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the summits approach by. A/A_0 counts as 0.5 at most.
+ * @property {number} [nominal_area] Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it. Where it is known, neighbours share the elastic compliance: tangential stiffness and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes by 1 - (1 - psi) K/(2 E* sum a) times what the summits approach by, with the normal stiffness K and the radii of lone contacts: by psi if none yields. A/A_0 counts as 0.5 at most.
  * @property {"maugis" | "elastic-plastic"} [contact_law] Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
  * @property {"partial" | "whole"} [slip_onset] How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not depend on it, the tangential force before gross slip does.
  * @property {number} [pressure_coefficient] kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.

@@ -15,6 +15,7 @@ from conftest import HARD_CARBON
 
 from asperity import Model, Params
 from asperity.__main__ import main
+from asperity.estimate import estimate
 from asperity.hosts.export_formats import FORMATS
 
 AREA = 1e-4  # of HARD_CARBON
@@ -239,6 +240,36 @@ def test_stiffness_and_conductance_read_back_are_the_exact_states(surface: Path,
         assert float(linear[0]) == pytest.approx(-middle.dload_dgap / AREA * 1e-9, rel=1e-6)
 
 
+@pytest.mark.parametrize("kind", ["abaqus", "ansys", "calculix"])
+@pytest.mark.parametrize("units", [["--range", "0.1:70", "--pressure-unit", "1e6", "--length-unit", "1e-3"], ["--range", "1e5:70e6"]])
+def test_stiffness_per_area_has_the_bands_of_the_estimate(surface: Path, kind: str, units: list[str]) -> None:
+    """About the values of the exact state; absolute real constants of Ansys are negative."""
+    text = surface.with_name("table.txt")
+    assert main(["export", str(surface), "--format", kind, "--stiffness", *units, "-o", str(text)]) == 0
+    written = text.read_text(encoding="utf-8")
+    told = {
+        name: [float(number) for number in numbers]
+        for name, *numbers in re.findall(r"^(?:\*\*|!) (.*) (\S+) \((\S+) to (\S+)\)$", written, re.MULTILINE)
+    }
+    load, unit = np.sqrt(0.1e6 * 70e6) * AREA, 1e9 if len(units) > 2 else 1.0
+    with Model(Params.from_toml(surface)) as model:
+        state = model.state_at_load(load)
+    bands = estimate(surface.read_text(encoding="utf-8"), load)
+    normal = "normal stiffness per area of "
+    for name, value, band in (
+        ("tangential stiffness per area", state.tangential_stiffness, bands.stiffness),
+        (normal + "first loading", -state.dload_dgap, bands.normal_stiffness),
+        (normal + "unloading and vibration", state.unloading_stiffness, bands.unloading_stiffness),
+    ):
+        ends = [value, value * band.low / band.value, value * band.high / band.value]
+        assert told[name] == pytest.approx([end / AREA / unit for end in ends], rel=6e-3)
+    assert told["elastic slip"][1] < told["elastic slip"][0] < told["elastic slip"][2]
+    if kind == "ansys":
+        constants = {at: -float(value) for at, value in re.findall(r"^RMODIF,ARG2,(\d+),(\S+)$", written, re.MULTILINE)}
+        expected = {"3": state.unloading_stiffness, "12": state.tangential_stiffness}
+        assert constants == pytest.approx({at: value / AREA / unit for at, value in expected.items()}, rel=1e-6)
+
+
 def test_calculix_has_the_coefficient_of_the_pressure_that_is_asked_for(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Whatever the range; how far the coefficient is off at its ends is told."""
     at = ["--friction-at", "58", "--pressure-unit", "1e6"]
@@ -302,7 +333,7 @@ def test_pressures_that_the_surface_does_not_bear_are_told(surface: Path, capsys
         (["--range", "1:2", "--tolerance", "1e-9"], "--tolerance 1e-09: must be 1e-6 to 0.1"),
         (["--range", "1:2", "--pressure-unit", "0"], "--pressure-unit 0: must be finite"),
         (["--range", "1:2", "--length-unit", "inf"], "--length-unit inf: must be finite"),
-        (["--range", "1:2", "--stiffness"], "--stiffness: only --format abaqus and calculix have it"),
+        (["--range", "1:2", "--stiffness"], "--stiffness: only --format abaqus, ansys and calculix have it"),
         (["--range", "1:2", "--conductivity", "50"], "--conductivity: only --format abaqus and calculix have it"),
         (["--range", "1:2", "--conductivity", "50:", "--format", "abaqus"], "--conductivity 50:: must be one or two numbers > 0"),
         (["--range", "1:2", "--conductivity", "0", "--format", "abaqus"], "--conductivity 0: must be one or two numbers > 0"),

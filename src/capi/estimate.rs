@@ -77,6 +77,12 @@ pub struct asperity_estimate {
     pub contact_radius_sum_low: f64,
     /// Upper end.
     pub contact_radius_sum_high: f64,
+    /// -d(load)/d(gap) when the load begins to fall [N/m].
+    pub unloading_stiffness: f64,
+    /// Lower end of its band.
+    pub unloading_stiffness_low: f64,
+    /// Upper end.
+    pub unloading_stiffness_high: f64,
     /// By how much the errors of the measured points grew, since they contradict each other; 1 if they do not.
     pub error_growth: f64,
     /// Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0.
@@ -160,7 +166,7 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
             (_, Rests::Given) => ASPERITY_STRENGTH_GIVEN,
         };
         for (i, answer) in answers.iter().enumerate() {
-            let [tangential, normal, radii] = answer.stiffness;
+            let [tangential, normal, radii, unloading] = answer.stiffness;
             let one = asperity_estimate {
                 struct_size: step,
                 load: answer.load,
@@ -190,6 +196,9 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
                 contact_radius_sum: radii.value,
                 contact_radius_sum_low: radii.low,
                 contact_radius_sum_high: radii.high,
+                unloading_stiffness: unloading.value,
+                unloading_stiffness_low: unloading.low,
+                unloading_stiffness_high: unloading.high,
                 error_growth: estimate.growth,
                 warnings,
                 strength_source,

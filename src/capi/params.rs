@@ -103,9 +103,10 @@ pub struct asperity_params {
     /// `asperity_params_set_materials` sets it.
     pub tangential_modulus: f64,
     /// Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
-    /// Where it is known, neighbours share the compliance: stiffness, along the surfaces and normal to them, and the sum of
-    /// contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the
-    /// summits approach by. A/A_0 counts as 0.5 at most.
+    /// Where it is known, neighbours share the elastic compliance: tangential stiffness and the sum of contact radii are those
+    /// of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes by 1 - (1 - psi) K/(2 E* sum a) times what the
+    /// summits approach by, with the normal stiffness K and the radii of lone contacts: by psi if none yields. A/A_0 counts as
+    /// 0.5 at most.
     pub nominal_area: f64,
     /// Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.
     pub contact_law: i32,

@@ -68,6 +68,9 @@ pub struct asperity_state {
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
+    /// -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring back elastically, so that it exceeds
+    /// -`dload_dgap`; elastic contacts have one stiffness.
+    pub unloading_stiffness: f64,
 }
 
 /// Constants of a model, in the units of the parameters.
@@ -129,7 +132,7 @@ unsafe fn exact(
                 contacting attracted attraction_load mean_contact_radius max_contact_radius fraction_below_slip_radius_1
                 fraction_between_slip_radii fraction_above_slip_radius_2 fraction_in_contact mean_asperity_pressure
                 plasticity_index warnings tangential_stiffness fraction_elastic fraction_flowing contact_radius_sum
-                hertz_load
+                hertz_load unloading_stiffness
             })
         })
     })

@@ -29,8 +29,8 @@ pub struct Terms {
     pub slip: f64,
     /// The load of Hertz' contacts, which a pressure coefficient takes its part of.
     pub hertz: f64,
-    /// Tangential and normal stiffness, and the sum of the contact radii.
-    pub stiffness: [f64; 3],
+    /// Tangential and normal stiffness, the sum of the contact radii, and the normal stiffness of unloading.
+    pub stiffness: [f64; 4],
 }
 
 /// One work of adhesion, with its probability among the others.
@@ -72,7 +72,9 @@ impl Terms {
         let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
         let slip = log(borne.friction_force) - log(unit);
         let film = if is_film { log(borne.real_area) } else { slip };
-        let stiffness = [borne.tangential_stiffness, borne.normal_stiffness, borne.contact_radius_sum].map(log);
+        let [tangential, normal, unloading] =
+            [borne.tangential_stiffness, borne.normal_stiffness, borne.unloading_stiffness].map(log);
+        let stiffness = [tangential, normal, log(borne.contact_radius_sum), unloading];
         let found = Self { film, slip, hertz: log(borne.hertz_load), stiffness };
         match finite(film) && finite(slip) && finite(found.hertz) {
             true => Ok(found),

@@ -89,8 +89,8 @@ pub struct Answer {
     /// How probable it is that F/P is within 10 % of what was measured.
     pub constant_odds: f64,
     pub shares: Shares,
-    /// Tangential and normal stiffness [N/m], and the sum of the contact radii [m].
-    pub stiffness: [Band; 3],
+    /// Tangential and normal stiffness [N/m], the sum of the contact radii [m], and the normal stiffness of unloading [N/m].
+    pub stiffness: [Band; 4],
     /// Summits in contact that the model expects, and whether they are too few for one specimen to be like the mean of the model. NaN
     /// where loads are pressures.
     pub contacts: f64,

@@ -40,7 +40,7 @@ pub struct Curve {
 
 /// The panels of a stretch, and how well they meet the states that they are compared with.
 struct Attempt {
-    panel: Option<CurvePanel>,
+    panel: CurvePanel,
     gap: Option<PlanesPanel>,
     /// Of the logarithm of each quantity.
     errors: PerQuantity,
@@ -51,11 +51,14 @@ struct Attempt {
 impl Attempt {
     fn new(states: &mut States, stretch: &mut Stretch, reach: &Reach) -> Result<Self, Unfollowed> {
         let nodes = states.nodes(stretch)?;
-        let panel = stretch.is_on_branch().then(|| CurvePanel::new(&nodes));
-        let gap = states.branch.population().is_crowded().then(|| PlanesPanel::new(&nodes));
+        let panel = CurvePanel::new(&nodes);
+        let crowding = states.branch.population().crowding();
+        let gap = crowding.map(|crowding| {
+            PlanesPanel::new(&nodes, &panel, states.coordinate, states.positions, crowding.stiffness_of_radius)
+        });
         let mut attempt = Self { panel, gap, errors: [0.0; Quantity::COUNT], worst: 0.0 };
         // Between the lightest load and pull-off nothing but gaps is asked for.
-        let is_asked = attempt.panel.is_some() && stretch.from.log_excess > reach.log_lightest;
+        let is_asked = stretch.from.log_excess > reach.log_lightest;
         let is_compared = is_asked || attempt.gap.is_some();
         for eighth in CHECKS.into_iter().filter(|_| is_compared) {
             let state = states.eighth(stretch, eighth)?;
@@ -65,8 +68,8 @@ impl Attempt {
     }
 
     fn compare(&mut self, state: &Sample, is_asked: bool, slack: f64) {
-        if let Some(panel) = self.panel.as_ref().filter(|_| is_asked) {
-            let (errors, worst) = panel.error_at(state, slack);
+        if is_asked {
+            let (errors, worst) = self.panel.error_at(state, slack);
             self.worst = larger(self.worst, worst);
             self.errors = std::array::from_fn(|i| larger(self.errors[i], errors[i]));
         }
@@ -99,7 +102,7 @@ impl Curve {
                     continue;
                 }
                 curve.error = std::array::from_fn(|i| larger(curve.error[i], attempt.errors[i]));
-                curve.panels.extend(attempt.panel);
+                curve.panels.push(attempt.panel);
                 gaps.extend(attempt.gap);
             }
             open = halves;

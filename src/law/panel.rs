@@ -21,8 +21,10 @@ pub type PerQuantity = [f64; Quantity::COUNT];
 pub struct Sample {
     pub separation: f64,
     pub position: f64,
-    /// d(gap)/d(position), and its slope.
-    pub gap_rate: (f64, f64),
+    /// d(gap)/d(position).
+    pub gap_rate: f64,
+    /// 1 - psi, and its slope by position.
+    pub crowding: (f64, f64),
     /// ln(load - pull-off load).
     pub log_excess: f64,
     pub s: f64,
@@ -34,13 +36,6 @@ pub struct Sample {
     pub log_value: PerQuantity,
     /// Slopes of these by s; no numbers at pull-off.
     pub slope: PerQuantity,
-}
-
-impl Sample {
-    /// Whether it lies beyond the branch, where only gaps are known.
-    pub fn is_beyond(&self) -> bool {
-        self.s.is_nan()
-    }
 }
 
 /// A stretch of the curve, with s falling as position grows.

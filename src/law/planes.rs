@@ -1,13 +1,16 @@
-//! How far apart the mean planes of the surfaces are: the gap u of a separation d of the summits, u = d + the integral of 1 -
-//! psi from d to infinity, and the separation of a gap. Without a nominal area psi is 1, and both are the same.
+//! How far apart the mean planes of the surfaces are: the gap u of a separation d of the summits, u = d + the integral of what the
+//! surface gives way by from d to infinity (`population::crowding`), and the separation of a gap. Without a nominal area both are the same.
 //!
-//! In each panel of the curve psi is a polynomial through the panel's exact states, with its slopes; its integral is the gap.
-//! Beyond the branch there are panels of the same kind, up to where psi is 1. Farther in compression than the first panel, psi
-//! is constant. The height of the mean of the summits above the mean plane of the surface is left to the callers.
+//! In each panel of the curve 1 - psi is a polynomial through the panel's exact states, with its slopes; load and contact radius are
+//! those of the curve. From pull-off on, or beyond the lightest load, gaps are separations. Farther in compression than the first
+//! panel, gaps change at the rate with which it begins. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
-use super::panel::{Hermite, Sample, PANEL_NODES};
+use super::coordinate::Coordinate;
+use super::panel::{CurvePanel, Hermite, Sample, PANEL_NODES};
 use super::position::Positions;
 use super::tolerance::{self, larger};
+use super::Quantity;
+use crate::numerics::elementary::exp;
 use crate::numerics::quadrature::integrate_short;
 use crate::numerics::root;
 
@@ -20,10 +23,10 @@ const LAST_NEWTON_STEP: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct Planes {
     positions: Positions,
-    /// In ascending order: those of the curve, and those beyond it.
+    /// In ascending order.
     panels: Vec<PlanesPanel>,
-    /// psi where the first begins.
-    first_psi: f64,
+    /// d(gap)/d(separation) where the first begins.
+    first_rate: f64,
 }
 
 /// A stretch between two positions.
@@ -39,26 +42,40 @@ pub struct PlanesPanel {
 }
 
 impl PlanesPanel {
-    /// Through the states at its nodes; where gaps begin is not known yet.
-    pub fn new(nodes: &[Sample; PANEL_NODES]) -> Self {
+    /// Through the states at its nodes, along a panel of the curve; where gaps begin is not known yet. Contacts of the radius b have
+    /// this elastic stiffness.
+    pub fn new(
+        nodes: &[Sample; PANEL_NODES],
+        panel: &CurvePanel,
+        coordinate: Coordinate,
+        positions: Positions,
+        stiffness_of_radius: f64,
+    ) -> Self {
         let of = |number: fn(&Sample) -> f64| nodes.each_ref().map(number);
-        let (positions, rates) = (of(|node| node.position), of(|node| node.gap_rate.0));
-        let rate = Hermite::new(positions, rates, of(|node| node.gap_rate.1));
-        let (mut rise, mut last) = (0.0, positions[0]);
-        let rises = positions.map(|position| {
-            rise += integrate_short(last, position, |position| rate.at(position).0);
+        let (places, rates) = (of(|node| node.position), of(|node| node.gap_rate));
+        let crowding = Hermite::new(places, of(|node| node.crowding.0), of(|node| node.crowding.1));
+        let rate = |position: f64| {
+            let (off, (s, s_rate)) = (crowding.at(position).0, panel.s_at(position));
+            let [(log_spread, _)] = panel.log_value_at(Quantity::Radius, [s]);
+            let elastic = stiffness_of_radius * exp(log_spread) * (1.0 - off);
+            let load_rate = coordinate.load(s).1 * s_rate;
+            positions.rates(positions.separation(position)).0 + off * load_rate.min(0.0) / elastic
+        };
+        let (mut rise, mut last) = (0.0, places[0]);
+        let rises = places.map(|position| {
+            rise += integrate_short(last, position, rate);
             last = position;
             rise
         });
-        let rise = Hermite::new(positions, rises, rates);
-        Self { begin: positions[0], end: last, begin_gap: 0.0, end_gap: rises[PANEL_NODES - 1], rise }
+        let rise = Hermite::new(places, rises, rates);
+        Self { begin: places[0], end: last, begin_gap: 0.0, end_gap: rises[PANEL_NODES - 1], rise }
     }
 
-    /// How far psi is off at a state that is not a node, over the tolerance of what that makes of gaps and of their slopes.
+    /// How far the rate is off at a state that is not a node, over the tolerance of what that makes of gaps and of their slopes.
     pub fn error_at(&self, state: &Sample) -> f64 {
-        let off = (self.rise.at(state.position).1 - state.gap_rate.0).abs();
+        let off = (self.rise.at(state.position).1 - state.gap_rate).abs();
         let of_gap = off * (self.end - self.begin) / (1.0 + state.separation.abs());
-        larger(of_gap / tolerance::VALUE, off / state.gap_rate.0 / tolerance::SLOPE)
+        larger(of_gap / tolerance::VALUE, off / state.gap_rate / tolerance::SLOPE)
     }
 
     /// The gap at a position.
@@ -89,9 +106,9 @@ impl PlanesPanel {
 }
 
 impl Planes {
-    /// From the panels of the curve and beyond, in ascending order.
+    /// From panels in ascending order.
     pub fn new(mut panels: Vec<PlanesPanel>, positions: Positions) -> Self {
-        let first_psi = panels
+        let first_rate = panels
             .first()
             .map_or(1.0, |first| first.rise.at(first.begin).1 / positions.rates(positions.separation(first.begin)).0);
         let mut gap = panels.last().map_or(0.0, |panel| positions.separation(panel.end));
@@ -101,7 +118,7 @@ impl Planes {
             gap -= rise;
         }
         panels.shrink_to_fit();
-        Self { positions, panels, first_psi }
+        Self { positions, panels, first_rate }
     }
 
     /// The index of the panel of a gap, or of the last one.
@@ -122,7 +139,7 @@ impl Planes {
     pub fn separation(&self, gap: f64) -> f64 {
         match (self.panels.first(), self.panels.last()) {
             (Some(first), _) if gap < first.begin_gap => {
-                self.positions.separation(first.begin) + (gap - first.begin_gap) / self.first_psi
+                self.positions.separation(first.begin) + (gap - first.begin_gap) / self.first_rate
             }
             (_, Some(last)) if gap <= last.end_gap => self.positions.separation(self.places([gap])[0].0),
             _ => gap,
@@ -134,7 +151,7 @@ impl Planes {
         let position = self.positions.position(separation);
         match self.panels.get(self.panels.partition_point(|panel| panel.end < position)) {
             Some(panel) if position >= panel.begin => panel.gap(position),
-            Some(panel) => panel.begin_gap + (separation - self.positions.separation(panel.begin)) * self.first_psi,
+            Some(panel) => panel.begin_gap + (separation - self.positions.separation(panel.begin)) * self.first_rate,
             None => separation,
         }
     }

@@ -6,14 +6,10 @@ use super::position::Positions;
 use super::{Quantity, Reach};
 use crate::equilibrium::{Branch, BranchPoint, PullOff};
 use crate::numerics::elementary::log;
-use crate::population::Sums;
 
 /// The ends of the loads are looked for in steps between these, in position, of so much more than slopes tell.
 const STEPS: (f64, f64) = (1.0, 9.0);
 const STEP_MORE: f64 = 1.15;
-/// Beyond the branch 1 - psi is followed to where its integral to infinity is about this, in sigma, from states so far apart.
-const CLEAR: f64 = 1e-8;
-const STEP_BEYOND: f64 = 1.5;
 /// No panel is shorter, and no kink is nearer to the next or to an end: what is then not resolved is too short to matter.
 pub const SHORTEST: f64 = 1e-8;
 
@@ -39,11 +35,6 @@ impl Stretch {
 
     pub fn length(&self) -> f64 {
         self.to.position - self.from.position
-    }
-
-    /// Whether it is of the branch, and not beyond it.
-    pub fn is_on_branch(&self) -> bool {
-        !self.to.is_beyond()
     }
 
     /// The state at an eighth, if it is known.
@@ -85,15 +76,12 @@ pub struct States<'a> {
 impl States<'_> {
     /// The state at a position on the branch.
     fn at(&mut self, position: f64) -> Result<Sample, Unfollowed> {
-        self.of(position, self.positions.separation(position), true)
+        self.of(position, self.positions.separation(position))
     }
 
-    /// The state at a position, of which this is the separation, on the branch or beyond it.
-    fn of(&mut self, position: f64, separation: f64, is_on_branch: bool) -> Result<Sample, Unfollowed> {
+    /// The state at a position on the branch, of which this is the separation.
+    fn of(&mut self, position: f64, separation: f64) -> Result<Sample, Unfollowed> {
         self.count += 1;
-        if !is_on_branch {
-            return Ok(self.beyond(position, separation, &self.branch.population().at_separation(separation)));
-        }
         let BranchPoint { log_excess, rate, sums } = self.branch.point(separation);
         // A load below that of the end is as far above it as can be told.
         if !(rate < 0.0 && sums.friction > 0.0 && log_excess > log(f64::MIN_POSITIVE)) {
@@ -101,44 +89,41 @@ impl States<'_> {
         }
         let (s, s_rate) = self.coordinate.at(log_excess);
         let values = Quantity::ALL.map(|quantity| quantity.of(&sums));
+        let position_rate = self.positions.rates(separation).0;
         Ok(Sample {
+            separation,
+            position,
+            gap_rate: sums.approach_of_planes() * position_rate,
+            crowding: (sums.crowding.0, sums.crowding.1 * position_rate),
             log_excess,
             s,
-            s_by_position: s_rate * rate * self.positions.rates(separation).0,
+            s_by_position: s_rate * rate * position_rate,
             load_by_s: self.coordinate.load_by_s(s),
             log_value: values.map(|(value, _)| log(value)),
             slope: values.map(|(value, slope)| slope / value / rate / s_rate),
-            ..self.beyond(position, separation, &sums)
         })
-    }
-
-    /// A state beyond the branch, of which only psi is known.
-    fn beyond(&self, position: f64, separation: f64, sums: &Sums) -> Sample {
-        let ((rate, bend), psi) = (self.positions.rates(separation), sums.psi());
-        Sample {
-            separation,
-            position,
-            gap_rate: (psi * rate, psi * bend - sums.crowding.1 * rate * rate),
-            log_excess: f64::NEG_INFINITY,
-            s: f64::NAN,
-            s_by_position: f64::NAN,
-            load_by_s: f64::NAN,
-            log_value: [f64::NAN; Quantity::COUNT],
-            slope: [f64::NAN; Quantity::COUNT],
-        }
     }
 
     /// Pull-off itself, if the branch ends there.
     fn pull_off(&self) -> Option<Sample> {
         self.coordinate.log_pull_off?;
         let PullOff { separation, sums, .. } = self.branch.pull_off()?;
-        let log_value = Quantity::ALL.map(|quantity| log(quantity.of(&sums).0));
-        let state = self.beyond(self.positions.position(separation), separation, &sums);
-        Some(Sample { s: 0.0, load_by_s: 0.0, log_value, ..state })
+        let position_rate = self.positions.rates(separation).0;
+        Some(Sample {
+            separation,
+            position: self.positions.position(separation),
+            gap_rate: position_rate,
+            crowding: (sums.crowding.0, sums.crowding.1 * position_rate),
+            log_excess: f64::NEG_INFINITY,
+            s: 0.0,
+            s_by_position: f64::NAN,
+            load_by_s: 0.0,
+            log_value: Quantity::ALL.map(|quantity| log(quantity.of(&sums).0)),
+            slope: [f64::NAN; Quantity::COUNT],
+        })
     }
 
-    /// From beyond the heaviest load of a reach to pull-off, or beyond the lightest, and, where neighbours change gaps, to where they do
-    /// no more; and at kinks.
+    /// From beyond the heaviest load of a reach to pull-off, or beyond the lightest; and at kinks.
     pub fn knots(&mut self, reach: &Reach) -> Result<Knots, Unfollowed> {
         let end = self.pull_off();
         let middle = self.positions.position(-self.branch.population().heights().origin());
@@ -159,23 +144,8 @@ impl States<'_> {
         }
         states.extend(end);
         states.sort_by(|a, b| a.position.total_cmp(&b.position));
-        self.add_beyond(&mut states);
         let kinks = self.add_kinks(&mut states)?;
         Ok(Knots { states, kinks })
-    }
-
-    /// Adds states beyond the branch, up to where neighbours change gaps no more.
-    fn add_beyond(&mut self, states: &mut Vec<Sample>) {
-        let population = self.branch.population();
-        let farthest = self.positions.position(population.farthest());
-        let Some(mut position) = states.last().map(|state| state.position) else { return };
-        let mut sums = population.at_separation(self.positions.separation(position));
-        while sums.crowding.0 * sums.crowding.0 > CLEAR * -sums.crowding.1 && position < farthest {
-            position = (position + STEP_BEYOND).min(farthest);
-            let separation = self.positions.separation(position);
-            sums = population.at_separation(separation);
-            states.push(self.beyond(position, separation, &sums));
-        }
     }
 
     /// Adds states at kinks between others; separation and ln x of those on the branch.
@@ -186,10 +156,8 @@ impl States<'_> {
             let next = states.partition_point(|state| state.position < position);
             let is_apart = |other: &Sample| (position - other.position).abs() > SHORTEST;
             if next > 0 && next < states.len() && is_apart(&states[next - 1]) && is_apart(&states[next]) {
-                let state = self.of(position, kink, !states[next].is_beyond())?;
-                if !state.is_beyond() {
-                    kinks.push((kink, state.log_excess));
-                }
+                let state = self.of(position, kink)?;
+                kinks.push((kink, state.log_excess));
                 states.insert(next, state);
             }
         }
@@ -202,7 +170,7 @@ impl States<'_> {
             return Ok(state);
         }
         let position = stretch.from.position + stretch.length() * eighth as f64 / 8.0;
-        let state = self.of(position, self.positions.separation(position), stretch.is_on_branch())?;
+        let state = self.at(position)?;
         stretch.between[eighth - 1] = Some(state);
         Ok(state)
     }

@@ -76,6 +76,8 @@ pub struct State {
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
+    /// -d(load)/d(gap) when the load begins to fall [force/length]: summits that have yielded spring back elastically.
+    pub unloading_stiffness: f64,
     /// What an estimate tells of single specimens: the standard deviation of their friction force over its mean, and by what part the
     /// mean exceeds the friction force; NaN where `Model::few` does not know them.
     pub(crate) friction_scatter: f64,
@@ -93,6 +95,7 @@ pub(crate) struct Borne {
     pub tangential_stiffness: f64,
     pub normal_stiffness: f64,
     pub contact_radius_sum: f64,
+    pub unloading_stiffness: f64,
 }
 
 impl Model {
@@ -105,7 +108,7 @@ impl Model {
         let mut state = State { gap: self.law.gap_at(separation), ..self.surfaces.state(load, separation, &sums)? };
         if self.branch.pull_off().is_some() && load == self.pull_off_load() {
             state.dforce_dload = f64::INFINITY;
-            state.dload_dgap = 0.0;
+            (state.dload_dgap, state.unloading_stiffness) = (0.0, 0.0);
         }
         Ok(state)
     }
@@ -186,14 +189,17 @@ impl Surfaces {
     pub(crate) fn borne_near(&self, load: f64, guess: Option<f64>) -> Result<Borne, Error> {
         let (separation, sums) = self.equilibrium_at(load, || guess)?;
         let (spread_radius, _) = sums.spread_radius();
+        let contact_radius_sum = spread_radius * self.params.burgers_vector * self.units.count;
+        let normal_stiffness = self.normal_stiffness(&sums);
         Ok(Borne {
             separation,
             friction_force: sums.friction * self.units.force,
             real_area: sums.area * self.units.area,
             hertz_load: sums.hertz_load * self.units.load,
             tangential_stiffness: spread_radius * self.units.stiffness,
-            normal_stiffness: -sums.load_slope / sums.psi() * self.units.load / self.units.length,
-            contact_radius_sum: spread_radius * self.params.burgers_vector * self.units.count,
+            normal_stiffness,
+            contact_radius_sum,
+            unloading_stiffness: self.unloading_stiffness(contact_radius_sum, normal_stiffness),
         })
     }
 
@@ -213,6 +219,19 @@ impl Surfaces {
         let log_excess = log(load - pull_off) - log(self.units.load);
         // A guess may lead nowhere where the load hardly changes with separation.
         self.branch.at_log_excess(log_excess, guess()).or_else(|_| self.branch.at_log_excess(log_excess, None))
+    }
+
+    /// -d(load)/d(gap) on the branch of loading.
+    fn normal_stiffness(&self, sums: &Sums) -> f64 {
+        -sums.load_slope / sums.approach_of_planes() * self.units.load / self.units.length
+    }
+
+    /// -d(load)/d(gap) of unloading: 2 E* sum a/psi where summits have yielded; elastic contacts unload as they were loaded.
+    fn unloading_stiffness(&self, contact_radius_sum: f64, normal_stiffness: f64) -> f64 {
+        match self.groups.yields {
+            true => 2.0 * self.params.composite_modulus * contact_radius_sum,
+            false => normal_stiffness.max(0.0),
+        }
     }
 
     /// The warnings of all states between two loads, both included.
@@ -368,7 +387,8 @@ impl Surfaces {
         let dforce_dload = self.slope(separation, sums.friction_slope * units.force, sums);
         // Beyond pull-off no load is in equilibrium: a pulling one has no coefficient.
         let on_branch = self.is_on_branch(separation);
-        let load_slope = if on_branch { sums.load_slope.min(0.0) } else { sums.load_slope };
+        let normal_stiffness = self.normal_stiffness(sums);
+        let normal_stiffness = if on_branch { normal_stiffness.max(0.0) } else { normal_stiffness };
         let (coefficient, dmu_dload) = if on_branch || load > 0.0 {
             self.coefficient_and_slope(load, friction_force, dforce_dload)
         } else {
@@ -378,6 +398,7 @@ impl Surfaces {
         let mean_asperity_pressure =
             if sums.area > 0.0 { sums.load_contacting / sums.area * self.params.composite_modulus } else { 0.0 };
         let (spread_radius, _) = sums.spread_radius();
+        let contact_radius_sum = spread_radius * self.params.burgers_vector * units.count;
         let mut state = State {
             load,
             gap: f64::NAN,
@@ -385,7 +406,7 @@ impl Surfaces {
             friction_coefficient: coefficient,
             dforce_dload,
             dmu_dload,
-            dload_dgap: load_slope / sums.psi() * units.load / units.length,
+            dload_dgap: 0.0 - normal_stiffness,
             real_area: sums.area * units.area,
             contacting: sums.contacting * units.count,
             attracted: sums.attracted * units.count,
@@ -403,8 +424,9 @@ impl Surfaces {
             tangential_stiffness: spread_radius * units.stiffness,
             fraction_elastic: contacts.elastic,
             fraction_flowing: contacts.flowing,
-            contact_radius_sum: spread_radius * self.params.burgers_vector * units.count,
+            contact_radius_sum,
             hertz_load: sums.hertz_load * units.load,
+            unloading_stiffness: self.unloading_stiffness(contact_radius_sum, normal_stiffness),
             friction_scatter: 0.0,
             friction_bias: 0.0,
         };

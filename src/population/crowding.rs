@@ -1,5 +1,7 @@
 //! What neighbours change: each presses the surface between the contacts down, so that the mean planes of the surfaces approach
-//! by less than the summits do. A contact in the middle of its share of the nominal area, a flux tube, has the part psi = (1 -
+//! by less than the summits do. Neighbours share elastic compliance only: with K_1 the stiffness of summits that do not know of each
+//! other, the planes approach by 1 - (1 - psi) K_1/(2 E* sum a) where summits do by 1, and 1/K = 1/K_1 - (1 - psi)/(2 E* sum a). For
+//! Hertz' contacts K_1 is 2 E* sum a. Beyond pull-off, where the load rises with separation, K_1 counts as 0. A contact in the middle of its share of the nominal area, a flux tube, has the part psi = (1 -
 //! (A/A_0)^(1/2))^1.8 of the compliance, and of the resistance, that it has alone (Cooper, Mikic and Yovanovich, 1969, with the
 //! power 1.5; 1.8 is that of boundary elements, docs/model.md). A is the real area, A_0 the nominal one.
 //!
@@ -14,15 +16,26 @@ const POWER: f64 = 1.8;
 /// The largest share of the nominal area.
 const LARGEST_SHARE: f64 = 0.5;
 
-/// The nominal area of one summit, in b^2.
+/// Of one summit.
 #[derive(Debug, Clone, Copy)]
 pub struct Crowding {
+    /// In b^2.
     pub nominal_area: f64,
+    /// 2 E* a, in E* b^2 per sigma, of a contact of the radius b: 2 alpha beta.
+    pub stiffness_of_radius: f64,
 }
 
 impl Crowding {
+    /// The sums with what neighbours change.
+    pub fn among(self, sums: Sums) -> Sums {
+        let elastic = self.stiffness_of_radius * sums.radius;
+        let crowding = self.of(&sums);
+        let given_way = if elastic > 0.0 { crowding.0 * (-sums.load_slope / elastic).max(0.0) } else { 0.0 };
+        Sums { crowding, given_way, ..sums }
+    }
+
     /// 1 - psi of sums, and its slope by separation.
-    pub fn of(self, sums: &Sums) -> (f64, f64) {
+    fn of(self, sums: &Sums) -> (f64, f64) {
         let ratio = sums.area / self.nominal_area / LARGEST_SHARE;
         if ratio.is_nan() || ratio <= 0.0 {
             return (0.0, 0.0);
@@ -45,7 +58,7 @@ mod tests {
 
     fn at(share: f64) -> (f64, f64) {
         let sums = Sums { area: 3.0 * share, area_slope: 3.0, ..Sums::default() };
-        Crowding { nominal_area: 3.0 }.of(&sums)
+        Crowding { nominal_area: 3.0, stiffness_of_radius: 1.0 }.of(&sums)
     }
 
     #[test]

@@ -165,7 +165,10 @@ impl Population {
             heights,
             nodes: radius.is_constant().then(Arc::default),
             radius,
-            crowding: (groups.nominal_area > 0.0).then_some(Crowding { nominal_area: groups.nominal_area }),
+            crowding: (groups.nominal_area > 0.0).then_some(Crowding {
+                nominal_area: groups.nominal_area,
+                stiffness_of_radius: 2.0 * groups.alpha * groups.beta,
+            }),
             lambda_cubed: groups.lambda_cubed(),
             mean_radius: 1.0 / (groups.alpha * groups.alpha),
             most_pull: 2.0 * PI * groups.gamma * groups.beta / groups.alpha,
@@ -232,14 +235,12 @@ impl Population {
 
     /// The sums at a separation; NaN where they take more panels than there may be.
     pub fn at_separation(&self, separation: f64) -> Sums {
-        let mut sums = self.of_lone_summits(separation);
-        sums.crowding = self.crowding.map_or((0.0, 0.0), |crowding| crowding.of(&sums));
-        sums
+        self.among_neighbours(self.of_lone_summits(separation))
     }
 
-    /// Whether neighbours change anything.
-    pub fn is_crowded(&self) -> bool {
-        self.crowding.is_some()
+    /// What neighbours change, if the nominal area is known.
+    pub fn crowding(&self) -> Option<Crowding> {
+        self.crowding
     }
 
     fn of_lone_summits(&self, separation: f64) -> Sums {

@@ -68,9 +68,8 @@ impl Population {
         self.most_pull
     }
 
-    /// What the mean planes approach by where summits do by 1, if contacts have this area for each of all summits, in b^2.
-    pub fn psi(&self, area: f64) -> f64 {
-        let sums = Sums { area, ..Sums::default() };
-        1.0 - self.crowding.map_or(0.0, |crowding| crowding.of(&sums).0)
+    /// The sums of lone summits with what neighbours change.
+    pub fn among_neighbours(&self, sums: Sums) -> Sums {
+        self.crowding.map_or(sums, |crowding| crowding.among(sums))
     }
 }

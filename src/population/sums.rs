@@ -34,6 +34,8 @@ pub struct Sums {
     pub area_slope: f64,
     /// 1 - psi of `crowding`, and its slope by separation; 0 where the nominal area is not known.
     pub crowding: (f64, f64),
+    /// What part of the approach of the summits the mean planes do not follow, since neighbours press the surface down between.
+    pub given_way: f64,
 }
 
 impl Sums {
@@ -42,7 +44,12 @@ impl Sums {
         self.load_contacting + self.load_attracted
     }
 
-    /// psi: what the mean planes approach by where summits do by 1.
+    /// What the mean planes approach by where summits do by 1.
+    pub fn approach_of_planes(&self) -> f64 {
+        1.0 - self.given_way
+    }
+
+    /// psi: the part of its elastic compliance that a contact has among its neighbours.
     pub fn psi(&self) -> f64 {
         1.0 - self.crowding.0
     }
@@ -81,6 +88,7 @@ impl Sums {
             radius_slope: factor * self.radius_slope,
             area_slope: factor * self.area_slope,
             crowding: self.crowding,
+            given_way: self.given_way,
         }
     }
 

@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::numerics::elementary::pow;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
+use crate::population::Sums;
 use heights::Heights;
 pub use statistics::spread;
 use std::f64::consts::PI;
@@ -147,12 +148,19 @@ impl Model {
     fn held(&self, one: &mut Specimen, approach: f64, pull_off_force: f64) -> Result<Held, Error> {
         let (contacts, units) = (one.contacts(approach)?, self.units());
         // Summits on a sphere have neighbours on one side.
-        let psi = if one.is_flat() { self.population().psi(contacts.area / units.count) } else { 1.0 };
+        let lone = Sums {
+            area: contacts.area / units.count,
+            radius: contacts.radius / units.count,
+            load_slope: -contacts.stiffness / units.count,
+            ..Sums::default()
+        };
+        let sums = if one.is_flat() { self.population().among_neighbours(lone) } else { lone };
         let separation = one.tallest() - approach;
         Ok(Held {
             friction_force: contacts.friction * units.force / units.count,
-            tangential_stiffness: contacts.radius / psi * units.stiffness / units.count,
-            normal_stiffness: contacts.stiffness / psi * (units.load / units.count) / units.length,
+            tangential_stiffness: contacts.radius / sums.psi() * units.stiffness / units.count,
+            normal_stiffness: contacts.stiffness / sums.approach_of_planes() * (units.load / units.count)
+                / units.length,
             gap: if one.is_flat() { self.gap_at(separation) } else { self.gap_of_lone(separation) },
             contacts: contacts.number,
             pull_off_force,

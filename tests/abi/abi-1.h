@@ -85,11 +85,14 @@ typedef struct asperity_estimate {
   double contact_radius_sum; /* 200, 8 */
   double contact_radius_sum_low; /* 208, 8 */
   double contact_radius_sum_high; /* 216, 8 */
-  double error_growth; /* 224, 8 */
-  uint64_t warnings; /* 232, 8 */
-  int32_t strength_source; /* 240, 4 */
-  int32_t is_of_pressures; /* 244, 4 */
-} asperity_estimate; /* 248 */
+  double unloading_stiffness; /* 224, 8 */
+  double unloading_stiffness_low; /* 232, 8 */
+  double unloading_stiffness_high; /* 240, 8 */
+  double error_growth; /* 248, 8 */
+  uint64_t warnings; /* 256, 8 */
+  int32_t strength_source; /* 264, 4 */
+  int32_t is_of_pressures; /* 268, 4 */
+} asperity_estimate; /* 272 */
 
 typedef struct asperity_params {
   uint64_t struct_size; /* 0, 8 */
@@ -168,7 +171,8 @@ typedef struct asperity_state {
   double fraction_flowing; /* 184, 8 */
   double contact_radius_sum; /* 192, 8 */
   double hertz_load; /* 200, 8 */
-} asperity_state; /* 208 */
+  double unloading_stiffness; /* 208, 8 */
+} asperity_state; /* 216 */
 
 typedef struct asperity_summary {
   uint64_t struct_size; /* 0, 8 */

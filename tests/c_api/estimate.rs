@@ -53,6 +53,7 @@ fn an_estimate_has_its_number_its_band_and_what_makes_it() {
         [one.tangential_stiffness, one.tangential_stiffness_low, one.tangential_stiffness_high],
         [one.normal_stiffness, one.normal_stiffness_low, one.normal_stiffness_high],
         [one.contact_radius_sum, one.contact_radius_sum_low, one.contact_radius_sum_high],
+        [one.unloading_stiffness, one.unloading_stiffness_low, one.unloading_stiffness_high],
     ] {
         assert!(0.0 < low && 1.5 * low < value && 1.5 * value < high, "{one:?}");
     }

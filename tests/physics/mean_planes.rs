@@ -34,15 +34,31 @@ fn psi(state: &State, params: &Params) -> f64 {
     (1.0 - share.sqrt()).powf(1.8)
 }
 
+/// What the surface gives way by where summits approach by 1: what neighbours share is elastic, whatever the contacts are.
+fn given_way(alone: &State, params: &Params) -> f64 {
+    let elastic = 2.0 * params.composite_modulus * alone.contact_radius_sum;
+    (1.0 - psi(alone, params)) * (-alone.dload_dgap).max(0.0) / elastic
+}
+
 #[test]
-fn stiffness_along_and_normal_and_conductance_are_those_of_lone_contacts_over_psi() {
+fn stiffness_along_and_conductance_are_those_of_lone_contacts_over_psi_and_normal_compliance_lacks_what_is_shared() {
     for params in surfaces() {
         let (model, lone) = (model(&params), model(&lone(&params)));
         for load in loads(&lone) {
             let [state, alone] = [&model, &lone].map(|model| model.state_at_load(load).expect("a state"));
             let psi = psi(&alone, &params);
+            let elastic = 2.0 * params.composite_modulus * alone.contact_radius_sum;
+            let compliance = -1.0 / alone.dload_dgap - (1.0 - psi) / elastic;
+            assert!((state.dload_dgap * compliance + 1.0).abs() < 1e-9, "{load:e}: {}", state.dload_dgap);
+            let unloading = match params.hardness > 0.0 {
+                true => elastic / psi,
+                false => -state.dload_dgap,
+            };
+            assert!((state.unloading_stiffness / unloading - 1.0).abs() < 1e-9, "{load:e}: {state:?}");
+            if params.work_of_adhesion == 0.0 && params.hardness == 0.0 {
+                assert!((state.dload_dgap * psi / alone.dload_dgap - 1.0).abs() < 1e-12, "{load:e}: Hertz");
+            }
             for (name, found, of_lone) in [
-                ("normal", state.dload_dgap, alone.dload_dgap),
                 ("tangential", state.tangential_stiffness, alone.tangential_stiffness),
                 ("conductance", state.contact_radius_sum, alone.contact_radius_sum),
                 ("at once", model.tangential_at_load(load, 0.0).expect("a force").1, alone.tangential_stiffness),
@@ -81,13 +97,13 @@ fn contacts_slip_at_the_displacement_of_lone_ones_times_psi() {
 
 /// By Simpson's rule over lone states, from where neighbours no longer matter.
 #[test]
-fn the_gap_is_what_the_summits_are_apart_and_the_integral_of_what_psi_lacks() {
+fn the_gap_is_what_the_summits_are_apart_and_the_integral_of_what_the_surface_gives_way_by() {
     const STEPS: u32 = 2000;
     for params in surfaces() {
         let (model, lone) = (model(&params), model(&lone(&params)));
         let sigma = params.height_std;
         let (near, far) = (-6.0, 14.0);
-        let lacks = |d: f64| 1.0 - psi(&lone.state_at_gap(d * sigma).expect("a state"), &params);
+        let lacks = |d: f64| given_way(&lone.state_at_gap(d * sigma).expect("a state"), &params);
         let step = (far - near) / f64::from(STEPS);
         let mut integral = 0.0;
         for i in (0..STEPS).rev().step_by(2) {

@@ -1,7 +1,8 @@
-"""Whether boundary elements computed anew are those of boundary_elements.csv, adhesion.csv or yielding.csv to 1e-3; versions of
+"""Whether boundary elements computed anew are those of boundary_elements.csv, adhesion.csv, joints.csv or yielding.csv to
+1e-3; versions of
 tamaas may differ, and half of the first file is by another program of the same algorithm.
 
-usage: compare_frozen.py elastic|sticky|yielding FILE.csv
+usage: compare_frozen.py elastic|sticky|joints|yielding FILE.csv
 """
 
 from __future__ import annotations
@@ -12,12 +13,14 @@ from pathlib import Path
 
 import adhesion
 import boundary_elements
+import joints
 import yielding
 from boundary_elements import Known
 
 FROZEN: dict[str, tuple[Path, type[Known]]] = {
     "elastic": (boundary_elements.FILE, boundary_elements.Row),
     "sticky": (adhesion.FILE, adhesion.Row),
+    "joints": (joints.FILE, joints.Row),
     "yielding": (yielding.FILE, yielding.Row),
 }
 TOLERANCE = 1e-3

@@ -8,6 +8,7 @@ import pytest
 import tamaas
 
 import boundary_elements
+import joints
 import yielding
 from boundary_elements import SLOPE, falling
 from yielding import INDICES, PRESSURES, TOLERANCE, Field
@@ -123,3 +124,19 @@ def test_between_the_law_yields_before_pressures_are_cut(narrow: bool, pressure:
     assert mean(narrow, 2, pressure, "area", "by_elastic") < 0.92
     assert 1 < mean(narrow, 2, pressure, "area", "by_map") < 1.35
     assert 1 < mean(narrow, 2, pressure, "friction", "by_map") < 1.4
+
+
+def test_stiffness_is_that_of_boundary_elements_in_loading_and_unloading() -> None:
+    """At plasticity indices of 1.5 to 6, where 1 to 18 % of the nominal area touch."""
+    rows = joints.frozen()
+    assert len(rows) == len(yielding.SPECTRA) * joints.SEEDS * len(joints.INDICES) * len(joints.PRESSURES)
+    loading, unloading = (np.array([getattr(row, name) for row in rows]) for name in ("of_loading", "of_unloading"))
+    assert np.all((loading > 0.8) & (loading < 1.08)) and loading.mean() == pytest.approx(0.9, abs=0.01)
+    assert np.all((unloading > 1.05) & (unloading < 1.51)) and unloading.mean() == pytest.approx(1.25, abs=0.01)
+
+
+def test_a_frozen_row_of_joints_is_what_the_script_computes() -> None:
+    (row,) = joints.compare(yielding.SPECTRA[0], 0, joints.INDICES[2], joints.PRESSURES[:1])
+    frozen = next(one for one in joints.frozen() if one.index == row.index and one.pressure == row.pressure)
+    found, expected = ((one.stiffness, one.unloading, one.left_area, one.left_gap) for one in (row, frozen))
+    assert found == pytest.approx(expected, rel=1e-3)

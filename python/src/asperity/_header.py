@@ -95,6 +95,9 @@ class asperity_estimate(Structure):
         ("contact_radius_sum", c_double),
         ("contact_radius_sum_low", c_double),
         ("contact_radius_sum_high", c_double),
+        ("unloading_stiffness", c_double),
+        ("unloading_stiffness_low", c_double),
+        ("unloading_stiffness_high", c_double),
         ("error_growth", c_double),
         ("warnings", c_uint64),
         ("strength_source", c_int32),
@@ -184,6 +187,7 @@ class asperity_state(Structure):
         ("fraction_flowing", c_double),
         ("contact_radius_sum", c_double),
         ("hertz_load", c_double),
+        ("unloading_stiffness", c_double),
     ]
 
 
@@ -355,6 +359,7 @@ UNITS = {
     "tangential_stiffness": "force/length",
     "contact_radius_sum": "length",
     "hertz_load": "force",
+    "unloading_stiffness": "force/length",
     "pull_off_load": "force",
     "pull_off_friction_force": "force",
     "zero_load_friction_force": "force",

@@ -70,8 +70,9 @@ class Estimate:
         curve: F/P of `Model(estimate.params)`, like `value`: the same to the digits that are printed, or the text says how far off it is. NaN
             where no strength gives the measured friction.
         constant_odds: how probable it is that F/P is within 10 % of the measured mean, like `value`: above 0.8 a constant does.
-        stiffness, normal_stiffness, contact_radius_sum: K_t and -dP/d(gap) [N/m] and the sum of the radii of all contacts [m], each a `Band` of
-            `value`, `low` and `high`; the constriction conductance is 2 k times the last. 0 for loads <= 0.
+        stiffness, normal_stiffness, unloading_stiffness, contact_radius_sum: K_t and -dP/d(gap) [N/m], of loading and when the load
+            begins to fall, and the sum of the radii of all contacts [m], each a `Band` of `value`, `low` and `high`; the constriction
+            conductance is 2 k times the last. 0 for loads <= 0.
         shares: "strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement" and "model" to the share of the variance of
             ln(F/P) that each causes, like `value`: what would narrow the band.
         strength: what the strength of the interface rests on: "default", "table" (of interfaces), "given" or "measured".
@@ -92,6 +93,7 @@ class Estimate:
     constant_odds: Any
     stiffness: Band
     normal_stiffness: Band
+    unloading_stiffness: Band
     contact_radius_sum: Band
     shares: dict[str, Any]
     strength: str
@@ -209,6 +211,7 @@ def estimate(surface: str, load: Any, coverage: float = 0.95, unit: str = "") ->
         column("constant_odds"),
         band("tangential_stiffness"),
         band("normal_stiffness"),
+        band("unloading_stiffness"),
         band("contact_radius_sum"),
         {name: column(f"{name}_share") for name in _SHARES},
         _SOURCES[found[0].strength_source],

@@ -177,10 +177,10 @@ class Params:
             stick; 0, the default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one
             rigid body.
         nominal_area: Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare
-            the real area A with it. Where it is known, neighbours share the compliance: stiffness, along the surfaces
-            and normal to them, and the sum of contact radii are those of lone contacts over psi = (1 -
-            (A/A_0)^(1/2))^1.8, and a gap changes by psi times what the summits approach by. A/A_0 counts as 0.5 at
-            most.
+            the real area A with it. Where it is known, neighbours share the elastic compliance: tangential stiffness
+            and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap
+            changes by 1 - (1 - psi) K/(2 E* sum a) times what the summits approach by, with the normal stiffness K and
+            the radii of lone contacts: by psi if none yields. A/A_0 counts as 0.5 at most.
         contact_law: Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
         slip_onset: How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not
             depend on it, the tangential force before gross slip does.

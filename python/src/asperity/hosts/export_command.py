@@ -17,6 +17,7 @@ from ..params import Params
 from ..tools import output
 from .export_formats import FORMATS, Contact, written
 from .pressure_table import (
+    Bands,
     Stiffness,
     Table,
     conductance_at_pressure,
@@ -57,7 +58,9 @@ def add(commands: Any) -> None:
         "--length-unit", type=float, default=1.0, metavar="M", help="unit of lengths in m: 1e-3 for mm (%(default)g)"
     )
     command.add_argument(
-        "--stiffness", action="store_true", help="also pressure against overclosure and elastic slip: abaqus; calculix always"
+        "--stiffness",
+        action="store_true",
+        help="also elastic slip and stiffness per area, with bands: abaqus (and pressure against overclosure), ansys; calculix always",
     )
     command.add_argument(
         "--conductivity",
@@ -70,13 +73,22 @@ def add(commands: Any) -> None:
     command.add_argument("-o", "--output", metavar="FILE", help="where to (standard output)")
 
 
-def _slip_band(surface: str, middle: Stiffness, load: float) -> tuple[float, float]:
-    """The ends of the band of F/K_t about its value: those of friction and of the stiffness, taken as independent."""
+def _bands(surface: str, middle: Stiffness, load: float) -> Bands:
+    """The bands of an estimate about the values of the model; that of F/K_t has friction and stiffness as independent."""
     found = estimate(Path(surface).read_text(encoding="utf-8-sig"), load)
     below, above = (0.0, 0.0) if found.low is None else (math.log(found.value / found.low), math.log(found.high / found.value))
     low = math.hypot(below, math.log(found.stiffness.high / found.stiffness.value))
     high = math.hypot(above, math.log(found.stiffness.value / found.stiffness.low))
-    return middle.slip * math.exp(-low), middle.slip * math.exp(high)
+    slip = (middle.slip * math.exp(-low), middle.slip * math.exp(high))
+    shear, normal, unloading = (
+        (value * band.low / band.value, value * band.high / band.value)
+        for value, band in (
+            (middle.shear, found.stiffness),
+            (middle.normal, found.normal_stiffness),
+            (middle.unloading, found.unloading_stiffness),
+        )
+    )
+    return Bands(slip, shear, normal, unloading)
 
 
 def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
@@ -89,9 +101,12 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     unit = options.pressure_unit
     lowest, highest = (unit * end for end in _range(parser, options.range))
     conductivity = _conductivity(parser, options.conductivity)
-    for name, given in (("stiffness", options.stiffness), ("conductivity", conductivity)):
-        if given and options.format not in ("abaqus", "calculix"):
-            parser.error(f"--{name}: only --format abaqus and calculix have it")
+    for name, given, formats in (
+        ("stiffness", options.stiffness, ("abaqus", "ansys", "calculix")),
+        ("conductivity", conductivity, ("abaqus", "calculix")),
+    ):
+        if given and options.format not in formats:
+            parser.error(f"--{name}: only --format {', '.join(formats[:-1])} and {formats[-1]} have it")
     if options.friction_at is not None and options.format != "calculix":
         parser.error(f"--friction-at {options.friction_at:g}: only --format calculix has one coefficient for all pressures")
     middle = math.sqrt(lowest * highest) if options.friction_at is None else unit * options.friction_at
@@ -112,8 +127,8 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
         contact = Contact()
         if options.stiffness or options.format == "calculix":
             at = [stiffness_at_pressure(model, pressure) for pressure in (lowest, middle, highest)]
-            slips = _slip_band(options.surface, at[1], middle * model.params.nominal_area)
-            contact = Contact((at[0], at[1], at[2]), slips, overclosure_table(model, lowest, highest, options.tolerance))
+            bands = _bands(options.surface, at[1], middle * model.params.nominal_area)
+            contact = Contact((at[0], at[1], at[2]), bands, overclosure_table(model, lowest, highest, options.tolerance))
         if conductivity:
             law = conductance_at_pressure(model, conductivity)
             rows = pressure_table(law, lowest, highest, options.tolerance)

@@ -7,17 +7,17 @@ import re
 import textwrap
 from typing import Callable, List, NamedTuple, Optional, Tuple
 
-from .pressure_table import Overclosure, Stiffness, Table
+from .pressure_table import Bands, Overclosure, Stiffness, Table
 
 Rows = List[Tuple[str, str]]
 
 
 class Contact(NamedTuple):
     """What a finite-element contact may need beside friction, in SI units: stiffness at the lowest pressure, between and at the
-    highest; the 95 % band of the elastic slip between; normal compliance; conductance."""
+    highest; its 95 % bands between; normal compliance; conductance."""
 
     stiffness: Optional[Tuple[Stiffness, Stiffness, Stiffness]] = None
-    slip_band: Tuple[float, float] = (0.0, 0.0)
+    bands: Optional[Bands] = None
     overclosure: Optional[Overclosure] = None
     conductance: Optional[Table] = None
 
@@ -50,16 +50,25 @@ class _Table(NamedTuple):
         rows = _rows(self.contact.conductance, self.pascal, self.pascal * self.metre)
         return f"{keyword}\n" + "".join(f"{conductance}, {pressure}\n" for pressure, conductance in rows)
 
-    def slips(self) -> str:
-        """A comment: between which the elastic slip is."""
-        if not self.contact.stiffness:
+    def stiffness(self, comment: str) -> str:
+        """A comment: stiffness per area and elastic slip, with their bands."""
+        if not (self.contact.stiffness and self.contact.bands):
             return ""
-        low, middle, high = ((at.slip / self.metre, at.pressure / self.pascal) for at in self.contact.stiffness)
-        return (
-            f"** Elastic slip F/K: {low[0]:.3g} at the pressure {low[1]:.3g}, {middle[0]:.3g} at {middle[1]:.3g}, "
-            f"{high[0]:.3g} at {high[1]:.3g}.\n** 95 % band of {middle[0]:.3g}, since the slope of the surface is hardly known: "
-            f"{self.contact.slip_band[0] / self.metre:.3g} to {self.contact.slip_band[1] / self.metre:.3g}.\n"
-        )
+        low, one, high = ((at.slip / self.metre, at.pressure / self.pascal) for at in self.contact.stiffness)
+        by_area, middle, bands = self.pascal / self.metre, self.contact.stiffness[1], self.contact.bands
+
+        def of(value: float, ends: Tuple[float, float], unit: float) -> str:
+            return f"{value / unit:.3g} ({ends[0] / unit:.3g} to {ends[1] / unit:.3g})"
+
+        lines = [
+            f"Elastic slip F/K_t: {low[0]:.3g} at the pressure {low[1]:.3g}, {one[0]:.3g} at {one[1]:.3g}, {high[0]:.3g} at {high[1]:.3g}.",
+            f"At the pressure {one[1]:.3g}, with 95 % bands, since the slope of the surface is hardly known:",
+            f"elastic slip {of(middle.slip, bands.slip, self.metre)}",
+            f"tangential stiffness per area {of(middle.shear, bands.shear, by_area)}",
+            f"normal stiffness per area of first loading {of(middle.normal, bands.normal, by_area)}",
+            f"normal stiffness per area of unloading and vibration {of(middle.unloading, bands.unloading, by_area)}",
+        ]
+        return "".join(f"{comment} {line}\n" for line in lines)
 
 
 def _rows(table: Table, of_at: float, of_value: float) -> Rows:
@@ -75,7 +84,7 @@ def _abaqus(table: _Table) -> str:
     stiffness = table.contact.stiffness
     elastic = f", ELASTIC SLIP={stiffness[1].slip / table.metre:.9g}" if stiffness else ""
     rows = "".join(f"{mu}, , {pressure}\n" for pressure, mu in table.rows)
-    friction = f"** {table.title}\n{table.slips()}*FRICTION{elastic}\n{rows}"
+    friction = f"** {table.title}\n{table.stiffness('**')}*FRICTION{elastic}\n{rows}"
     return friction + table.normal() + table.conductance("*GAP CONDUCTANCE, PRESSURE")
 
 
@@ -97,14 +106,20 @@ def _calculix(table: _Table) -> str:
     return (
         f"** {table.title}\n"
         f"** Friction coefficient: {low.friction:.4g} at the lowest pressure, {one.friction:.4g} at {one.pressure / table.pascal:.4g}, "
-        f"{high.friction:.4g} at the highest.\n{table.slips()}{normal}*FRICTION\n"
+        f"{high.friction:.4g} at the highest.\n{table.stiffness('**')}{normal}*FRICTION\n"
         f"{one.friction:.9g}, {one.shear / table.pascal * table.metre:.9g}\n{table.conductance('*GAP CONDUCTANCE')}"
     )
 
 
 def _ansys(table: _Table) -> str:
-    """TBFIELD,NPRES sets the pressure of the TBDATA after it; ARG1 is the number of the contact's material."""
-    lines = [f"! {table.title}", "TB,FRIC,ARG1,,,ISO"]
+    """TBFIELD,NPRES sets the pressure of the TBDATA after it; ARG1 is the number of the contact's material, ARG2 that of its real
+    constants, of which 3 is FKN and 12 FKT: absolute where negative."""
+    lines = [f"! {table.title}"]
+    if table.contact.stiffness:
+        one, by_area = table.contact.stiffness[1], table.pascal / table.metre
+        lines = (lines[0] + "\n" + table.stiffness("!")).splitlines()
+        lines += [f"RMODIF,ARG2,{at},{-value / by_area:.9g}" for at, value in ((3, one.unloading), (12, one.shear))]
+    lines.append("TB,FRIC,ARG1,,,ISO")
     for pressure, mu in table.rows:
         lines += [f"TBFIELD,NPRES,{pressure}", f"TBDATA,1,{mu}"]
     return "\n".join(lines) + "\n"

@@ -36,16 +36,27 @@ class Overclosure(NamedTuple):
 
 
 class Stiffness(NamedTuple):
-    """Friction coefficient, stiffnesses before slip and along the normal [Pa/m], and elastic slip [m] at a pressure [Pa]."""
+    """Friction coefficient, stiffnesses before slip and along the normal, of loading and unloading [Pa/m], and elastic slip [m] at a
+    pressure [Pa]."""
 
     pressure: float
     friction: float
     shear: float
     normal: float
+    unloading: float
 
     @property
     def slip(self) -> float:
         return self.friction * self.pressure / self.shear
+
+
+class Bands(NamedTuple):
+    """The ends of the 95 % bands of what `Stiffness` has of the same names."""
+
+    slip: tuple[float, float]
+    shear: tuple[float, float]
+    normal: tuple[float, float]
+    unloading: tuple[float, float]
 
 
 def _area(model: Model) -> float:
@@ -73,7 +84,8 @@ def stiffness_at_pressure(model: Model, pressure: float) -> Stiffness:
     """How stiff the interface is at a pressure, from the exact state."""
     area = _area(model)
     state = model.state_at_load(pressure * area)
-    return Stiffness(pressure, state.friction_coefficient, state.tangential_stiffness / area, -state.dload_dgap / area)
+    stiffness = (state.tangential_stiffness, -state.dload_dgap, state.unloading_stiffness)
+    return Stiffness(pressure, state.friction_coefficient, *(value / area for value in stiffness))
 
 
 def overclosure_table(model: Model, lowest: float, highest: float, tolerance: float) -> Overclosure:
