@@ -128,10 +128,12 @@ def check_floors():
         "90 boxes on a table": f'<body>{table}{ours}</body>{boxes(90)}',
         "a table of two geoms": f'<body>{table}{table.replace("-0.1", "-0.1001")}{ours}</body>{boxes(60)}',
         "boxes with the surface on two floors": f'{table}<geom type="plane" size="9 9 0.1"/>{boxes(40, ours)}',
+        "22 bars across 22": "".join(f'<geom type="box" size="1.5 .02 .05" pos="0 {0.1 * i - 1.1} -.05"/>' for i in range(22))
+        + "".join(f'<body pos="{0.1 * i - 1.1} 0 .02">{ours}<freejoint/><geom type="box" size=".02 1.5 .02"/></body>' for i in range(22)),
     }  # fmt: skip
     for name, bodies in floors.items():
         model = mujoco.MjModel.from_xml_string(
-            f'<mujoco><extension><plugin plugin="asperity.friction">{instance}</plugin></extension><option cone="elliptic"/>'
+            f'<mujoco><size memory="200M"/><extension><plugin plugin="asperity.friction">{instance}</plugin></extension><option cone="elliptic"/>'
             f"<worldbody>{bodies}</worldbody></mujoco>"
         )
         data = mujoco.MjData(model)

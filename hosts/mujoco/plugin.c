@@ -45,6 +45,7 @@ typedef struct surface {
     size_t held_width; /* doubles that a pair has in microslip; 0 without */
     named_pair *named; /* those of all instances */
     size_t named_count;
+    int crowded;             /* more pairs touched than there are places, and this was told */
     asperity_told told;      /* warnings that were seen */
     _Atomic uint64_t *said; /* those in MuJoCo's log, of this surface in all mjData; NULL if there is no room for it */
 } surface;
@@ -332,14 +333,18 @@ static void solve_ahead(const mjModel *m, mjData *d) {
     mj_freeStack(d);
 }
 
-/* Keeps the normal forces of this step with the pairs that they belong to. */
+/* Keeps the normal forces of this step with the pairs that they belong to. A pair without a place has the law at its current load. */
 static void add_loads(const mjModel *m, mjData *d, int instance) {
-    const size_t most = surface_of(d, instance)->most_pairs;
-    for (points pair = {NULL, 0}; (pair = next_pair(m, d, instance, pair)).first;)
-        if (!asperity_pairs_add(memory_of(m, d, instance)->pairs, most, (uint64_t)pair.first->geom[0],
-                                (uint64_t)pair.first->geom[1], load_of(d, pair)))
-            refuse(m, instance, "more than most_pairs = %zu pairs of geoms touch: give <config key=\"most_pairs\" "
-                                "value=\"%zu\"/>", most, 2 * most);
+    surface *here = surface_of(d, instance);
+    const size_t most = here->most_pairs;
+    for (points pair = {NULL, 0}; (pair = next_pair(m, d, instance, pair)).first;) {
+        if (asperity_pairs_add(memory_of(m, d, instance)->pairs, most, (uint64_t)pair.first->geom[0], (uint64_t)pair.first->geom[1],
+                               load_of(d, pair)) || here->crowded) continue;
+        here->crowded = 1;
+        mju_warning(PLUGIN ", instance '%s': more than most_pairs = %zu pairs of geoms touch: those beyond have the law at their current "
+                    "load%s, and steps are solved several times; give <config key=\"most_pairs\" value=\"%zu\"/>", instance_name(m, instance),
+                    most, here->held_width > 0 ? " without microslip" : "", 2 * most);
+    }
 }
 
 /* The warnings of a surface that stand in MuJoCo's log: one mask for all mjData of a program, of which there may be thousands. */
@@ -406,7 +411,7 @@ static void slide_pairs(const mjModel *m, mjData *d, int instance) {
     for (points pair = {NULL, 0}; (pair = next_pair(m, d, instance, pair)).first;) {
         const held_pair *old = held_place(before, pair.first);
         held_pair *held = held_place(places, pair.first);
-        if (!held) continue; /* add_loads refuses */
+        if (!held) continue; /* add_loads tells */
         if (old && old->taken != 0) mju_copy((double *)held, (const double *)old, (int)places.width);
         if (!slide(m, d, surface_of(d, instance)->model, velocity, pair.first, pair.count, load_of(d, pair), held))
             mju_zero((double *)held, (int)places.width);
