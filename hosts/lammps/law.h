@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "asperity.h"
+#include "beads.h"
 
 namespace asperity_lammps {
 
@@ -37,8 +38,7 @@ inline double pressure_of(std::int64_t half_binade) {
     return value;
 }
 
-// Where fewer summits touch, ASPERITY_WARNING_FEW holds, and with fewer waves on a side ASPERITY_WARNING_FEW_WAVES
-// (docs/model.md).
+// Where fewer summits touch, single contacts scatter, and with fewer waves on a side ASPERITY_WARNING_FEW_WAVES holds (docs/model.md).
 const double fewest_summits = 20, fewest_waves = 8;
 
 // What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had, below 0 if it
@@ -66,6 +66,8 @@ struct Contact {
 
 struct Forces {
     double load, elastic;         // the whole normal force, and that of the overlap
+    double pull;                  // of adhesion, by which the load is less than what presses
+    double summits, scatter;      // in contact, by the mean of the surface; how far single contacts are from the mean friction
     double approach;              // speed
     double spring[3], friction[3];    // of the tangential spring, and with damping; on the first body
     double limit, stiffness;      // of friction and of the tangential spring
@@ -73,7 +75,7 @@ struct Forces {
     double friction_work;         // taken from the bodies in this step, into the spring or as heat
     bool slips;
 
-    double elastic_energy(double overlap) const { return 0.4 * elastic * overlap; }    // after Hertz
+    double elastic_energy(double overlap) const { return (0.4 * elastic - pull) * overlap; }    // after Hertz
 };
 
 // Sums over contacts.
@@ -83,8 +85,9 @@ struct Sums {
     double contacts = 0, slipping = 0, load = 0, held = 0;    // now; held: load where the model holds
     std::uint64_t warnings = 0;                          // of the contacts where it does not
     std::uint64_t told = 0;                              // of the interface and the surface, at whatever load
+    double few = 0, few_summits = 0, few_scatter = 0;    // load on fewest_summits or fewer, and times their number and scatter
 
-    void begin_step() { elastic_energy = stick_energy = contacts = slipping = load = held = 0; }
+    void begin_step() { elastic_energy = stick_energy = contacts = slipping = load = held = few = few_summits = few_scatter = 0; }
 };
 
 class Law {
@@ -132,7 +135,7 @@ private:
         void take(const std::string &name, const std::string &text);
     };
 
-    enum { NUMBERS = 7 };    // of made_of_, before the text of the surface
+    enum { NUMBERS = 8 };    // of made_of_, before the text of the surface
 
     Law() = default;
     std::shared_ptr<const Law> made(const std::vector<std::shared_ptr<const Law>> &known);
@@ -141,11 +144,14 @@ private:
     void make_model();
     void find_where_it_holds(double composite_modulus);
     void normal(const Contact &contact, Forces &result) const;
+    double touching(double pressure) const;    // summits per unit area
+    const Beads &beads() const;
     // What the tangential forces of a batch need beside Forces.
     struct Bodies {
         double area[BATCH] = {};       // of the real contacts
         double grain[BATCH] = {};      // stick stiffness of the grains alone
         double summits[BATCH] = {};    // and of the summits
+        double softening[BATCH];       // displacement of the summits over that in the grain's lengths
     };
     void limits(int count, const Contact *contact, Bodies &bodies, Forces *result) const;
     void spring(const Contact &contact, double dt, Forces &result) const;
@@ -163,6 +169,8 @@ private:
     double rough_area_ = 0;                    // what roughness adds to it, over the radius
     double softening_ = 1;                     // (modulus/real_modulus)^(2/3)
     double least_area_ = 0;                    // of a contact as wide as the fewest waves
+    mutable std::shared_ptr<const Beads> beads_;    // made where it is first asked for
+    bool pull_off_ = false;                    // rough grains stick
     bool microslip_ = false;                   // summits slip one after the other, not all at once
     int remembered_ = 0;                       // numbers that the library keeps of a contact
     std::int64_t first_interval_ = 0;
@@ -171,7 +179,7 @@ private:
 
 inline void Law::add(const Contact &c, const Forces &r, double dt, double share, bool state, Sums &sums) const {
     sums.friction_work += share * r.friction_work;
-    sums.damping_work += share * (r.load - r.elastic) * r.approach * dt;
+    sums.damping_work += share * (r.load + r.pull - r.elastic) * r.approach * dt;
     if (!state) return;
     sums.elastic_energy += share * r.elastic_energy(c.overlap);
     sums.contacts += share;
@@ -180,10 +188,14 @@ inline void Law::add(const Contact &c, const Forces &r, double dt, double share,
     if (r.stiffness > 0) sums.stick_energy += share * 0.5 * dot(r.spring, r.spring) / r.stiffness;
     if (!model_ || !(r.load > 0)) return;
     const std::int64_t place = half_binade(r.pressure) - first_interval_, last = std::int64_t(intervals_.size()) - 1;
-    // Below the first interval there are fewer contacts still; above the last, at the pressure E*, the model is far off.
+    // Above the last, at the pressure E*, the model is far off.
     const Interval &interval = intervals_[static_cast<std::size_t>(std::clamp<std::int64_t>(place, 0, last))];
     std::uint64_t warnings = interval.warnings;
-    if (interval.touching * r.load < fewest_summits * r.pressure || place < 0) warnings |= ASPERITY_WARNING_FEW;
+    if (r.summits < fewest_summits) {
+        sums.few += share * r.load;
+        sums.few_summits += share * r.load * r.summits;
+        sums.few_scatter += share * r.load * r.scatter;
+    }
     if (r.load < least_area_ * r.pressure) warnings |= ASPERITY_WARNING_FEW_WAVES;
     if (warnings == 0) sums.held += share * r.load;
     sums.warnings |= warnings;

@@ -85,20 +85,20 @@ void begin(const Contact &c, const Forces &r, double kept, double dt, double gra
 }
 
 // Displaces the summits of some contacts of a batch, all with the states `before`, by the parts of their steps.
-void displace(const asperity_model *model, double softening, int numbers, int count, const int *which, const double *area,
+void displace(const asperity_model *model, const double *softening, int numbers, int count, const int *which, const double *area,
               const Forces *r, const double *before, Step *step, double *after) {
     double pressure[BATCH], increment[2 * BATCH], from[BATCH * MOST], to[BATCH * MOST] = {}, stress[2 * BATCH], slope[4 * BATCH];
     for (int w = 0; w < count; w++) {
         const int k = which[w];
         pressure[w] = r[k].pressure;
-        for (int axis = 0; axis < 2; axis++) increment[2 * w + axis] = softening * step[k].part[axis];
+        for (int axis = 0; axis < 2; axis++) increment[2 * w + axis] = softening[k] * step[k].part[axis];
         std::copy_n(before + k * numbers, numbers, from + w * numbers);
     }
     // It fails for what is not finite only, and then gives NaN, as the positions of the grains are.
     asperity_microslip_steps(model, count, pressure, increment, from, to, stress, slope);
     for (int w = 0; w < count; w++) {
         const int k = which[w];
-        const double *s = slope + 4 * w, scale = softening * area[k];
+        const double *s = slope + 4 * w, scale = softening[k] * area[k];
         for (int axis = 0; axis < 2; axis++) step[k].force[axis] = area[k] * stress[2 * w + axis];
         step[k].tangent[0] = scale * s[0];
         step[k].tangent[1] = scale * s[1];
@@ -160,7 +160,7 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
             for (int m = 0; m < numbers; m++) before[k * numbers + m] = c.history[SUMMITS + m] / of_area(m, numbers, bodies.area[k]);
     }
     for (int call = 0; call < most_calls && open > 0; call++) {
-        displace(model_.get(), softening_, numbers, open, waiting, bodies.area, result, before, step, after);
+        displace(model_.get(), bodies.softening, numbers, open, waiting, bodies.area, result, before, step, after);
         int left = 0;
         for (int w = 0; w < open; w++) {
             const int k = waiting[w];

@@ -53,6 +53,7 @@ private:
     int freeze_bit_ = 0;
     asperity_lammps::Sums sums_;
     double run_load_ = 0, run_held_ = 0;                           // summed over the steps that are printed
+    double run_few_[3] = {};    // the same of contacts of few summits, and times their number and scatter
 };
 
 }    // namespace LAMMPS_NS

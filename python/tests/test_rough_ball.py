@@ -94,6 +94,29 @@ def test_the_area_of_the_page_is_within_two_per_cent_of_friction(root: Path, err
     assert np.abs(errors[30.0][:, 0]).max() > 25
 
 
+def test_flat_summits_on_a_small_ball_have_more_friction_as_the_page_says(root: Path) -> None:
+    """On balls of 50 µm and 1 mm, of slopes from 0.03 to 0.2, by the summits' radius Sq/Sdq² over the ball's."""
+    page = " ".join((root / "docs" / "start.md").read_text(encoding="utf-8").split())
+    told = re.findall(r"within ([\d.]+) % of .*? below R/(\d+)\. It is up to (\d+) % too low at R/(\d+), (\d+) % at R and (\d+) % at (\d) R", page)
+    ((sharp, of_sharp, *blunt),) = ([float(number) for number in row] for row in told)
+    least = {1 / of_sharp: sharp, 1 / blunt[1]: blunt[0], 1.0: blunt[2], blunt[4]: blunt[3]}
+    found: dict[float, list[float]] = {share: [] for share in least}
+    for share in least:
+        for radius, slope in ((50e-6, 0.03), (50e-6, 0.1), (1e-3, 0.05), (1e-3, 0.2)):
+            height = share * radius * slope**2
+            if not 2e-9 < height < 0.5e-6:
+                continue
+            model = Model(Params.from_iso25178(Sq=height, Sdq=slope, nominal_area=AREA, **STEEL).replace(work_of_adhesion=0.0))
+            for roughness in ROUGHNESSES:
+                a = (height * radius / roughness) ** 0.5
+                load = 4 / 3 * model.params.composite_modulus * a**3 / radius
+                friction, _ = rough_ball(model, height, radius, load)
+                found[share].append(100 * (friction_of_mean(model, load, pi * (a**2 + 1.5 * height * radius)) / friction - 1))
+    for share, errors_of in found.items():
+        assert -least[share] < min(errors_of) and max(errors_of) < sharp, (share, errors_of)
+        assert share == 1 / of_sharp or min(errors_of) < 0.6 * -least[share], (share, errors_of)
+
+
 def test_the_table_of_the_page_is_what_the_rings_give(root: Path, errors: dict[float, np.ndarray]) -> None:
     (row,) = re.findall(r"^\| Hertz' area alone \|(.*)\|$", (root / "docs" / "start.md").read_text(encoding="utf-8"), re.MULTILINE)
     shown = [[float(number) for number in re.findall(r"-?\d+", cell)] for cell in row.replace("−", "-").split("|")]

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 import adhesion
+import beads
 import boundary_elements
 import coverage
 import estimates
@@ -197,6 +198,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("validation.md", "estimates"): estimates.table,
     ("validation.md", "measurements"): measured.verdicts,
     ("validation.md", "errors"): errors,
+    ("validation.md", "beads"): beads.table,
     ("dev/validation-data.md", "calibrated-table"): calibrated.table,
     ("dev/validation-data.md", "calibrated-inputs"): calibrated.inputs,
     ("dev/validation-data.md", "measurements-table"): measured.table,
