@@ -365,8 +365,8 @@ def test_a_missing_point_is_the_mean_of_the_neighbours_that_it_has(place: tuple[
     assert _membrane(level, bad) == pytest.approx([mean], rel=1e-12)
 
 
-@pytest.mark.parametrize("number, centre", [(-9999.0, 0.0), (0.0, 300.0), (0.0, -1000.0), (1e30, 0.0)])
-def test_many_heights_of_one_number_far_from_the_rest_are_missing(number: float, centre: float) -> None:
+@pytest.mark.parametrize("number, centre", [(-9999.0, 0.0), (0.0, 300.0), (0.0, -1000.0), (1e30, 0.0), (0.0, 0.0), (0.0, 60.0)])
+def test_many_heights_of_one_number_that_are_none_are_missing(number: float, centre: float) -> None:
     """Holes of ten points a side, and 3 % of the points."""
     from scipy.ndimage import gaussian_filter
 
@@ -379,12 +379,17 @@ def test_many_heights_of_one_number_far_from_the_rest_are_missing(number: float,
         found = surface.clean(np.where(lost, number, right), 10.0)
         assert found.missing == lost.sum() and found.spikes == 0
         assert found.map.height_map.std() == pytest.approx(50, rel=0.02)
-    with pytest.raises(ValueError, match="100 of 16384 heights are masked or not finite, the first is "):
+    with pytest.raises(ValueError, match="100 of 16384 heights are one number that stands for missing ones, the first is "):
         surface.summits(np.where(hole, number, right), 10.0)
 
 
-def test_heights_of_one_number_that_are_not_far_are_heights() -> None:
-    """A map in steps, one that an instrument cut off at the top, and two levels."""
+def test_heights_of_one_number_that_are_of_the_surface_are_heights() -> None:
+    """A map in steps, one that an instrument cut off at the top, two levels, lines set to their median, and zeros of a sine."""
+    from scipy.ndimage import gaussian_filter
+
     heights = 50 * np.random.default_rng(3).normal(size=(64, 64))
-    for kept in (np.round(heights / 40), np.minimum(heights, 60.0), np.where(heights > 0, 0.0, 1.0)):
+    smooth = gaussian_filter(heights[:, :63], 2)
+    sine = np.sin(np.arange(-20, 21) * math.pi / 10)
+    for kept in (np.round(heights / 40), np.minimum(heights, 60.0), np.where(heights > 0, 0.0, 1.0),
+                 smooth - np.median(smooth, axis=1, keepdims=True), np.outer(sine, sine) + np.outer(sine**2, sine)):
         assert surface.clean(kept, 10.0, spikes=False).missing == 0

@@ -18,6 +18,10 @@ MOST_DEGREE = 8
 _MANY, _GAP, _STEPS = 30, 0.2, 3.0
 # Heights that tell this range and these steps.
 _SOME = 20_000
+# Within their range: so many times as often as each of so many numbers next to it on either side, of so many numbers; so many are counted.
+_OFTEN, _BESIDE, _LEVELS, _COUNTED = 5, 4, 50, 2**20
+# No more than this part of the map, and so many times as far from its neighbours in the map as these are from theirs, in the median.
+_MOST, _APART = 0.25, 1.5
 
 
 def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
@@ -72,13 +76,48 @@ def _stand_ins(array: Array, unknown: npt.NDArray[np.bool_]) -> npt.NDArray[np.b
         gap = float(np.abs(rest - array[same][0]).min())
         if np.ptp(some) > 0 and gap > max(_GAP * np.ptp(some), _STEPS * np.diff(some).max()):
             found |= same
-    return found
+    return found | _repeated(array, ~unknown & ~found)
+
+
+def _repeated(array: Array, known: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    """The same where this number is one that heights may have: it is far more frequent than those next to it, and its places stand out of
+    the map. The zeros of lines that were set to their median do not, nor do those of a sine."""
+    heights = array[known]
+    levels, counts = np.unique(heights[:: max(heights.size // _COUNTED, 1)], return_counts=True)
+    at = int(np.argmax(counts)) if levels.size >= _LEVELS else 0
+    if not _BESIDE <= at < levels.size - _BESIDE:
+        return np.zeros_like(known)
+    beside = max(counts[at - _BESIDE : at].max(), counts[at + 1 : at + 1 + _BESIDE].max())
+    same = known & (array == levels[at])
+    is_frequent = counts[at] >= _MANY and _OFTEN * beside < counts[at] < _MOST * counts.sum()
+    return same if is_frequent and _stands_out(array, known, same) else np.zeros_like(known)
+
+
+def _stands_out(array: Array, known: npt.NDArray[np.bool_], same: npt.NDArray[np.bool_]) -> bool:
+    """Whether points are farther from their neighbours than other points from theirs, and not between them."""
+    jumps, usual, bends, bent = (
+        np.concatenate([part[0], part[1]])
+        for part in zip(*(_neighbours(*both) for both in ((array, known, same), (array.T, known.T, same.T))))
+    )
+    if min(bends.size, bent.size) < _MANY:
+        return False
+    return bool(np.median(jumps) > _APART * np.median(usual) and np.median(bends) > np.median(bent))
+
+
+def _neighbours(array: Array, known: npt.NDArray[np.bool_], same: npt.NDArray[np.bool_]) -> tuple[Array, ...]:
+    """First differences over rows from the points to others, and between others; second differences likewise."""
+    first, second = np.abs(np.diff(array, axis=0)), np.abs(np.diff(array, 2, axis=0))
+    pair, triple = known[1:] & known[:-1], known[2:] & known[1:-1] & known[:-2]
+    other, others = pair & ~(same[1:] | same[:-1]), triple & ~(same[2:] | same[1:-1] | same[:-2])
+    ends = triple & same[1:-1] & ~(same[2:] & same[:-2])
+    return first[pair & (same[1:] ^ same[:-1])], first[other], second[ends], second[others]
 
 
 def _refuse(array: Array, unknown: npt.NDArray[np.bool_]) -> None:
     row, column = (int(index) for index in np.unravel_index(int(np.argmax(unknown)), unknown.shape))
+    kind = "one number that stands for missing ones" if np.isfinite(array[row, column]) else "masked or not finite"
     raise Error(
-        f"height_map: {int(unknown.sum())} of {unknown.size} heights are masked or not finite, the first is "
+        f"height_map: {int(unknown.sum())} of {unknown.size} heights are {kind}, the first is "
         f"{array[row, column]} at [{row}, {column}]: all must be known; surface.clean fills them, or crop the map"
     )
 
