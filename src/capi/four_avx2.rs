@@ -52,4 +52,21 @@ impl Four for Avx2 {
     fn root(self) -> Self {
         Self(unsafe { _mm256_sqrt_pd(self.0) })
     }
+
+    #[inline(always)]
+    fn read_across(from: &[f64], indices: [usize; 4]) -> [Self; 4] {
+        let [a, b, c, d] = indices;
+        let (a, b) = (Self::read(from, a).0, Self::read(from, b).0);
+        let (c, d) = (Self::read(from, c).0, Self::read(from, d).0);
+        unsafe {
+            let (ab, ab_after) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+            let (cd, cd_after) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+            [
+                Self(_mm256_permute2f128_pd::<0x20>(ab, cd)),
+                Self(_mm256_permute2f128_pd::<0x20>(ab_after, cd_after)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab, cd)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab_after, cd_after)),
+            ]
+        }
+    }
 }

@@ -1,7 +1,8 @@
 //! Cells of levels laid on another stiffness, and cut by a lower one: no energy comes with it.
 
-use super::{energy, within_cell, PerEdge, PerLevel, EDGES, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, STATE};
+use super::{energy_by, within_cell, PerEdge, PerLevel, EDGES, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, STATE};
 use crate::numerics::float_bits::finite;
+use crate::numerics::four::Four;
 
 /// The cells are laid anew where the stiffness is less than this part of their reach.
 pub const LEAST_OF_REACH: f64 = 0.4;
@@ -15,7 +16,7 @@ const NARROWEST_CELL: f64 = 1e-290;
 /// Within a cell displacements are taken as linear if so asked, so that what is held is not smeared out when this happens in every
 /// step; as far as that would add energy, as constant.
 #[inline(always)]
-pub fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2] {
+pub fn lay<V: Four>(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2] {
     let before = *state;
     let place = before[LAST] / before[REACH];
     let stretch = reach / before[REACH];
@@ -58,7 +59,7 @@ pub fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2
             bend[axis][j + 1] = if touches { slopes[axis][cell] * (end - centers[cell]) } else { 0.0 };
         }
     }
-    let allowed = 2.0 * energy(&before) / before[REACH];
+    let allowed = 2.0 * energy_by::<V>(&before) / before[REACH];
     let part = if constant + 2.0 * mixed + bent <= allowed {
         1.0
     } else {
@@ -170,15 +171,11 @@ fn slopes(state: &[f64; STATE], place: f64) -> (PerLevel, [PerLevel; 2]) {
     (centers, slopes)
 }
 
-/// The displacements on the upper sides of the edges of cells that all touch, beyond which nothing has come yet.
-#[inline(always)]
-pub fn edge_values(state: &[f64; STATE]) -> [PerEdge; 2] {
-    [0, 1].map(|axis| std::array::from_fn(|j| if j < LEVELS { state[axis * LEVELS + j] } else { 0.0 }))
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::energy;
     use super::*;
+    use crate::numerics::four::Portable;
 
     /// The cells keep the integral of displacements over levels.
     #[test]
@@ -204,7 +201,7 @@ mod tests {
             };
             let (held, before) = (energy(&state), force(&state));
             let reach = state[LAST] * if i % 3 == 0 { 1.0 } else { between(1.0, 1.5) };
-            lay(reach, true, &mut state);
+            lay::<Portable>(reach, true, &mut state);
             let after = force(&state);
             assert!(energy(&state) <= held * (1.0 + 1e-14) && state[REACH] == reach, "{i}: {held}, {}", energy(&state));
             for axis in 0..2 {

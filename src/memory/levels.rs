@@ -1,7 +1,7 @@
 //! Levels of stiffness under one load: those that go and come with the load, and a step of displacement of all.
 
-use super::cells::{edge_values, fall, lay, LEAST_OF_REACH};
-use super::{at_most, energy, sum, within, within_cells, MicroslipStep, PerEdge, PerLevel};
+use super::cells::{fall, lay, LEAST_OF_REACH};
+use super::{at_most, energy, energy_by, within, within_cells, MicroslipStep, PerEdge, PerLevel};
 use super::{CELL_WIDTHS, EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, ROOTS, STATE};
 use crate::numerics::elementary::hypot;
 use crate::numerics::four::Four;
@@ -31,12 +31,12 @@ pub struct Levels {
     pub share_slopes: PerLevel,
     /// What touches of each cell [force/length].
     width: PerLevel,
-    /// What is left of the mean displacement of what touched before.
-    kept: PerLevel,
     /// What part of the increment what touches has followed.
     followed: PerLevel,
-    /// d(width times displacement)/d(stiffness) of each cell.
-    came: [PerLevel; 2],
+    /// What energy each cell does not hold because what touched before and what came share one displacement, if nothing slips.
+    mixed: PerLevel,
+    /// The displacements at the edges before the increment, on their upper side but for the last.
+    edges: [PerEdge; 2],
     /// What part of the increment the level at each edge has followed, and d(what levels below it have followed)/d(stiffness).
     following: PerEdge,
     gained: PerEdge,
@@ -49,8 +49,12 @@ pub struct Cut {
     pub place: f64,
     /// Its slope by load; 0 if the cells reach farther with load.
     pub slope: f64,
-    /// Whether levels have gone or come.
-    is_moved: bool,
+    reaches_farther: bool,
+    /// Whether levels have gone, and the stiffness before over that after where some have come.
+    falls: bool,
+    grown: f64,
+    /// The displacement there of what was cut.
+    displacement: [f64; 2],
     /// What energy went with levels, or is not held by cells that were laid anew.
     lost: f64,
 }
@@ -64,9 +68,9 @@ impl Default for Levels {
             shares: NO_LEVEL,
             share_slopes: NO_LEVEL,
             width: NO_LEVEL,
-            kept: NO_LEVEL,
             followed: NO_LEVEL,
-            came: [NO_LEVEL; 2],
+            mixed: NO_LEVEL,
+            edges: [NO_EDGE; 2],
             following: NO_EDGE,
             gained: NO_EDGE,
         }
@@ -79,242 +83,239 @@ impl Levels {
     #[inline(always)] // so that it is compiled for the instructions that its caller has
     pub fn cut<V: Four, const DETAILS: bool>(&mut self, increment: [f64; 2], state: &mut [f64; STATE]) -> Cut {
         let now = self.stiffness.value;
+        let is_first = state[LAST] <= 0.0;
+        if is_first {
+            state.fill(0.0);
+            (state[REACH], state[LAST]) = (now, now);
+        }
         let (reach, last) = (state[REACH], state[LAST]);
-        let is_first = last <= 0.0;
-        if is_first || (last == now && reach == now) {
-            // Levels that touch for the first time follow all of the increment.
-            if is_first {
-                state.fill(0.0);
-                (state[REACH], state[LAST]) = (now, now);
-            }
-            if DETAILS {
-                self.width = CELL_WIDTHS.map(|width| width * now);
-                (self.following, self.gained) = ([1.0; LEVELS + 4], NO_EDGE);
-                if !is_first {
-                    self.follow_half(1.0);
-                }
-                self.come_at_edges(increment, &edge_values(state));
-            }
-            return Cut { place: 1.0, slope: 0.0, is_moved: false, lost: 0.0 };
-        }
-        self.cut_anew::<V, DETAILS>(increment, state)
-    }
-
-    #[inline(always)]
-    fn cut_anew<V: Four, const DETAILS: bool>(&mut self, increment: [f64; 2], state: &mut [f64; STATE]) -> Cut {
-        let now = self.stiffness.value;
-        let before = if DETAILS { energy(state) } else { 0.0 };
-        let falls = now < state[LAST];
-        let mut at_cut = [0.0; 2];
+        let falls = now < last;
+        let is_laid_anew = now > reach || now < LEAST_OF_REACH * reach;
+        let mut cut = Cut {
+            place: 1.0,
+            slope: 0.0,
+            reaches_farther: is_laid_anew || (last == now && reach == now),
+            falls,
+            grown: 1.0,
+            displacement: [0.0; 2],
+            lost: 0.0,
+        };
+        let loses = DETAILS && (falls || is_laid_anew);
+        let before = if loses { energy_by::<V>(state) } else { 0.0 };
         if falls {
-            let (from, place) = (state[LAST] / state[REACH], now / state[REACH]);
+            let [x, y] = fall([last / reach, now / reach], state);
+            cut.displacement = [x + increment[0], y + increment[1]];
             state[LAST] = now;
-            at_cut = fall([from, place], state);
-            at_cut = [at_cut[0] + increment[0], at_cut[1] + increment[1]];
         }
-        let is_laid_anew = now > state[REACH] || now < LEAST_OF_REACH * state[REACH];
-        let edges = if is_laid_anew { lay(now, !falls, state) } else { [NO_EDGE; 2] };
-        let mut lost = if DETAILS { (before - energy(state)).max(0.0) } else { 0.0 };
+        if is_laid_anew {
+            self.edges = lay::<V>(now, !falls, state);
+        } else if DETAILS && cut.reaches_farther {
+            for axis in 0..2 {
+                for j in (0..LEVELS).step_by(4) {
+                    V::read(state, axis * LEVELS + j).write(&mut self.edges[axis], j);
+                }
+                // Beyond the last nothing has come yet.
+                V::splat(0.0).write(&mut self.edges[axis], LEVELS);
+            }
+        }
+        if loses {
+            cut.lost = (before - energy_by::<V>(state)).max(0.0);
+        }
         let reach = state[REACH];
         // A root of it is to be more than 0.
-        let (first, place) = ((state[LAST] / reach).max(f64::MIN_POSITIVE), now / reach);
+        let first = (state[LAST] / reach).max(f64::MIN_POSITIVE);
+        cut.place = now / reach;
+        cut.slope = if cut.reaches_farther { 0.0 } else { self.stiffness.slope / reach };
         state[LAST] = now;
         for j in (0..LEVELS).step_by(4) {
-            (within_cells(j, V::splat(place)) * V::splat(reach)).write(&mut self.width, j);
-            V::splat(1.0).write(&mut self.kept, j);
+            (within_cells(j, V::splat(cut.place)) * V::splat(reach)).write(&mut self.width, j);
             V::splat(1.0).write(&mut self.followed, j);
+            V::splat(0.0).write(&mut self.mixed, j);
         }
         if DETAILS {
-            (self.following, self.gained) = ([1.0; LEVELS + 4], NO_EDGE);
-        }
-        if place > first {
-            lost += self.grow::<V, DETAILS>([first, place], increment, state);
-        } else if DETAILS && !falls {
-            self.follow_half(place);
-        }
-        if DETAILS {
-            if is_laid_anew {
-                self.come_at_edges(increment, &edges);
-            } else {
-                self.come_at_cut(place, increment, at_cut);
+            for j in (0..EDGES.len()).step_by(4) {
+                V::splat(1.0).write(&mut self.following, j);
+                V::splat(0.0).write(&mut self.gained, j);
             }
         }
-        Cut { place, slope: if is_laid_anew { 0.0 } else { self.stiffness.slope / reach }, is_moved: true, lost }
+        if cut.place > first {
+            cut.grown = first / cut.place;
+            self.grow::<DETAILS>([first, cut.place], increment, state);
+        } else if DETAILS && !falls && !is_first {
+            // Half of the increment is followed, in the mean, by levels that come at the stiffness of the last step.
+            self.end_edges(cut.place, 0.5);
+        }
+        cut
     }
 
-    /// Lets levels come between two stiffnesses, over the reach of the cells; what energy is not held by cells of which a part
-    /// touched before.
+    /// Lets levels come between two stiffnesses, over the reach of the cells: the state becomes what is left of the mean
+    /// displacements of what touched before.
     ///
     /// On a straight path a level k has followed (K - k)/(K - K_0) (K_0/k)^(1/2) of the increment: what is left of it when the
     /// level comes, if the logarithm of the stiffness falls evenly with separation, to within the third power of its change.
     #[inline(always)]
-    fn grow<V: Four, const DETAILS: bool>(
-        &mut self,
-        places: [f64; 2],
-        increment: [f64; 2],
-        state: &[f64; STATE],
-    ) -> f64 {
-        let [first, place] = places;
-        let (root, end, change) = (first.sqrt(), place.sqrt(), place - first);
-        let by_change = 1.0 / change;
-        // The integral of that part from K_0 to each edge.
-        let mut integral = NO_EDGE;
-        let (firsts, lasts) = (V::splat(first), V::splat(place));
-        let (roots, ends) = (V::splat(root), V::splat(end));
-        for j in (0..LEVELS + 4).step_by(4) {
-            let (edge, root_there) = (V::read(&EDGES, j).clamp(firsts, lasts), V::read(&ROOTS, j).clamp(roots, ends));
-            let distance = (edge - firsts) / (root_there + roots);
-            let weight = V::splat(2.0 * root) + distance * V::splat(2.0 / 3.0);
-            let weighted = V::splat(root * by_change) * distance * distance * weight;
-            (V::splat(2.0 * root) * distance - weighted).write(&mut integral, j);
+    fn grow<const DETAILS: bool>(&mut self, [first, place]: [f64; 2], increment: [f64; 2], state: &mut [f64; STATE]) {
+        let (root, by_change) = (first.sqrt(), 1.0 / (place - first));
+        let (mut at, mut following, mut below, mut weighted) = (first, 1.0, 0.0, 0.0);
+        for j in EDGES[1..LEVELS].partition_point(|&edge| edge <= first)..LEVELS {
+            if at >= place {
+                break;
+            }
+            let is_whole = EDGES[j + 1] <= place;
+            let (end, root_there) = if is_whole { (EDGES[j + 1], ROOTS[j + 1]) } else { (place, place.sqrt()) };
+            // The integral of that part from K_0 to the end of the cell.
+            let distance = (end - first) / (root_there + root);
+            weighted = root * by_change * distance * distance * (2.0 * root + 2.0 / 3.0 * distance);
+            let integral = 2.0 * root * distance - weighted;
+            let (touched, new, fresh) = ((first - EDGES[j]).max(0.0), end - at, integral - below);
+            let inverse = 1.0 / (touched + new);
+            let following_there = root / root_there * (place - end) * by_change;
             if DETAILS {
-                (weighted * V::splat(by_change)).write(&mut self.gained, j);
-                (roots / root_there * ((lasts - edge) * V::splat(by_change))).write(&mut self.following, j);
+                // What touched before and what came share one displacement from now on, and what came has another at each level.
+                let part = 1.0 - fresh / new;
+                let [x, y] =
+                    [0, 1].map(|axis| at_most(state[axis * LEVELS + j] + part * increment[axis], LARGEST_WITH_SQUARE));
+                let [dx, dy] = within(increment, LARGEST_WITH_SQUARE);
+                let bend = (following - following_there) * (following - following_there) / 12.0;
+                let apart = touched * inverse * (x * x + y * y) + bend * (dx * dx + dy * dy);
+                self.mixed[j] = 0.5 * state[REACH] * new * apart;
+                (self.following[j + 1], self.gained[j + 1]) = (following_there, weighted * by_change);
             }
+            state[j] *= touched * inverse;
+            state[LEVELS + j] *= touched * inverse;
+            self.followed[j] = (touched + fresh) * inverse;
+            (at, following, below) = (end, following_there, integral);
         }
-        let mut lost = V::splat(0.0);
-        let (none, one) = (V::splat(0.0), V::splat(1.0));
-        for j in (0..LEVELS).step_by(4) {
-            let (touched, width) = (within_cells(j, firsts), within_cells(j, lasts));
-            let fresh = V::read(&integral, j + 1) - V::read(&integral, j);
-            let inverse = one / width.if_greater(none, width, one);
-            let kept = touched * inverse;
-            kept.write(&mut self.kept, j);
-            ((touched + fresh) * inverse).write(&mut self.followed, j);
-            if DETAILS {
-                // What touched before and what came share one displacement from now on.
-                let new = width - touched;
-                let part = one - fresh / new.if_greater(none, new, one);
-                let x = V::read(state, j) + part * V::splat(increment[0]);
-                let y = V::read(state, LEVELS + j) + part * V::splat(increment[1]);
-                lost = lost + kept * new * (x * x + y * y);
-            }
-        }
-        0.5 * state[REACH] * lost.sum()
-    }
-
-    /// Lets half of the increment follow, in the mean, the levels that come at the stiffness of the last step.
-    #[inline(always)]
-    fn follow_half(&mut self, place: f64) {
-        let edges = self.following.iter_mut().zip(&mut self.gained).zip(EDGES);
-        for ((following, gained), _) in edges.filter(|(_, edge)| *edge >= place) {
-            (*following, *gained) = (0.0, 0.5);
+        if DETAILS {
+            self.end_edges(place, weighted * by_change);
         }
     }
 
-    /// How fast cells gain with the stiffness that reach farther with it, from displacements at their edges before the increment.
+    /// What the edges that do not touch yet have.
     #[inline(always)]
-    fn come_at_edges(&mut self, increment: [f64; 2], edges: &[PerEdge; 2]) {
-        for axis in 0..2 {
-            let flux = |j: usize| {
-                let there = edges[axis][j] + self.following[j] * increment[axis];
-                EDGES[j] * there + self.gained[j] * increment[axis]
-            };
-            let mut below = 0.0;
-            for j in 0..LEVELS {
-                let above = flux(j + 1);
-                self.came[axis][j] = above - below;
-                below = above;
-            }
+    fn end_edges(&mut self, place: f64, gained: f64) {
+        for j in (0..EDGES.len()).rev().take_while(|&j| EDGES[j] >= place) {
+            (self.following[j], self.gained[j]) = (0.0, gained);
         }
     }
 
-    /// How fast the cell gains with the stiffness that is cut by it, from the displacement there.
+    /// d(width times displacement of all cells below an edge)/d(stiffness), at four edges.
     #[inline(always)]
-    fn come_at_cut(&mut self, place: f64, increment: [f64; 2], at_cut: [f64; 2]) {
-        for axis in 0..2 {
-            for j in 0..LEVELS {
-                let is_cut = EDGES[j] < place && place <= EDGES[j + 1];
-                let grown = (self.gained[j + 1] - self.gained[j]) * increment[axis];
-                self.came[axis][j] = if is_cut { grown + at_cut[axis] } else { grown };
-            }
-        }
+    fn gain<V: Four>(&self, j: usize, axis: usize, increment: [f64; 2], cut: &Cut) -> V {
+        let (edge, by) = (V::read(&EDGES, j), V::splat(increment[axis]));
+        let came = if cut.reaches_farther {
+            edge * (V::read(&self.edges[axis], j) + V::read(&self.following, j) * by)
+        } else {
+            V::splat(cut.place).if_greater(edge, V::splat(0.0), V::splat(cut.displacement[axis]))
+        };
+        came + V::read(&self.gained, j) * by
     }
 
     /// Displaces all levels; the state becomes what it is after. Without `DETAILS` it tells only force and stiffness.
     #[inline(always)]
     pub fn step<V: Four, const DETAILS: bool>(
         &self,
-        displacement: [f64; 2],
+        increment: [f64; 2],
         cut: Cut,
         state: &mut [f64; STATE],
     ) -> MicroslipStep {
-        let [dx, dy] = displacement;
         // Forces over a power of two next to the strength: their squares are numbers, and nothing is rounded by it.
         let unit = power_of_two_below(self.strength.value);
-        let scale = 1.0 / unit;
-        let (strength, stiffness) = (self.strength.value * scale, self.stiffness.value * scale);
-        let (mut nx, mut ny, mut inverse) = (NO_LEVEL, NO_LEVEL, NO_LEVEL);
+        let scale = V::splat(1.0 / unit);
+        let strength = V::splat(self.strength.value) * scale;
+        // Nothing by `map` or a closure, which are not compiled for the caller's instructions.
+        let (dx, dy) = (V::splat(increment[0]), V::splat(increment[1]));
         let (none, one) = (V::splat(0.0), V::splat(1.0));
-        let [mut fx, mut fy, mut xx, mut xy, mut yy] = [none; 5];
+        let before = if DETAILS && cut.falls { *state } else { [0.0; STATE] };
+        let [mut fx, mut fy, mut xx, mut farthest, mut mixed] = [none; 5];
         for j in (0..LEVELS).step_by(4) {
-            let limit = V::read(&self.shares, j) * V::splat(strength);
-            let (mut x, mut y) = (V::read(state, j), V::read(state, LEVELS + j));
-            let (width, follows) = if cut.is_moved {
-                let (kept, followed) = (V::read(&self.kept, j), V::read(&self.followed, j));
-                x = x * kept + V::splat(dx) * followed;
-                y = y * kept + V::splat(dy) * followed;
-                let width = V::read(&self.width, j) * V::splat(scale);
-                (width, width * followed)
-            } else {
-                x = x + V::splat(dx);
-                y = y + V::splat(dy);
-                let width = V::read(&CELL_WIDTHS, j) * V::splat(stiffness);
-                (width, width)
-            };
+            let (followed, width) = (V::read(&self.followed, j), V::read(&self.width, j) * scale);
+            let x = V::read(state, j) + dx * followed;
+            let y = V::read(state, LEVELS + j) + dy * followed;
+            x.write(state, j);
+            y.write(state, LEVELS + j);
+            let (tx, ty, limit) = (x * width, y * width, V::read(&self.shares, j) * strength);
+            let beyond = tx * tx + ty * ty - limit * limit;
+            farthest = beyond.if_greater(farthest, beyond, farthest);
+            (fx, fy, xx) = (fx + tx, fy + ty, xx + width * followed);
+            if DETAILS {
+                mixed = mixed + V::read(&self.mixed, j);
+            }
+        }
+        let mut step = MicroslipStep::default();
+        if farthest.sum() <= 0.0 {
+            // All stick.
+            step.force = [fx.sum() * unit, fy.sum() * unit];
+            step.stiffness = [xx.sum() * unit, 0.0, 0.0, xx.sum() * unit];
+            if DETAILS {
+                let by_load = at_most(self.stiffness.slope / unit, LARGEST_SLOPE);
+                for axis in 0..2 {
+                    let gained =
+                        at_most(self.gain::<V>(LEVELS, axis, increment, &cut).numbers()[0] * by_load, LARGEST_SLOPE);
+                    step.dforce_dload[axis] = at_most(gained * unit, f64::MAX);
+                }
+                step.dissipated = at_most(mixed.sum() + cut.lost, f64::MAX);
+            }
+            return step;
+        }
+        let [mut xy, mut yy, mut by_x, mut by_y, mut slip, mut slipping] = [none; 6];
+        [fx, fy, xx, mixed] = [none; 4];
+        let most = V::splat(LARGEST_SLOPE);
+        let strength_slope = V::splat(at_most(self.strength.slope / unit, LARGEST_SLOPE));
+        let stiffness_slope = V::splat(at_most(self.stiffness.slope / unit, LARGEST_SLOPE));
+        for j in (0..LEVELS).step_by(4) {
+            let share = V::read(&self.shares, j);
+            let (followed, width, limit) =
+                (V::read(&self.followed, j), V::read(&self.width, j) * scale, share * strength);
+            let (x, y) = (V::read(state, j), V::read(state, LEVELS + j));
             let (tx, ty) = (x * width, y * width);
             let (square, limit_square) = (tx * tx + ty * ty, limit * limit);
             // The direction of the force of one that slips, and what part of its displacement its limit leaves.
-            let root = one / square.if_greater(limit_square, square, one).root();
+            let size = square.if_greater(limit_square, square, one).root();
+            let root = one / size;
             let inverted = square.if_greater(limit_square, root, none);
             let part = square.if_greater(limit_square, limit * root, one);
             let (ux, uy) = (tx * inverted, ty * inverted);
             (x * part).write(state, j);
             (y * part).write(state, LEVELS + j);
-            if DETAILS {
-                ux.write(&mut nx, j);
-                uy.write(&mut ny, j);
-                inverted.write(&mut inverse, j);
-            }
-            fx = fx + tx * part;
-            fy = fy + ty * part;
+            (fx, fy) = (fx + tx * part, fy + ty * part);
             // A displacement across the direction of a level that slips turns its force.
-            let turning = follows * part;
+            let turning = width * followed * part;
             xx = xx + turning * (one - ux * ux);
             xy = xy + turning * (ux * uy);
             yy = yy + turning * (one - uy * uy);
-        }
-        // Not by `map`, which is not compiled for the caller's instructions.
-        let [fx, fy, xx, xy, yy] = [fx.sum(), fy.sum(), xx.sum(), xy.sum(), yy.sum()];
-        let across = -xy * unit;
-        let mut step = MicroslipStep {
-            force: [fx * unit, fy * unit],
-            stiffness: [xx * unit, across, across, yy * unit],
-            ..MicroslipStep::default()
-        };
-        if DETAILS {
-            let strength_slope = at_most(self.strength.slope * scale, LARGEST_SLOPE);
-            let stiffness_slope = at_most(self.stiffness.slope * scale, LARGEST_SLOPE);
-            let (mut by_x, mut by_y, mut slip, mut slipping) = (NO_LEVEL, NO_LEVEL, NO_LEVEL, NO_LEVEL);
-            for j in 0..LEVELS {
-                let share = self.shares[j];
-                let limit = share * strength;
-                let [gained_x, gained_y] =
-                    [0, 1].map(|axis: usize| at_most(self.came[axis][j] * stiffness_slope, LARGEST_SLOPE));
-                let slips = inverse[j] > 0.0;
-                let limit_slope = at_most(share * strength_slope + self.share_slopes[j] * strength, LARGEST_SLOPE);
-                let across = (ny[j] * gained_x - nx[j] * gained_y) * limit * inverse[j];
-                by_x[j] = if slips { limit_slope * nx[j] + across * ny[j] } else { gained_x };
-                by_y[j] = if slips { limit_slope * ny[j] - across * nx[j] } else { gained_y };
-                let width = self.width[j] * scale;
-                let excess = 1.0 / if slips { inverse[j] } else { 1.0 } - limit;
-                slip[j] = if slips && width > 0.0 { limit * (excess / width) } else { 0.0 };
-                slipping[j] = if slips { share } else { 0.0 };
+            if DETAILS {
+                let came_x = self.gain::<V>(j + 1, 0, increment, &cut) - self.gain::<V>(j, 0, increment, &cut);
+                let came_y = self.gain::<V>(j + 1, 1, increment, &cut) - self.gain::<V>(j, 1, increment, &cut);
+                let gained_x = (came_x * stiffness_slope).clamp(none - most, most);
+                let gained_y = (came_y * stiffness_slope).clamp(none - most, most);
+                let limit_slope = share * strength_slope + V::read(&self.share_slopes, j) * strength;
+                let limit_slope = limit_slope.clamp(none - most, most);
+                let across = (uy * gained_x - ux * gained_y) * part;
+                by_x = by_x + square.if_greater(limit_square, limit_slope * ux + across * uy, gained_x);
+                by_y = by_y + square.if_greater(limit_square, limit_slope * uy - across * ux, gained_y);
+                // The limit grows as the stiffness does while a level slips; where it falls, slip begins at the force that there was.
+                let mut begins = limit * V::splat(cut.grown);
+                if cut.falls {
+                    let (x, y) = (V::read(&before, j) * width, V::read(&before, LEVELS + j) * width);
+                    let had = x * x + y * y;
+                    begins = had.if_greater(square, square, had).if_greater(limit_square, had, limit_square).root();
+                }
+                let resists = V::splat(0.5) * (limit + begins);
+                let slid = (size - limit) / square.if_greater(limit_square, width, one);
+                slip = slip + square.if_greater(limit_square, resists * slid, none);
+                mixed = mixed + V::read(&self.mixed, j) * part * part;
+                slipping = slipping + square.if_greater(limit_square, share, none);
             }
-            step.dforce_dload = [&by_x, &by_y].map(|slopes| at_most(sum(slopes) * unit, f64::MAX));
+        }
+        let across = -xy.sum() * unit;
+        step.force = [fx.sum() * unit, fy.sum() * unit];
+        step.stiffness = [xx.sum() * unit, across, across, yy.sum() * unit];
+        if DETAILS {
+            step.dforce_dload = [at_most(by_x.sum() * unit, f64::MAX), at_most(by_y.sum() * unit, f64::MAX)];
             // Rounding errors of what slips by next to nothing are no work.
-            step.dissipated = at_most(sum(&slip) * unit + cut.lost, f64::MAX).max(0.0);
-            step.slipping = sum(&slipping).min(1.0);
+            step.dissipated = at_most(slip.sum() * unit + mixed.sum() + cut.lost, f64::MAX).max(0.0);
+            step.slipping = slipping.sum().min(1.0);
         }
         step
     }

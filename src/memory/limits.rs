@@ -79,7 +79,7 @@ impl Limits {
                 (V::splat(part_slope) * change).write(node_slopes.as_flattened_mut(), j);
             }
         }
-        strengths::shares_of_cut::<SLOPES>(&nodes, &node_slopes, cut, shares, slopes);
+        strengths::shares_of_cut::<V, SLOPES>(&nodes, &node_slopes, cut, shares, slopes);
     }
 
     /// The rows around load - pull-off, what part of the way it is from one to the next, and its slope.

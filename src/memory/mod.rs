@@ -20,7 +20,7 @@ pub use limits::Limits;
 use crate::error::Error;
 use crate::numerics::elementary::hypot;
 use crate::numerics::float_bits::finite;
-use crate::numerics::four::Four;
+use crate::numerics::four::{Four, Portable};
 
 /// How many cells of levels there are.
 const LEVELS: usize = 20;
@@ -89,16 +89,25 @@ pub struct MicroslipStep {
 
 /// The energy that the levels hold.
 pub fn energy(state: &[f64; STATE]) -> f64 {
+    energy_by::<Portable>(state)
+}
+
+/// The same, by the instructions of the caller.
+#[inline(always)]
+fn energy_by<V: Four>(state: &[f64; STATE]) -> f64 {
     let (reach, last) = (state[REACH], state[LAST]);
     if last <= 0.0 {
         return 0.0;
     }
-    let place = last / reach;
-    let held = |j: usize| {
-        let (x, y) = (at_most(state[j], LARGEST_WITH_SQUARE), at_most(state[LEVELS + j], LARGEST_WITH_SQUARE));
-        within_cell(j, place) * (x * x + y * y)
-    };
-    at_most(0.5 * reach * sum(&std::array::from_fn(held)), f64::MAX)
+    let (least, most) = (V::splat(-LARGEST_WITH_SQUARE), V::splat(LARGEST_WITH_SQUARE));
+    let place = V::splat(last / reach);
+    let mut held = V::splat(0.0);
+    for j in (0..LEVELS).step_by(4) {
+        let x = V::read(state, j).clamp(least, most);
+        let y = V::read(state, LEVELS + j).clamp(least, most);
+        held = held + within_cells(j, place) * (x * x + y * y);
+    }
+    at_most(0.5 * reach * held.sum(), f64::MAX)
 }
 
 /// Turns all displacements by the angle of a cosine and a sine, of any length but 0.
@@ -157,14 +166,4 @@ pub fn within(displacement: [f64; 2], farthest: f64) -> [f64; 2] {
 #[inline(always)]
 fn at_most(x: f64, largest: f64) -> f64 {
     x.clamp(-largest, largest)
-}
-
-/// The sum, in an order that vectors of any width keep.
-#[inline(always)]
-fn sum(lanes: &PerLevel) -> f64 {
-    let mut four = [0.0; 4];
-    for j in 0..LEVELS {
-        four[j % 4] += lanes[j];
-    }
-    (four[0] + four[2]) + (four[1] + four[3])
 }

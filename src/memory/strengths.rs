@@ -8,8 +8,9 @@
 //! H(s) = Phi(X) - s X, the largest of these values over all X; H(0) = 1, H(1) = 0, and its slope is -X.
 //! ```
 
-use super::{PerEdge, PerLevel, EDGES, LEVELS};
+use super::{PerEdge, PerLevel, EDGES, LEVELS, NO_EDGE};
 use crate::numerics::float_bits::{power_of_two, MANTISSA_BITS};
+use crate::numerics::four::{Four, Portable};
 use crate::population::Population;
 
 /// H is tabulated against s, at nodes found from the bits of v = 1/s - 1: at 0, and at powers of two from 2^-7 to 2^5.
@@ -48,7 +49,11 @@ impl Strengths {
         let mut below = 1.0;
         let shares = std::array::from_fn(|j| {
             let v = INVERSE_EDGES[j + 1] - 1.0;
-            let above = if v > 0.0 { interpolated(&numbers, EDGES[j + 1], v).0 } else { 0.0 };
+            let above = if v > 0.0 {
+                interpolated::<Portable>(&numbers, Four::splat(EDGES[j + 1]), Four::splat(v))[0].numbers()[0]
+            } else {
+                0.0
+            };
             let above = (above / UNIT).round() * UNIT;
             let share = below - above;
             below = above;
@@ -141,30 +146,31 @@ pub fn of_equal_contacts() -> Strengths {
 
 /// The shares of cells that are cut at a place with a slope by load, from H and X at the nodes and their slopes.
 #[inline(always)]
-pub fn shares_of_cut<const SLOPES: bool>(
+pub fn shares_of_cut<V: Four, const SLOPES: bool>(
     nodes: &[[f64; 2]; LEVEL_NODES],
     node_slopes: &[[f64; 2]; LEVEL_NODES],
     [place, place_slope]: [f64; 2],
     shares: &mut PerLevel,
     slopes: &mut PerLevel,
 ) {
-    let (mut below, mut below_slope) = (1.0, 0.0);
-    let inverse = 1.0 / place;
-    for j in 0..LEVELS {
-        let (s, v) = (EDGES[j + 1] * inverse, place * INVERSE_EDGES[j + 1] - 1.0);
-        let (mut above, mut above_slope) = (0.0, 0.0);
-        if v > 0.0 {
-            let limit;
-            (above, limit) = interpolated(nodes, s, v);
-            if SLOPES {
-                above_slope = interpolated(node_slopes, s, v).0 + limit * s * inverse * place_slope;
-            }
-        }
-        shares[j] = below - above;
-        below = above;
+    // From the first edge, below which nothing is.
+    let (mut above, mut above_slopes) = (NO_EDGE, NO_EDGE);
+    above[0] = 1.0;
+    let (none, inverse, by_load) = (V::splat(0.0), V::splat(1.0 / place), V::splat(place_slope / place));
+    for j in (0..LEVELS).step_by(4) {
+        let (s, v) =
+            (V::read(&EDGES, j + 1) * inverse, V::splat(place) * V::read(&INVERSE_EDGES, j + 1) - V::splat(1.0));
+        let [value, limit] = interpolated(nodes, s, v);
+        v.if_greater(none, value, none).write(&mut above, j + 1);
         if SLOPES {
-            slopes[j] = below_slope - above_slope;
-            below_slope = above_slope;
+            let [value, _] = interpolated(node_slopes, s, v);
+            v.if_greater(none, value + limit * s * by_load, none).write(&mut above_slopes, j + 1);
+        }
+    }
+    for j in (0..LEVELS).step_by(4) {
+        (V::read(&above, j) - V::read(&above, j + 1)).write(shares, j);
+        if SLOPES {
+            (V::read(&above_slopes, j) - V::read(&above_slopes, j + 1)).write(slopes, j);
         }
     }
 }
@@ -191,29 +197,32 @@ const NODES_AT: [f64; LEVEL_NODES] = {
     at
 };
 
-/// 1 over the width, in s, from a node to the next.
-const INVERSE_WIDTHS: [f64; LEVEL_NODES] = {
-    let mut inverses = [0.0; LEVEL_NODES];
+/// s at the nodes, the width from one to the next, and 1 over it.
+static INTERVALS: [[f64; 4]; LEVEL_NODES] = {
+    let mut intervals = [[0.0; 4]; LEVEL_NODES];
     let mut i = 0;
     while i + 1 < LEVEL_NODES {
-        inverses[i] = 1.0 / (NODES_AT[i] - NODES_AT[i + 1]);
+        let width = NODES_AT[i] - NODES_AT[i + 1];
+        intervals[i] = [NODES_AT[i], width, 1.0 / width, 0.0];
         i += 1;
     }
-    inverses
+    intervals
 };
 
-/// H and X at s < 1: a cubic between nodes.
+/// H and X at s < 1: cubics between nodes.
 #[inline(always)]
-fn interpolated(nodes: &[[f64; 2]; LEVEL_NODES], s: f64, v: f64) -> (f64, f64) {
-    let exponent = v.to_bits() >> MANTISSA_BITS;
-    let node = (exponent + 1).saturating_sub(LEAST_EXPONENT).min(LEVEL_NODES as u64 - 2) as usize;
-    let (width, inverse) = (NODES_AT[node] - NODES_AT[node + 1], INVERSE_WIDTHS[node]);
-    let t = (NODES_AT[node] - s) * inverse;
-    let ([low, low_slope], [high, high_slope]) = (nodes[node], nodes[node + 1]);
+fn interpolated<V: Four>(nodes: &[[f64; 2]; LEVEL_NODES], s: V, v: V) -> [V; 2] {
+    let node = v.numbers().map(|v| {
+        let exponent = v.to_bits() >> MANTISSA_BITS;
+        (exponent + 1).saturating_sub(LEAST_EXPONENT).min(LEVEL_NODES as u64 - 2) as usize
+    });
+    let [start, width, inverse, _] = V::read_across(INTERVALS.as_flattened(), node.map(|node| 4 * node));
+    let [low, low_slope, high, high_slope] = V::read_across(nodes.as_flattened(), node.map(|node| 2 * node));
+    let t = (start - s) * inverse;
     let (low_slope, high_slope) = (low_slope * width, high_slope * width);
-    let rise = high - low;
-    let (c, d) = (3.0 * rise - 2.0 * low_slope - high_slope, low_slope + high_slope - 2.0 * rise);
-    (low + t * (low_slope + t * (c + t * d)), (low_slope + t * (2.0 * c + 3.0 * t * d)) * inverse)
+    let (rise, two, three) = (high - low, V::splat(2.0), V::splat(3.0));
+    let (c, d) = (three * rise - two * low_slope - high_slope, low_slope + high_slope - two * rise);
+    [low + t * (low_slope + t * (c + t * d)), (low_slope + t * (two * c + three * t * d)) * inverse]
 }
 
 #[cfg(test)]
@@ -250,7 +259,13 @@ mod tests {
             for i in 0..200 {
                 let place = 1.0 - 0.003 * f64::from(i);
                 let (mut shares, mut slopes) = ([f64::NAN; LEVELS], [f64::NAN; LEVELS]);
-                shares_of_cut::<true>(&nodes, &[[0.0; 2]; LEVEL_NODES], [place, 0.3], &mut shares, &mut slopes);
+                shares_of_cut::<Portable, true>(
+                    &nodes,
+                    &[[0.0; 2]; LEVEL_NODES],
+                    [place, 0.3],
+                    &mut shares,
+                    &mut slopes,
+                );
                 assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-15, "{name}, {place}: {shares:?}");
                 let above = |j: usize| if EDGES[j] == 0.0 { 1.0 } else { levels((EDGES[j] / place).min(1.0)).0 };
                 for (j, share) in shares.into_iter().enumerate() {

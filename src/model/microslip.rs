@@ -42,7 +42,7 @@ impl Model {
             validate(load, increment, state)?;
         }
         (levels.strength, levels.stiffness) =
-            (self.sloped(Quantity::Friction, load), self.sloped(Quantity::Radius, load));
+            (self.sloped::<DETAILS>(Quantity::Friction, load), self.sloped::<DETAILS>(Quantity::Radius, load));
         let (strength, stiffness) = (levels.strength.value, levels.stiffness.value);
         let excess = load - self.law.table(Quantity::Friction).pull_off;
         // Also of a load that is too heavy.
@@ -70,10 +70,11 @@ impl Model {
         Ok(levels.step::<V, DETAILS>(increment, cut, state))
     }
 
-    /// A quantity and its slope; at the pull-off load, where that is infinite, the slope at the next load.
-    #[inline]
-    fn sloped(&self, quantity: Quantity, load: f64) -> Sloped {
+    /// A quantity, with `SLOPE` also its slope; at the pull-off load, where that is infinite, the slope at the next load.
+    #[inline(always)]
+    fn sloped<const SLOPE: bool>(&self, quantity: Quantity, load: f64) -> Sloped {
         let (value, slope) = self.value_and_slope(quantity, load);
+        let slope = if SLOPE { slope } else { 0.0 };
         let slope = if infinite(slope) { self.value_and_slope(quantity, load.above()).1.min(f64::MAX) } else { slope };
         Sloped { value, slope }
     }

@@ -13,6 +13,15 @@ pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     /// `yes` where it is greater than the other, else `no`.
     fn if_greater(self, other: Self, yes: Self, no: Self) -> Self;
     fn root(self) -> Self;
+    /// The four numbers from each of these indices on: the first of all, the second of all, ...
+    fn read_across(from: &[f64], indices: [usize; 4]) -> [Self; 4];
+
+    #[inline(always)]
+    fn numbers(self) -> [f64; 4] {
+        let mut four = [0.0; 4];
+        self.write(&mut four, 0);
+        four
+    }
 
     #[inline(always)]
     fn clamp(self, least: Self, most: Self) -> Self {
@@ -23,8 +32,7 @@ pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     /// The sum of all four.
     #[inline(always)]
     fn sum(self) -> f64 {
-        let mut four = [0.0; 4];
-        self.write(&mut four, 0);
+        let four = self.numbers();
         (four[0] + four[2]) + (four[1] + four[3])
     }
 }
@@ -83,5 +91,10 @@ impl Four for Portable {
     #[inline(always)]
     fn root(self) -> Self {
         Self::each(|i| self.0[i].sqrt())
+    }
+
+    #[inline(always)]
+    fn read_across(from: &[f64], indices: [usize; 4]) -> [Self; 4] {
+        [0, 1, 2, 3].map(|k| Self::each(|i| from[indices[i] + k]))
     }
 }
