@@ -287,7 +287,7 @@ module asperity
 
   ! Constants of a model, in the units of the parameters
   type, bind(c), public :: asperity_summary
-    integer(c_int64_t) :: struct_size = 112         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 120         ! bytes of this type; leave it
     real(c_double) :: alpha                         ! Surface roughness parameter (sigma/R)^(1/2) [-]
     real(c_double) :: beta                          ! Friction regime parameter (R sigma)^(1/2)/b [-]
     real(c_double) :: gamma                         ! Surface energy parameter w/(E* b) [-]
@@ -306,6 +306,8 @@ module asperity
     real(c_double) :: table_error                   ! Largest relative error of the compiled friction force [-] at the
                                                     ! samples that were compared when the model was made, times what
                                                     ! errors between samples are larger by
+    real(c_double) :: largest_load                  ! Largest load that the surfaces have borne [force]: of
+                                                    ! asperity_unloaded; 0 of a model of first loading
   end type asperity_summary
 
   ! Specimens of a surface pair under one load
@@ -521,6 +523,17 @@ module asperity
       type(c_ptr), intent(inout) :: model           ! receives the model
       integer(c_int32_t) :: asperity_create
     end function asperity_create
+
+    ! Makes the model of the same surfaces after a largest load: of a joint that was tightened, and now vibrates
+    function asperity_unloaded(model, largest_load, unloaded) bind(c)
+      import
+      type(c_ptr), intent(in), value :: model       ! the surfaces, at first loading or after a smaller largest load
+      real(c_double), intent(in), value :: largest_load
+                                                    ! the largest load that they have borne [force], > 0 and below
+                                                    ! max_table_load of asperity_summary_of
+      type(c_ptr), intent(inout) :: unloaded        ! receives the model
+      integer(c_int32_t) :: asperity_unloaded
+    end function asperity_unloaded
 
     ! Gives a model other parameters; on failure the model is as before
     function asperity_set_params(model, params) bind(c)
@@ -879,15 +892,16 @@ module asperity
   public :: asperity_params_set_dimensionless, asperity_params_set_materials, asperity_params_set_spectral_moments
   public :: asperity_params_set_pair, asperity_params_set_units, asperity_params_set_values, asperity_params_get_value
   public :: asperity_params_calibrate, asperity_params_calibrate_force, asperity_params_set_text, asperity_params_read
-  public :: asperity_create, asperity_set_params, asperity_free, asperity_name, asperity_friction_at_load
-  public :: asperity_friction_force_at_load, asperity_friction_at_loads, asperity_friction_force_at_loads
-  public :: asperity_friction_and_slope_at_load, asperity_friction_force_and_slope_at_load
-  public :: asperity_friction_force_at_loads_of, asperity_tangential_stiffness_at_load
-  public :: asperity_tangential_stiffness_at_loads, asperity_tangential_at_load, asperity_microslip_length
-  public :: asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn, asperity_load_and_slope_at_gap
-  public :: asperity_loads_at_gaps, asperity_state_at_load, asperity_state_at_gap, asperity_summary_of
-  public :: asperity_specimens_at_loads, asperity_each_specimen_at_loads, asperity_check_loads, asperity_warnings_text
-  public :: asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version, asperity_table_of
+  public :: asperity_create, asperity_unloaded, asperity_set_params, asperity_free, asperity_name
+  public :: asperity_friction_at_load, asperity_friction_force_at_load, asperity_friction_at_loads
+  public :: asperity_friction_force_at_loads, asperity_friction_and_slope_at_load
+  public :: asperity_friction_force_and_slope_at_load, asperity_friction_force_at_loads_of
+  public :: asperity_tangential_stiffness_at_load, asperity_tangential_stiffness_at_loads, asperity_tangential_at_load
+  public :: asperity_microslip_length, asperity_microslip_step, asperity_microslip_steps, asperity_microslip_turn
+  public :: asperity_load_and_slope_at_gap, asperity_loads_at_gaps, asperity_state_at_load, asperity_state_at_gap
+  public :: asperity_summary_of, asperity_specimens_at_loads, asperity_each_specimen_at_loads, asperity_check_loads
+  public :: asperity_warnings_text, asperity_last_error, asperity_status_string, asperity_abi_version, asperity_version
+  public :: asperity_table_of
   ! end of interface
 
   ! ---- The Fortran interface ----
@@ -919,6 +933,7 @@ module asperity
     ! call law%set_params(params [, stat] [, errmsg])    other parameters, all or nothing; no other thread may use law
     ! call law%get_params(params [, stat] [, errmsg])    params: type(asperity_params), intent(out)
     procedure, public :: set_params => set_model_params
+    procedure, public :: unload => unload_model
     procedure, public :: get_params => get_model_params
 
     ! call law%free()    frees the model now; the main program's variables are not freed by the language
@@ -1301,6 +1316,21 @@ contains
     call report(asperity_set_params(self%handle, params), stat, errmsg)
   end subroutine set_model_params
 
+  ! The model becomes that of its surfaces after a largest load: up to it summits that yielded spring back elastically.
+  subroutine unload_model(self, largest_load, stat, errmsg)
+    class(friction_model), intent(inout), target :: self
+    real(c_double), intent(in) :: largest_load
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: made
+    integer(c_int32_t) :: status
+    if (.not. is_created(self, stat, errmsg)) return
+    made = c_null_ptr
+    status = asperity_unloaded(self%handle, largest_load, made)
+    if (status == ASPERITY_OK) call take(self, made)
+    call report(status, stat, errmsg)
+  end subroutine unload_model
+
   subroutine get_model_params(self, params, stat, errmsg)
     class(friction_model), intent(in), target :: self
     type(asperity_params), intent(out) :: params
@@ -1328,6 +1358,7 @@ contains
     class(friction_model), intent(inout), target :: self
     class(friction_model), intent(in), target :: other
     type(asperity_params) :: params
+    type(asperity_summary) :: summary
     if (c_associated(c_loc(self%handle), c_loc(other%handle))) return
     if (.not. c_associated(other%handle)) then
       call free_model(self)
@@ -1336,6 +1367,8 @@ contains
     ! `other` may be a temporary that the compiler made of its variable: it need not own the model to be read.
     call asperity_check(asperity_get_params(other%handle, params))
     call create_model(self, params)
+    call asperity_check(asperity_summary_of(other%handle, summary))
+    if (summary%largest_load > 0) call unload_model(self, summary%largest_load)
   end subroutine copy_model
 
   impure elemental subroutine finalise_model(self)  ! elemental: for arrays of any rank

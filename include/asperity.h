@@ -414,6 +414,8 @@ typedef struct asperity_summary {
   /** Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
    * made, times what errors between samples are larger by. */
   double table_error;
+  /** Largest load that the surfaces have borne [force]: of `asperity_unloaded`; 0 of a model of first loading. */
+  double largest_load;
 } asperity_summary;
 
 /** Specimens of a surface pair under one load. Each quantity has five numbers: `found.gap[ASPERITY_SPREAD_MEDIAN]`. */
@@ -716,6 +718,21 @@ asperity_status asperity_params_read(struct asperity_params *params, const char 
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`,
  *         `ASPERITY_NOT_CONVERGED`; `asperity_last_error` says which parameter and what is allowed */
 asperity_status asperity_create(const struct asperity_params *params, struct asperity_model **model);
+
+/** Makes the model of the same surfaces after a largest load: of a joint that was tightened, and now vibrates.
+ *
+ * Up to the largest load, summits that yielded spring back elastically, and every call answers for that: at the same load the gap is
+ * smaller and friction, area, stiffness and conductance are larger than at first loading. Above the largest load first loading goes on.
+ * Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
+ * `asperity_free`; `asperity_set_params` makes it one of first loading.
+ *
+ * @param model         the surfaces, at first loading or after a smaller largest load
+ * @param largest_load  the largest load that they have borne [force], > 0 and below `max_table_load` of `asperity_summary_of`
+ * @param unloaded      receives the model
+ * @return as `asperity_create`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`; `ASPERITY_OUT_OF_RANGE` also with adhesion, of which
+ *         unloading is not modelled, and for a load below the largest load of the model */
+asperity_status asperity_unloaded(const struct asperity_model *model, double largest_load,
+    struct asperity_model **unloaded);
 
 /** Gives a model other parameters; on failure the model is as before.
  *

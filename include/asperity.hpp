@@ -745,6 +745,17 @@ public:
         handle_.reset(model);
     }
 
+    /// The same surfaces after a largest load [force]: up to it summits that yielded spring back elastically.
+    ///
+    /// Throws as the constructor, and Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED).
+    Model unloaded(double largest_load) const {
+        Model made;
+        asperity_model *model = nullptr;
+        check(asperity_unloaded(open(), largest_load, &model));
+        made.handle_.reset(model);
+        return made;
+    }
+
     /// Gives the model other parameters, all or nothing: when it throws, the model is as before.
     ///
     /// Throws as the constructor. No other thread may use the model during the call.
@@ -1156,6 +1167,8 @@ private:
                                                         std::to_string(count));
         }
     }
+
+    Model() = default;
 
     std::unique_ptr<asperity_model, Free> handle_;
 };

@@ -291,11 +291,11 @@ contains
   end subroutine single_specimens
 
   subroutine error_reports
-    type(friction_model) :: law
+    type(friction_model) :: law, copied
     type(asperity_params) :: p
     type(asperity_state) :: state
     type(asperity_summary) :: constants
-    real(c_double) :: mu(4)
+    real(c_double) :: mu(4), loaded
     character(80) :: errmsg
     character(10) :: short
     integer :: stat
@@ -328,6 +328,20 @@ contains
     call check('NaN is refused', stat == ASPERITY_INVALID_LOAD)
     call check_text('... and its element counted from one', errmsg, 'element 3: load = NaN: must be finite')
     call check('all elements are filled', ieee_is_nan(mu(3)) .and. mu(4) > 0)
+    call law%unload(1.0_c_double, stat, errmsg)
+    call check('unloading with adhesion is refused', stat == ASPERITY_OUT_OF_RANGE .and. law%friction_at_load(1.0_c_double) > 0)
+    p = paper_case()
+    p%work_of_adhesion = 0
+    p%hardness = 0.02_c_double
+    p%contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC
+    call law%create(p)
+    loaded = law%friction_at_load(3.0_c_double)
+    call law%unload(10.0_c_double)
+    call law%summary(constants)
+    call check('a law knows its largest load', constants%largest_load > 9.99_c_double .and. constants%largest_load < 10.01_c_double)
+    call check('... and springs back from it', law%friction_at_load(3.0_c_double) > loaded)
+    copied = law
+    call check('... as a copy does', identical(copied%friction_at_load(3.0_c_double), law%friction_at_load(3.0_c_double)))
   end subroutine error_reports
 
   ! Open contacts are ordinary; they hide no load that has no answer.

@@ -44,6 +44,7 @@ program smoke
   call check('asperity_params_calibrate', is_status(asperity_params_calibrate(changed, 0.4_c_double, 0.4_c_double)))
   call check('asperity_params_calibrate_force', is_status(asperity_params_calibrate_force(changed, 0.4_c_double, &
       0.4_c_double)))
+  call check('asperity_unloaded', is_status(asperity_unloaded(model, 0.4_c_double, model)))
   call check('asperity_set_params', is_status(asperity_set_params(model, params)))
   call check('asperity_name', c_associated(asperity_name(0_c_int32_t, 1_c_size_t)))
   call check('asperity_friction_at_load', .not. ieee_is_nan(asperity_friction_at_load(model, 0.4_c_double)))

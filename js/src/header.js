@@ -187,7 +187,7 @@ export const LAYOUTS = {
     ],
   },
   asperity_summary: {
-    size: 112,
+    size: 120,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "alpha", type: "double", offset: 8 },
@@ -203,6 +203,7 @@ export const LAYOUTS = {
       { name: "min_table_load", type: "double", offset: 88 },
       { name: "max_table_load", type: "double", offset: 96 },
       { name: "table_error", type: "double", offset: 104 },
+      { name: "largest_load", type: "double", offset: 112 },
     ],
   },
   asperity_specimens: {
@@ -267,6 +268,7 @@ export const FUNCTIONS = {
   asperity_params_text: ["size_t", "const asperity_params * params", "char * buffer", "size_t length"],
   asperity_params_read: ["asperity_status", "asperity_params * params", "const char * path"],
   asperity_create: ["asperity_status", "const asperity_params * params", "asperity_model ** model"],
+  asperity_unloaded: ["asperity_status", "const asperity_model * model", "double largest_load", "asperity_model ** unloaded"],
   asperity_set_params: ["asperity_status", "asperity_model * model", "const asperity_params * params"],
   asperity_get_params: ["asperity_status", "const asperity_model * model", "asperity_params * params"],
   asperity_free: ["void", "asperity_model * model"],
@@ -359,6 +361,7 @@ export const FUNCTIONS = {
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
  * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
  * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made, times what errors between samples are larger by.
+ * @property {number} largest_load Largest load that the surfaces have borne [force].
  */
 
 /**

@@ -81,6 +81,22 @@ export class Model {
   }
 
   /**
+   * The same surfaces after a largest load: up to it summits that yielded spring back elastically, above it first loading goes on.
+   * @param {number} largestLoad the largest load that they have borne [force], > 0
+   * @returns {Model} which is freed on its own
+   * @throws {AsperityError} a load that cannot be, or adhesion, of which unloading is not modelled
+   */
+  unloaded(largestLoad) {
+    this.library.run("unloaded", this.#open, numberOf("largest_load", largestLoad), this.library.out);
+    const pointer = this.library.data().getUint32(this.library.out, true);
+    const made = new Model(this.library, this.params);
+    made.free();
+    made.#pointer = pointer;
+    this.library.models.register(made, pointer, made);
+    return made;
+  }
+
+  /**
    * Friction coefficient F/P [-] at a load, or at many: `model.frictionAtLoad(1e-3)`. From the pull-off load to 0 it is
    * `max_friction_coefficient`; below the pull-off load it is 0.
    * @template {number | Loads} T

@@ -333,6 +333,16 @@ test("measured points that no strength gives are refused with the numbers", () =
   assert.throws(() => new Model({ ...silicon, calibration_load: 1e-3 }), /^AsperityError: calibration_load: must be given together/);
 });
 
+test("a joint that was tightened springs back", () => {
+  const first = new Model(yielding);
+  const joint = first.unloaded(10);
+  assert.deepEqual([first.summary().largest_load, joint.summary().largest_load], [0, 10]);
+  assert.ok(joint.frictionAtLoad(3) > first.frictionAtLoad(3));
+  assert.throws(() => first.unloaded(0), /largest_load = 0/);
+  joint.free();
+  assert.ok(first.frictionAtLoad(3) > 0);
+});
+
 test("a model that was freed says so, and can be freed again", () => {
   const model = new Model(silicon);
   model.free();

@@ -243,6 +243,33 @@ def test_other_parameters_are_another_law(params: Params, model: Model) -> None:
     assert model.friction_at_load(10.0) == pytest.approx(half, rel=1e-10)  # twice the summits carry twice the load
 
 
+def test_a_joint_that_was_tightened_springs_back(params: Params) -> None:
+    first = Model(params.replace(work_of_adhesion=0.0).elastic_plastic(0.002 * params.composite_modulus))
+    joint = first.unloaded(10.0)
+    assert (first.summary().largest_load, joint.summary().largest_load) == (0.0, 10.0)
+    assert joint.friction_at_load(3.0) > 1.05 * first.friction_at_load(3.0)
+    assert joint.friction_at_load(30.0) == pytest.approx(first.friction_at_load(30.0), rel=1e-6)
+    top, under = first.state_at_load(10.0), joint.state_at_load(10.0 * (1 - 1e-9))
+    assert -under.dload_dgap == pytest.approx(top.unloading_stiffness, rel=1e-6)
+    assert top.unloading_stiffness > -top.dload_dgap
+    contact, twin = joint.microslip(), pickle.loads(pickle.dumps(joint))
+    copied = pickle.loads(pickle.dumps(contact))
+    assert twin.friction_at_load(3.0) == joint.friction_at_load(3.0) == joint.unloaded(10.0).friction_at_load(3.0)
+    assert copied.step(3.0, [1.0, 0.0]).force[0] == contact.step(3.0, [1.0, 0.0]).force[0] > 0
+    assert Model(joint.params).friction_at_load(3.0) == first.friction_at_load(3.0)
+
+
+@pytest.mark.parametrize("load", [0.0, -1.0, np.nan, np.inf, 1e300])
+def test_a_largest_load_that_cannot_be_is_refused(params: Params, load: float) -> None:
+    first = Model(params.replace(work_of_adhesion=0.0).elastic_plastic(0.002 * params.composite_modulus))
+    with pytest.raises(Error, match="largest_load"):
+        first.unloaded(load)
+    with pytest.raises(Error, match="at least 10, which the model is unloaded from"):
+        first.unloaded(10.0).unloaded(9.0)
+    with pytest.raises(Error, match="unloading of surfaces with adhesion is not modelled"):
+        Model(params).unloaded(1.0)
+
+
 # ---- Lifetime ----
 
 

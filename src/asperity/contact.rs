@@ -33,6 +33,9 @@ pub struct Contact {
     pub by_s: Rates,
     /// Derivatives by g at fixed s.
     pub by_g: Rates,
+    /// dP/du over a of a contact that springs back as the largest load left it, 2 alpha beta: at a fixed height it changes otherwise
+    /// than with s. 0 where it changes with s.
+    pub spring_stiffness: f64,
 }
 
 impl Contact {
@@ -44,6 +47,19 @@ impl Contact {
         } else {
             0.0
         }
+    }
+
+    /// What it changes by where the surfaces approach.
+    #[inline]
+    pub fn by_approach(&self) -> Rates {
+        if self.spring_stiffness > 0.0 {
+            let load = self.spring_stiffness * self.radius;
+            let radius = if self.load > 0.0 { load * self.radius / (3.0 * self.load) } else { 0.0 };
+            return Rates { overlap: 1.0, radius, load, hertz_load: load };
+        }
+        let by = self.s_by_overlap();
+        let Rates { overlap, radius, load, hertz_load } = self.by_s;
+        Rates { overlap: overlap * by, radius: radius * by, load: load * by, hertz_load: hertz_load * by }
     }
 
     /// The contact a little farther on: where s grows by `s` and g by `g`, to first order.

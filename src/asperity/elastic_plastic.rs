@@ -102,6 +102,7 @@ impl ContactLaw for ElasticPlastic {
                 hertz_load: load_by_s,
             },
             by_g: Rates { overlap: 0.0, radius: 0.5 * square[2] / radius, load: load_by_g, hertz_load: load_by_g },
+            spring_stiffness: 0.0,
         }
     }
 

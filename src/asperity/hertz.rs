@@ -35,6 +35,7 @@ impl ContactLaw for Hertz {
             hertz_load: load,
             by_s: Rates { overlap: 2.0 * parameter, radius: radius_rate, load: load_by_s, hertz_load: load_by_s },
             by_g: Rates { overlap: 0.0, radius: 0.5 * radius / g, load: load_by_g, hertz_load: load_by_g },
+            spring_stiffness: 0.0,
         }
     }
 

@@ -102,6 +102,7 @@ impl ContactLaw for Maugis {
                 load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g) - 2.0 * self.load_adhesion * annulus * c * c_by_g,
                 hertz_load: load_hertz * a * a * (3.0 * a_by_g - a * inv_g),
             },
+            spring_stiffness: 0.0,
         }
     }
 

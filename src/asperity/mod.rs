@@ -7,3 +7,4 @@ pub mod groups;
 pub mod hertz;
 pub mod maugis;
 pub mod slip;
+pub mod unloaded;

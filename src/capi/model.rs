@@ -50,7 +50,11 @@ pub(super) unsafe fn with_slope(model: *const asperity_model, quantity: Asked, a
 impl asperity_model {
     unsafe fn new(params: *const asperity_params) -> Result<Self, Failure> {
         let params = asperity_params::read(params)?.to_params()?;
-        Ok(Self { model: Model::new(&params)?, scalar_calls: scalar::calls(), slope_calls: scalar::slope_calls() })
+        Ok(Self::of(Model::new(&params)?))
+    }
+
+    fn of(model: Model) -> Self {
+        Self { model, scalar_calls: scalar::calls(), slope_calls: scalar::slope_calls() }
     }
 }
 
@@ -70,6 +74,31 @@ pub unsafe extern "C" fn asperity_create(
     boundary::status(|| {
         let out = reference_mut(model, "model")?;
         *out = Box::into_raw(Box::new(asperity_model::new(params)?));
+        Ok(())
+    })
+}
+
+/// Makes the model of the same surfaces after a largest load: of a joint that was tightened, and now vibrates.
+///
+/// Up to the largest load, summits that yielded spring back elastically, and every call answers for that: at the same load the gap is
+/// smaller and friction, area, stiffness and conductance are larger than at first loading. Above the largest load first loading goes on.
+/// Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
+/// `asperity_free`; `asperity_set_params` makes it one of first loading.
+///
+/// @param model         the surfaces, at first loading or after a smaller largest load
+/// @param largest_load  the largest load that they have borne [force], > 0 and below `max_table_load` of `asperity_summary_of`
+/// @param unloaded      receives the model
+/// @return as `asperity_create`, `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`; `ASPERITY_OUT_OF_RANGE` also with adhesion, of which
+///         unloading is not modelled, and for a load below the largest load of the model
+#[no_mangle]
+pub unsafe extern "C" fn asperity_unloaded(
+    model: *const asperity_model,
+    largest_load: f64,
+    unloaded: *mut *mut asperity_model,
+) -> asperity_status {
+    boundary::status(|| {
+        let (model, out) = (of(model)?, reference_mut(unloaded, "unloaded")?);
+        *out = Box::into_raw(Box::new(asperity_model::of(model.unloaded(largest_load)?)));
         Ok(())
     })
 }

@@ -112,6 +112,8 @@ pub struct asperity_summary {
     /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
     /// made, times what errors between samples are larger by.
     pub table_error: f64,
+    /// Largest load that the surfaces have borne [force]: of `asperity_unloaded`; 0 of a model of first loading.
+    pub largest_load: f64,
 }
 
 /// An exact state for the caller.
@@ -190,7 +192,7 @@ pub unsafe extern "C" fn asperity_summary_of(
         fill(summary, "summary", || {
             Ok(same_fields! { asperity_summary of model.summary();
                 alpha beta gamma lambda skew kurtosis pull_off_load pull_off_friction_force zero_load_friction_force
-                stiffness_per_radius min_table_load max_table_load table_error
+                stiffness_per_radius min_table_load max_table_load table_error largest_load
             })
         })
     })

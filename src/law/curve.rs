@@ -78,8 +78,9 @@ impl Attempt {
 }
 
 impl Curve {
-    /// Follows the branch from the heaviest load of a reach to pull-off, or to the lightest load of the reach where there is none.
-    pub fn new(branch: &Branch, reach: &Reach) -> Result<Self, Unfollowed> {
+    /// Follows the branch from the heaviest load of a reach to pull-off, or to the lightest load of the reach where there is none. An
+    /// anchor is a separation and its gap.
+    pub fn new(branch: &Branch, reach: &Reach, anchor: Option<(f64, f64)>) -> Result<Self, Unfollowed> {
         let pull_off = branch.pull_off().filter(|_| reach.has_pull_off);
         let log_pull_off = pull_off.map(|point| log(-point.load));
         let coordinate = Coordinate { log_pull_off, pull_off: branch.pull_off_load() };
@@ -90,7 +91,10 @@ impl Curve {
         let error = [0.0; Quantity::COUNT];
         let mut curve = Self { coordinate, positions, panels: Vec::new(), kinks, error, planes: None };
         let mut gaps = Vec::new();
-        let mut open: Vec<Stretch> = knots.windows(2).map(|ends| Stretch::new(ends[0], ends[1])).collect();
+        let mut open = Vec::new();
+        for ends in knots.windows(2) {
+            open.push(Stretch::new(states.beyond(ends[0])?, ends[1]));
+        }
         // All of one length before the halves of any, so that what is not resolved where states are spent is short.
         while !open.is_empty() {
             let mut halves = Vec::new();
@@ -109,7 +113,13 @@ impl Curve {
         }
         curve.panels.sort_by(|a, b| a.begin.total_cmp(&b.begin));
         gaps.sort_by(|a, b| a.begin.total_cmp(&b.begin));
-        curve.planes = (!gaps.is_empty()).then(|| Box::new(Planes::new(gaps, positions)));
+        curve.planes = (!gaps.is_empty()).then(|| {
+            let planes = Planes::new(gaps, positions);
+            Box::new(match anchor {
+                Some(anchor) => planes.anchored(anchor),
+                None => planes,
+            })
+        });
         Ok(curve)
     }
 

@@ -121,7 +121,7 @@ pub struct Reach {
 
 impl Reach {
     fn of(branch: &Branch) -> Self {
-        let population = branch.population();
+        let population = &*branch.population().at_first_loading();
         let half = population.at_separation(-population.heights().origin()).load().abs();
         let pull_off = -branch.pull_off_load();
         let has_pull_off = pull_off > LIGHTEST_PULL_OFF * half;
@@ -140,7 +140,8 @@ impl Reach {
 }
 
 impl Law {
-    /// Compiles the law in units of load, of each quantity and of length, whose origin is the mean plane.
+    /// Compiles the law in units of load, of each quantity and of length, whose origin is the mean plane. After a larger load an anchor
+    /// has the separation under it, and the gap, in sigma.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
@@ -149,18 +150,10 @@ impl Law {
         load: f64,
         units: [f64; Quantity::COUNT],
         lengths: Lengths,
+        anchor: Option<(f64, f64)>,
     ) -> Result<Self, Unfollowed> {
-        Self::compiled(branch, load, units, lengths, Reach::of(branch))
-    }
-
-    fn compiled(
-        branch: &Branch,
-        load: f64,
-        units: [f64; Quantity::COUNT],
-        lengths: Lengths,
-        reach: Reach,
-    ) -> Result<Self, Unfollowed> {
-        let curve = Curve::new(branch, &reach)?;
+        let reach = Reach::of(branch);
+        let curve = Curve::new(branch, &reach, anchor)?;
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
             Compiled::new(branch, &curve, reach, quantity, scale)
@@ -198,8 +191,12 @@ impl Law {
 
     /// The gap between mean planes at a separation of the population, in the caller's unit.
     pub fn gap_at(&self, separation: f64) -> f64 {
-        let gap = self.planes.as_ref().map_or(separation, |planes| planes.gap(separation));
-        self.gap.lengths().callers(gap)
+        self.gap.lengths().callers(self.anchor(separation).1)
+    }
+
+    /// A separation and its gap, in sigma.
+    pub fn anchor(&self, separation: f64) -> (f64, f64) {
+        (separation, self.planes.as_ref().map_or(separation, |planes| planes.gap(separation)))
     }
 
     /// The separation of the population at a gap in the caller's unit.
@@ -288,7 +285,7 @@ mod tests {
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS).expect("a law");
+            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS, None).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
                 assert!(error > 1e-16 && error < tolerance::MOST, "{quantity:?}: {error:e}");
@@ -325,7 +322,7 @@ mod tests {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS).expect("a law");
+            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS, None).expect("a law");
             let table = law.table(Quantity::Friction);
             // Hertz' overlap at that radius, in sigma, with R = beta/alpha and sigma = alpha beta.
             let overlap = 8e4 * 8e4 / (beta * beta);

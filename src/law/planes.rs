@@ -27,6 +27,8 @@ pub struct Planes {
     panels: Vec<PlanesPanel>,
     /// d(gap)/d(separation) where the first begins.
     first_rate: f64,
+    /// What a gap is more than the separation where neighbours change nothing any more: 0 but for what a larger load has left.
+    lead: f64,
 }
 
 /// A stretch between two positions.
@@ -118,7 +120,17 @@ impl Planes {
             gap -= rise;
         }
         panels.shrink_to_fit();
-        Self { positions, panels, first_rate }
+        Self { positions, panels, first_rate, lead: 0.0 }
+    }
+
+    /// With gaps so much larger that one is that of a separation.
+    pub fn anchored(mut self, (separation, gap): (f64, f64)) -> Self {
+        let lead = gap - self.gap(separation);
+        for panel in &mut self.panels {
+            panel.begin_gap += lead;
+            panel.end_gap += lead;
+        }
+        Self { lead, ..self }
     }
 
     /// The index of the panel of a gap, or of the last one.
@@ -142,7 +154,7 @@ impl Planes {
                 self.positions.separation(first.begin) + (gap - first.begin_gap) / self.first_rate
             }
             (_, Some(last)) if gap <= last.end_gap => self.positions.separation(self.places([gap])[0].0),
-            _ => gap,
+            _ => gap - self.lead,
         }
     }
 
@@ -152,7 +164,7 @@ impl Planes {
         match self.panels.get(self.panels.partition_point(|panel| panel.end < position)) {
             Some(panel) if position >= panel.begin => panel.gap(position),
             Some(panel) => panel.begin_gap + (separation - self.positions.separation(panel.begin)) * self.first_rate,
-            None => separation,
+            None => separation + self.lead,
         }
     }
 }

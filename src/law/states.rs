@@ -6,6 +6,7 @@ use super::position::Positions;
 use super::{Quantity, Reach};
 use crate::equilibrium::{Branch, BranchPoint, PullOff};
 use crate::numerics::elementary::log;
+use crate::numerics::neighbours::Neighbours;
 
 /// The ends of the loads are looked for in steps between these, in position, of so much more than slopes tell.
 const STEPS: (f64, f64) = (1.0, 9.0);
@@ -104,6 +105,15 @@ impl States<'_> {
         })
     }
 
+    /// A state as it is beyond it: at the largest load the slopes are those of unloading.
+    pub fn beyond(&mut self, state: Sample) -> Result<Sample, Unfollowed> {
+        if state.separation != self.branch.population().largest() {
+            return Ok(state);
+        }
+        let beyond = self.of(state.position, state.separation.above())?;
+        Ok(Sample { s: state.s, log_excess: state.log_excess, log_value: state.log_value, ..beyond })
+    }
+
     /// Pull-off itself, if the branch ends there.
     fn pull_off(&self) -> Option<Sample> {
         self.coordinate.log_pull_off?;
@@ -128,6 +138,8 @@ impl States<'_> {
         let end = self.pull_off();
         let middle = self.positions.position(-self.branch.population().heights().origin());
         let farthest = end.map_or(self.positions.position(self.branch.farthest()), |end| end.position);
+        let largest = self.branch.population().largest();
+        let middle = if largest < f64::INFINITY { middle.min(self.positions.position(largest)) } else { middle };
         let mut heaviest = self.at(middle.min(farthest - 2.0))?;
         let mut states = vec![heaviest];
         if end.is_none() {

@@ -114,7 +114,7 @@ impl Model {
     }
 
     /// The separation at a load, in sigma, and the sums there.
-    fn equilibrium_at(&self, load: f64) -> Result<(f64, Sums), Error> {
+    pub(super) fn equilibrium_at(&self, load: f64) -> Result<(f64, Sums), Error> {
         self.surfaces.equilibrium_at(load, || self.law.separation_of(load))
     }
 

@@ -26,6 +26,8 @@ use std::ops::Deref;
 const HEAVIEST_LOAD: f64 = 1e80;
 /// A friction coefficient above this is taken as infinite.
 const INFINITE_COEFFICIENT: f64 = 1e140;
+/// What the load after which surfaces are unloaded is called.
+const LARGEST_LOAD: &str = "largest_load";
 /// No load curve has more minima than this.
 const MOST_MINIMA: usize = 8;
 
@@ -48,6 +50,8 @@ pub struct Surfaces {
     inverse_cap: f64,
     /// The heaviest load that can be evaluated.
     heaviest: f64,
+    /// The largest load that the summits have borne; 0 at first loading.
+    pub(crate) largest_load: f64,
 }
 
 impl Deref for Model {
@@ -126,6 +130,8 @@ pub struct Summary {
     /// Largest relative error of the compiled friction force at the samples that were compared when the model was made;
     /// times what errors between samples are larger by.
     pub table_error: f64,
+    /// The largest load that the summits have borne [force]; 0 of a model of first loading.
+    pub largest_load: f64,
 }
 
 impl Model {
@@ -134,13 +140,53 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
     pub fn new(params: &Params) -> Result<Self, Error> {
-        let mut surfaces = Surfaces::new(params)?;
-        let units = surfaces.units;
+        Self::compiled(Surfaces::new(params)?, None)
+    }
+
+    /// This surface pair after a largest load: summits that yielded spring back elastically from it, and back to it. Above it first
+    /// loading goes on. Without a law of contact in which summits yield nothing changes.
+    ///
+    /// # Errors
+    /// As [`Model::state_at_load`]; [`Error::OutOfRange`] for adhesion, for a load beyond the table or below the largest load that this
+    /// model has borne, and where radii vary so much that taller summits would part before lower ones.
+    pub fn unloaded(&self, largest_load: f64) -> Result<Self, Error> {
+        let refused = |allowed| Err(Error::out_of_range(LARGEST_LOAD, largest_load, allowed));
+        let of_load = |error: Error| error.of_load(LARGEST_LOAD);
+        if self.params.work_of_adhesion > 0.0 {
+            return refused("unloading of surfaces with adhesion is not modelled: set work_of_adhesion to 0");
+        }
+        self.validate_load(largest_load).map_err(of_load)?;
+        if largest_load <= 0.0 || largest_load >= self.law.table(Quantity::Friction).range().1 {
+            return refused("must be > 0 and below max_table_load of the summary");
+        }
+        if largest_load < self.largest_load {
+            return refused("must not be below the largest load that this model has borne");
+        }
+        if !self.groups.yields {
+            return Ok(self.clone());
+        }
+        let (separation, _) = self.equilibrium_at(largest_load).map_err(of_load)?;
+        let anchor = self.law.anchor(separation);
+        let Some(population) = self.branch.population().unloaded_from(separation) else {
+            return refused(
+                "must be lighter with this radius_amplitude: nearly all summits touch, and of those that have yielded taller ones would part \
+                 before lower ones",
+            );
+        };
+        Self::compiled(
+            Surfaces { branch: Branch::new(population)?, largest_load, ..self.surfaces.clone() },
+            Some(anchor),
+        )
+    }
+
+    /// The model of surfaces; an anchor is a separation and its gap, in sigma.
+    fn compiled(mut surfaces: Surfaces, anchor: Option<(f64, f64)>) -> Result<Self, Error> {
+        let (units, summit_mean_height) = (surfaces.units, surfaces.params.summit_mean_height);
         let compile = |branch: &Branch| {
             // Heights count from the mean of the summits, gaps from the mean plane.
-            let origin = branch.population().heights().origin() + params.summit_mean_height / units.length;
+            let origin = branch.population().heights().origin() + summit_mean_height / units.length;
             let lengths = Lengths { unit: units.length, origin };
-            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), lengths)
+            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), lengths, anchor)
         };
         let mut law = compile(&surfaces.branch);
         for _ in 0..MOST_MINIMA {
@@ -316,6 +362,7 @@ impl Model {
             min_table_load: self.law.table(Quantity::Friction).range().0,
             max_table_load: self.law.table(Quantity::Friction).range().1,
             table_error: self.law.error(Quantity::Friction),
+            largest_load: self.largest_load,
         }
     }
 
@@ -337,7 +384,7 @@ impl Surfaces {
         let (units, branch) = (Units::new(params), Branch::new(population)?);
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(TAMEST);
-        Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest })
+        Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest, largest_load: 0.0 })
     }
 
     /// The parameters of the surfaces.

@@ -40,6 +40,20 @@ impl Edge {
         let slack = 1e-9 * (1.0 + separation.abs());
         Self::at(law, radius, root::bracketed(residual, separation + deepest - slack, separation + slack))
     }
+
+    /// The edge at a separation where summits that have yielded part at overlaps above 0; at the highest if nothing touches.
+    pub fn of_unloading(law: &dyn ContactLaw, radius: &RadiusProfile, separation: f64, highest: f64) -> Self {
+        if radius.is_constant() {
+            return Self::at(law, radius, separation + law.break_away(1.0).overlap);
+        }
+        let residual = |z: f64| (z - separation) - law.break_away(radius.factor(z)).overlap;
+        // Near it, since a root has the digits of its bracket.
+        let (mut lower, mut rise) = (separation, 0.125);
+        while residual(separation + rise) < 0.0 && separation + rise < highest {
+            (lower, rise) = (separation + rise, 2.0 * rise);
+        }
+        Self::at(law, radius, root::bracketed(residual, lower, (separation + rise).min(highest.max(separation))))
+    }
 }
 
 /// The smallest overlap at which any summit between two heights holds on.

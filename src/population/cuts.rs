@@ -124,7 +124,7 @@ impl Population {
                 self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
             }
             if start_kink != Some(RADII + index) {
-                let residual = |point: &Point| point.contact.overlap - kink * self.radius.factor(point.z);
+                let residual = |point: &Point| point.contact.overlap + self.lost - kink * self.radius.factor(point.z);
                 self.cut_where(separation, &mut panel, residual, Some(RADII + index));
             }
         }
@@ -146,9 +146,11 @@ impl Population {
             return false;
         }
         let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1]);
-        let is_cut = is_inside(root, from, to);
+        let cut = self.on_panel(separation, panel, root);
+        // Two kinks at one height are not passed in turn for ever.
+        let is_cut = is_inside(root, from, to) && cut.z > panel.from.z;
         if is_cut {
-            panel.to = self.on_panel(separation, panel, root);
+            panel.to = cut;
             panel.kink = kink;
         }
         is_cut

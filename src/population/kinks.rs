@@ -21,8 +21,8 @@ impl Population {
         let (lower_end, _) = self.heights.support();
         let is_power = self.heights.power_at_lower_end().is_some();
         let lower_end = (is_power && lower_end + self.heights.origin() > LOWEST_END).then_some(lower_end);
-        let heights = self.heights.breakpoints().iter().copied().chain(lower_end);
-        let mut kinks: Vec<f64> = heights.flat_map(|z| self.kinks_of_height(z)).collect();
+        let heights: Vec<f64> = self.heights.breakpoints().iter().copied().chain(lower_end).collect();
+        let mut kinks: Vec<f64> = heights.iter().flat_map(|&z| self.kinks_of_height(z)).collect();
         if !self.radius.is_constant() {
             for radius in self.slip.kinks() {
                 kinks.extend(self.separations_where(|z| {
@@ -42,6 +42,10 @@ impl Population {
                 }));
             }
         }
+        if self.largest < f64::INFINITY {
+            kinks.retain(|&kink| kink < self.largest);
+            kinks.extend(self.kinks_of_unloading(&heights));
+        }
         let mut kinks: Vec<f64> = ascending(&kinks).into_iter().map(|i| kinks[i]).collect();
         kinks.dedup_by(|next, kink| *next - *kink < SAME_KINK * (1.0 + kink.abs()));
         kinks
@@ -60,7 +64,7 @@ impl Population {
     }
 
     /// The separations, which `at` gives as its second, at the heights where its first changes sign.
-    fn separations_where(&self, at: impl Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
+    pub(super) fn separations_where(&self, at: impl Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
         let value = |z: f64| at(z).map(|(value, _)| value);
         let looks: Vec<_> = self.radius.looks(self.lower_cut, self.highest).map(|z| (z, value(z))).collect();
         let passed = looks.windows(2).filter_map(|between| {

@@ -3,7 +3,8 @@
 //! Each sum is an integral over height z of an asperity's law times the height density. `break_away` tells where contact
 //! begins, `walk` goes over the summits in contact in `panels` that end at `cuts`, `attracted` over those that attract below;
 //! `node_table` keeps what is the same at every separation. `statistics` tells more of the contacts than their sums, `tangential`
-//! what they resist before they slip, `one_summit` gives the law of a single one, `crowding` what neighbours change.
+//! what they resist before they slip, `one_summit` gives the law of a single one, `crowding` what neighbours change,
+//! `unloading` what a larger load has left.
 //!
 //! Heights, overlaps and separations are in sigma; sums are per summit, loads in E* b^2, friction in G* b^2, areas in b^2.
 
@@ -19,6 +20,7 @@ pub mod radius;
 mod statistics;
 mod sums;
 mod tangential;
+mod unloading;
 mod walk;
 
 pub use one_summit::{OneSummit, Pressed};
@@ -60,6 +62,12 @@ pub struct Population {
     /// Where the nominal area is known.
     crowding: Option<Crowding>,
     lambda_cubed: f64,
+    /// 2 alpha beta.
+    stiffness_of_radius: f64,
+    /// The separation at which the summits stood under the largest load; infinite at first loading.
+    largest: f64,
+    /// By how much less than then summits overlap; 0 at first loading.
+    lost: f64,
     /// The mean summit radius in standard deviations of height.
     mean_radius: f64,
     /// 2 pi w R, which no summit of the mean radius pulls with more than, in E* b^2.
@@ -170,6 +178,9 @@ impl Population {
                 stiffness_of_radius: 2.0 * groups.alpha * groups.beta,
             }),
             lambda_cubed: groups.lambda_cubed(),
+            stiffness_of_radius: 2.0 * groups.alpha * groups.beta,
+            largest: f64::INFINITY,
+            lost: 0.0,
             mean_radius: 1.0 / (groups.alpha * groups.alpha),
             most_pull: 2.0 * PI * groups.gamma * groups.beta / groups.alpha,
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
@@ -230,12 +241,12 @@ impl Population {
 
     /// A separation beyond which nothing touches or attracts, in any number that can be represented.
     pub fn farthest(&self) -> f64 {
-        self.highest + self.range_of_adhesion()
+        self.parts_at(self.highest) + self.range_of_adhesion()
     }
 
     /// The sums at a separation; NaN where they take more panels than there may be.
     pub fn at_separation(&self, separation: f64) -> Sums {
-        self.among_neighbours(self.of_lone_summits(separation))
+        self.among_neighbours(self.as_at(separation).of_lone_summits(separation))
     }
 
     /// What neighbours change, if the nominal area is known.
@@ -268,6 +279,7 @@ impl Population {
     fn edge(&self, separation: f64) -> Edge {
         match self.table() {
             Some(table) => Edge { point: table.edge.raised(separation), rate: 1.0 },
+            None if self.lost > 0.0 => Edge::of_unloading(&*self.law, &self.radius, separation, self.highest),
             None => Edge::at_separation(&*self.law, &self.radius, separation, self.deepest),
         }
     }

@@ -1,7 +1,7 @@
 //! Panels of the quadrature over summits in contact: how long each may be, and the summits at its nodes.
 //!
 //! Near break-away panels are laid in the parameter of the law of contact, in which the edge and the fold are smooth: the
-//! height follows. Far from it they are laid in height, and the contact follows. `cuts` says where one ends before it is as long
+//! height follows; of unloading in the root of the height above it. Far from it they are laid in height, and the contact follows. `cuts` says where one ends before it is as long
 //! as it may be, `walk` lays one after the other.
 
 use super::break_away::LEAST_RATE;
@@ -36,6 +36,8 @@ const REMNANT: f64 = 1e-3;
 pub enum Axis {
     Parameter,
     Height,
+    /// The root of the height above this one, where contact breaks.
+    Root(f64),
 }
 
 /// A panel between two summits.
@@ -81,7 +83,9 @@ impl Population {
     ) -> SummitPanel {
         // Where radii fall so steeply that the parameter turns back, panels in it would become ever shorter; not so at break-away.
         let turns_back = here.height_share() < LEAST_RATE;
-        let by_parameter = if turns_back || clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
+        let by_parameter = if self.lost > 0.0 && clearance <= PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
+            Some(self.root_panel_end(separation, &here, clearance, PART_OF_HEIGHT_PANEL * reach, stop))
+        } else if turns_back || self.lost > 0.0 || clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
             None
         } else {
             let is_polynomial = self.heights.is_piecewise_polynomial();
@@ -89,6 +93,7 @@ impl Population {
             self.parameter_panel_end(separation, &here, reach, stop)
         };
         let (axis, to) = match by_parameter {
+            Some(to) if self.lost > 0.0 => (Axis::Root(here.z - clearance), to),
             Some(to) => (Axis::Parameter, to),
             None => {
                 let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
@@ -111,6 +116,7 @@ impl Population {
         match panel.axis {
             Axis::Height => rise / smooth.min(HEIGHT_RATIO * clearance),
             // The ends do not tell how dz/ds changes between them.
+            Axis::Root(_) => 1.0,
             Axis::Parameter if !self.radius.is_constant() => 1.0,
             Axis::Parameter => {
                 let step = panel.to.contact.parameter - panel.from.contact.parameter;
@@ -176,6 +182,19 @@ impl Population {
         None
     }
 
+    /// Where a panel in the root of the height above break-away ends: contacts are smooth in it as far as from where none has been.
+    fn root_panel_end(&self, separation: f64, here: &Point, clearance: f64, reach: f64, stop: f64) -> Point {
+        let root = clearance.sqrt();
+        let mut step = PARAMETER_RATIO * (here.contact.overlap + self.lost).max(0.0).sqrt();
+        if self.has_onset() {
+            step = step.min(ONSET_RATIO * root);
+        } else if here.contact.radius > 0.999_999 * self.slip.kinks()[0] {
+            step = step.min(POWER_RATIO * root);
+        }
+        let rise = (step * (2.0 * root + step)).clamp(SHORTEST_PANEL, reach.max(SHORTEST_PANEL));
+        self.at_height(separation, (here.z + rise).min(stop), here.contact.parameter)
+    }
+
     /// The summits at the nodes of a panel, with their weights in height; those beyond the number of points have none.
     pub(super) fn nodes(&self, separation: f64, panel: &SummitPanel) -> [(f64, Point); POINTS] {
         let guess = panel.guess();
@@ -188,6 +207,7 @@ impl Population {
             nodes[count] = match panel.axis {
                 Axis::Parameter => (weight * point.z_rate(), point),
                 Axis::Height => (weight, point),
+                Axis::Root(_) => (2.0 * x * weight, point),
             };
             count += 1;
         }
@@ -207,6 +227,7 @@ impl Population {
         match axis {
             Axis::Parameter => self.on_branch(separation, x, guess),
             Axis::Height => self.at_height(separation, x, guess),
+            Axis::Root(edge) => self.at_height(separation, edge + x * x, guess),
         }
     }
 }
@@ -222,13 +243,14 @@ impl Point {
 impl SummitPanel {
     /// Whether the panel serves for a summit at one of its nodes.
     pub(super) fn follows(&self, node: &Point) -> bool {
-        self.axis == Axis::Height || node.follows(&self.from)
+        self.axis != Axis::Parameter || node.follows(&self.from)
     }
 
     pub(super) fn variable(&self, point: &Point) -> f64 {
         match self.axis {
             Axis::Parameter => point.contact.parameter,
             Axis::Height => point.z,
+            Axis::Root(edge) => (point.z - edge).max(0.0).sqrt(),
         }
     }
 
@@ -237,6 +259,7 @@ impl SummitPanel {
         let by_variable = match self.axis {
             Axis::Parameter => end.height_share(),
             Axis::Height => end.contact.by_s.overlap,
+            Axis::Root(_) => end.contact.by_s.overlap / (2.0 * self.variable(end)),
         };
         end.radius_change() / by_variable * (self.variable(&self.to) - self.variable(&self.from))
     }
@@ -247,6 +270,8 @@ impl SummitPanel {
         let [a, b] = match self.axis {
             Axis::Parameter => ends.map(|end| (end.contact.parameter, end.z, end.z_rate())),
             Axis::Height => ends.map(|end| (end.z, end.contact.parameter, 1.0 / end.z_rate())),
+            // By which nothing is solved for.
+            Axis::Root(_) => ends.map(|end| (self.variable(&end), end.contact.parameter, 0.0)),
         };
         Cubic::new(a, b)
     }

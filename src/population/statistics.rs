@@ -58,7 +58,7 @@ impl Visitor for Counting<'_> {
         let [first, second] = self.population.slip.kinks();
         let regime = usize::from(summit.radius > first) + usize::from(summit.radius >= second);
         let g = self.population.radius.factor(z);
-        let [yields, flows] = self.population.yields.map(|overlap| overlap * g);
+        let [yields, flows] = self.population.yields.map(|overlap| overlap * g - self.population.lost);
         self.count += fraction;
         let sums = &mut self.sums;
         sums.mean_radius += fraction * summit.radius;
@@ -89,9 +89,10 @@ impl Population {
     /// # Errors
     /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
     pub fn statistics(&self, separation: f64, number: f64, slope: f64) -> Result<Statistics, Error> {
-        let edge = self.edge(separation);
+        let population = &*self.as_at(separation);
+        let edge = population.edge(separation);
         let mut counting = Counting {
-            population: self,
+            population,
             count: 0.0,
             sums: Statistics::default(),
             slope: slope.clamp(-LARGEST_FRICTION_SLOPE, LARGEST_FRICTION_SLOPE),
@@ -100,9 +101,9 @@ impl Population {
             seen: Vec::new(),
         };
         if self.yields == self.kinks_of_contact {
-            self.visit(separation, &edge, &mut counting)?;
+            population.visit(separation, &edge, &mut counting)?;
         } else {
-            self.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
+            population.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
         }
         let Counting { count, sums, friction, hertz, seen, .. } = counting;
         if count == 0.0 {
@@ -113,8 +114,8 @@ impl Population {
         if number > 1.0 {
             let lowest = edge.point.z.max(self.lower_cut);
             let tallest = self.height_exceeded_by(lowest, count / (number + 1.0));
-            let guess = self.law.guess(tallest - separation, self.radius.factor(tallest));
-            let there = self.at_height(separation, tallest, guess).contact.radius;
+            let guess = population.law.guess(tallest - separation, self.radius.factor(tallest));
+            let there = population.at_height(separation, tallest, guess).contact.radius;
             let below = seen.iter().filter(|(z, _)| *z <= tallest).map(|(_, radius)| *radius);
             largest_radius = below.chain([there]).fold(mean_radius, f64::max);
         }

@@ -143,16 +143,16 @@ impl Summit {
     /// What the sums take of a contact and its friction force.
     #[inline]
     pub fn new(contact: &Contact, friction: Friction) -> Self {
-        let by_overlap = contact.s_by_overlap();
+        let by_approach = contact.by_approach();
         Self {
             overlap: contact.overlap,
             radius: contact.radius,
             load: contact.load,
             friction: friction.force,
             hertz_load: contact.hertz_load,
-            load_by_overlap: contact.by_s.load * by_overlap,
-            friction_by_overlap: friction.rate(&contact.by_s) * by_overlap,
-            radius_by_overlap: contact.by_s.radius * by_overlap,
+            load_by_overlap: by_approach.load,
+            friction_by_overlap: friction.rate(&by_approach),
+            radius_by_overlap: by_approach.radius,
         }
     }
 }

@@ -96,7 +96,8 @@ impl Population {
         let onset = self.slip.onset;
         let none = [0.0; N];
         let mut lost = Lost { force_over_radius, force: none, radius: none, strength: 0.0, all: 0.0, onset };
-        self.visit(separation, &self.edge(separation), &mut lost).ok()?;
+        let population = self.as_at(separation);
+        population.visit(separation, &population.edge(separation), &mut lost).ok()?;
         let Lost { force, radius, strength, all, .. } = lost;
         let of = |i: usize| [force_over_radius[i] * all / strength, force[i] / strength, radius[i] / all];
         (strength > 0.0).then(|| std::array::from_fn(of))
@@ -113,9 +114,9 @@ impl Population {
         let strength_over_radius = force_over_radius / onset.reach();
         let population = if self.slip.is_of_radius() {
             let [a, b, c] = self.slip.radii_at_force_over_radius(strength_over_radius);
-            self.with_kinks([first, second, a, b, c], self.kinks_of_contact)
+            self.as_at(separation).with_kinks([first, second, a, b, c], self.kinks_of_contact)
         } else {
-            self.without_tables()
+            self.as_at(separation).without_tables()
         };
         let population = Self { onset_ratio: Some(strength_over_radius), ..population };
         let mut displaced = Displaced { force_over_radius, onset, sums: Microslip::default() };

@@ -79,6 +79,10 @@ impl Model {
         order.reverse();
         let heaviest = order.first().map_or(0.0, |&i| loads[i].max(0.0)) / of_one;
         let population = self.population();
+        if self.largest_load > 0.0 {
+            let allowed = "single specimens are those of first loading: ask the model that this one was unloaded from";
+            return Err(Error::out_of_range("largest_load", self.largest_load, allowed));
+        }
         let (lowest, highest) = population.extent();
         let heights = Heights::new(population.heights(), lowest, highest);
         let sphere = self.sphere(asked.sphere_radius, heaviest * of_one)?;

@@ -189,7 +189,8 @@ typedef struct asperity_summary {
   double min_table_load; /* 88, 8 */
   double max_table_load; /* 96, 8 */
   double table_error; /* 104, 8 */
-} asperity_summary; /* 112 */
+  double largest_load; /* 112, 8 */
+} asperity_summary; /* 120 */
 
 typedef struct asperity_specimens {
   uint64_t struct_size; /* 0, 8 */
@@ -269,6 +270,7 @@ asperity_status asperity_table_of(const struct asperity_model *, int32_t, struct
 asperity_status asperity_tangential_at_load(const struct asperity_model *, double, double, double *, double *);
 double asperity_tangential_stiffness_at_load(const struct asperity_model *, double);
 asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_model *, size_t, const double *, double *);
+asperity_status asperity_unloaded(const struct asperity_model *, double, struct asperity_model **);
 const char *asperity_version(void);
 size_t asperity_warnings_text(uint64_t, char *, size_t);
 

@@ -18,7 +18,7 @@ static const char SURFACE[] = "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeas
                               "[roughness]\nRa = 0.8e-6\nprocess = \"ground\"\n";
 static asperity_params params, changed, calibrated;
 static char text_of_calibrated[1 << 14];
-static asperity_model *model, *other;
+static asperity_model *model, *other, *after;
 static const asperity_model *models[1];
 static double in[N], rate[N], out[4 * N], more[4 * N], states[N * 64];
 static uint32_t which[N];
@@ -62,6 +62,7 @@ static asperity_estimate estimates[FEW];
     X(params_read, , (&changed, "tests/examples/ground.toml")) \
     X(params_read, _of_no_file, (&changed, "no such file.toml")) \
     X(create, , (&params, &other)) \
+    X(unloaded, , (model, in[N - 1], &after)) \
     X(set_params, , (other, &params)) \
     X(get_params, , (model, &changed)) \
     X(free, , (other)) \
@@ -178,7 +179,8 @@ int main(int count, char **arguments)
             const size_t bytes = used(calls[i].run) - of_thread;
             most[i] = bytes > most[i] ? bytes : most[i];
         }
-        asperity_free(model);
+        asperity_free(model), asperity_free(after);
+        after = NULL;
     }
     for (int i = 0; i < COUNT; i++) {
         if (count > 1) printf("%6zu %s\n", most[i], calls[i].name);

@@ -234,6 +234,12 @@ void parameters_change_all_or_nothing() {
     const double force = model.friction_force_at_load(100.0);
     EXPECT(refused([&] { model.set_params(Params::paper().summit_radius(0.0)); }));
     EXPECT(model.friction_force_at_load(100.0) == force && model.params().asperity_count() == 1.0);
+    EXPECT(thrown_by([&] { model.unloaded(1.0); }).status() == ASPERITY_OUT_OF_RANGE); // adhesive
+    const Params yielding = Params::paper().work_of_adhesion(0.0).hardness(0.02);
+    const Model joint(Params(yielding).contact_law(asperity::ContactLaw::elastic_plastic));
+    const Model tightened = joint.unloaded(1.0);
+    EXPECT(close(tightened.summary().largest_load, 1.0, 1e-15) && joint.summary().largest_load == 0.0);
+    EXPECT(tightened.friction_force_at_load(0.3) > joint.friction_force_at_load(0.3));
     model.set_params(Params::paper().asperity_count(2.0));
     EXPECT(close(model.friction_force_at_load(200.0), 2.0 * force, 1e-9) && model.params().asperity_count() == 2.0);
 }

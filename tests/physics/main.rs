@@ -14,5 +14,6 @@ mod published;
 mod reference;
 mod specimens;
 mod tangential;
+mod unloading;
 mod validity;
 mod yielding;

@@ -73,6 +73,13 @@ class Row(Known):
         return state(self.params, self.load).unloading_stiffness / self.grid**2 / self.unloading
 
 
+    def at_part_of_load(self) -> tuple[float, float]:
+        """At PART of the load, after all of it: real area over that under the load, and the gap that the planes have gained over theirs."""
+        first = boundary_elements.model(self.params)
+        top, left = first.state_at_load(self.load), first.unloaded(self.load).state_at_load(PART * self.load)
+        return left.real_area / top.real_area, (left.gap - top.gap) / self.left_gap
+
+
 def gap_of(heights: Field, pressure: Field, hardness: float) -> Field:
     """Between the surfaces: 0 on average where they touch and do not flow."""
     waves = scipy.fft.rfft2(pressure, workers=2)

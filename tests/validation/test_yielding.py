@@ -140,3 +140,11 @@ def test_a_frozen_row_of_joints_is_what_the_script_computes() -> None:
     frozen = next(one for one in joints.frozen() if one.index == row.index and one.pressure == row.pressure)
     found, expected = ((one.stiffness, one.unloading, one.left_area, one.left_gap) for one in (row, frozen))
     assert found == pytest.approx(expected, rel=1e-3)
+
+
+def test_unloading_moves_the_planes_as_boundary_elements_do_and_loses_more_area() -> None:
+    """At 0.4 of the largest load."""
+    area, gap = np.array([row.at_part_of_load() for row in joints.frozen()]).T
+    left = np.array([row.left_area for row in joints.frozen()])
+    assert np.all((area > 0.46) & (area < 0.53) & (area < left)) and np.all((left > 0.49) & (left < 0.78))
+    assert np.all((gap > 0.69) & (gap < 1.13)) and gap.mean() == pytest.approx(0.9, abs=0.05)

@@ -52,6 +52,28 @@ class FrictionLaw:
             raise TypeError(f"params = {params!r}: must be a Params")
         self._handle = Handle(params)
 
+    def unloaded(self, largest_load: float) -> Self:
+        """The same surfaces after a largest load [force]: a joint that was tightened, and now vibrates.
+
+        Up to the largest load, summits that yielded spring back elastically, and every call answers for that; above it first loading
+        goes on. Contacts that do not yield are as before.
+
+        Raises:
+            Error: a load that is not > 0 and below `max_table_load` of the summary, or smaller than one that the model was unloaded
+                from; adhesion, of which unloading is not modelled.
+        """
+        handle, load = self._open(), checks.real("largest_load", largest_load, self._unit())
+        if not load > 0 or load < handle.largest_load:
+            least = f"at least {handle.largest_load:g}, which the model is unloaded from" if handle.largest_load else "> 0"
+            raise Error(f"largest_load = {load:g}: must be {least}", Status.OUT_OF_RANGE)
+        return self._of(handle.params, load)
+
+    @classmethod
+    def _of(cls, params: Params, largest_load: float) -> Self:
+        found = cls.__new__(cls)
+        found._handle = Handle(params, largest_load)
+        return found
+
     @overload
     def friction_at_load(self, load: float, *, slope: Literal[False] = ...) -> float: ...
     @overload
@@ -387,8 +409,9 @@ class FrictionLaw:
     ) -> None:
         self.close()
 
-    def __reduce__(self) -> tuple[type[Self], tuple[Params]]:
-        return type(self), (self.params,)
+    def __reduce__(self) -> tuple[Any, tuple[Params, float]]:
+        handle = self._open()
+        return self._of, (handle.params, handle.largest_load)
 
     def __repr__(self) -> str:
         name = type(self).__name__

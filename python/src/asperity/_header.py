@@ -207,6 +207,7 @@ class asperity_summary(Structure):
         ("min_table_load", c_double),
         ("max_table_load", c_double),
         ("table_error", c_double),
+        ("largest_load", c_double),
     ]
 
 
@@ -272,6 +273,7 @@ PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
     "asperity_params_text": (c_size_t, [_params, POINTER(c_char), c_size_t]),
     "asperity_params_read": (c_int32, [_params, c_char_p]),
     "asperity_create": (c_int32, [_params, POINTER(_model)]),
+    "asperity_unloaded": (c_int32, [_model, c_double, POINTER(_model)]),
     "asperity_set_params": (c_int32, [_model, _params]),
     "asperity_get_params": (c_int32, [_model, _params]),
     "asperity_free": (None, [_model]),
@@ -366,4 +368,5 @@ UNITS = {
     "stiffness_per_radius": "stress",
     "min_table_load": "force",
     "max_table_load": "force",
+    "largest_load": "force",
 }

@@ -61,12 +61,12 @@ class Microslip:
         self._handle = handle
         self.state = np.zeros((*shape, LIBRARY.asperity_microslip_length(handle.pointer)))
 
-    def __getstate__(self) -> tuple[Params, Array]:
-        return self._handle.params, self.state
+    def __getstate__(self) -> tuple[Params, float, Array]:
+        return self._handle.params, self._handle.largest_load, self.state
 
-    def __setstate__(self, saved: tuple[Params, Array]) -> None:
-        params, self.state = saved
-        self._handle = Handle(params)
+    def __setstate__(self, saved: tuple[Params, float, Array]) -> None:
+        params, largest_load, self.state = saved
+        self._handle = Handle(params, largest_load)
 
     def turn(self, angle: npt.ArrayLike) -> None:
         """Turns the states with the directions of the contacts.

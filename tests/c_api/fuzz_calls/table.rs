@@ -4,11 +4,14 @@ use super::TABLE_AT;
 use crate::interface::*;
 use std::ffi::{c_char, c_void, CStr};
 use std::ptr::null_mut;
+use std::sync::OnceLock;
 
 /// What an argument is, with the value that it has in an ordinary call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Is {
     Model,
+    /// One whose summits yield, without adhesion.
+    YieldingModel,
     /// A model that the call changes; one that it frees.
     ChangedModel,
     FreedModel,
@@ -176,6 +179,7 @@ pub const CALLS: &[Call] = calls! {
     asperity_params_text[MAKE](params: Params, buffer: Buffer, length: Room);
     asperity_params_read[READ](params: ChangedParams, path: Text(c"hosts/surface.toml"));
     asperity_create[MAKE](params: Params, model: NewModel);
+    asperity_unloaded[MAKE](model: YieldingModel, largest_load: Number(LOAD), unloaded: NewModel);
     asperity_set_params[MAKE](model: ChangedModel, params: Params);
     asperity_get_params[ANSWER](model: Model, params: Struct(size_of::<asperity_params>()));
     asperity_free[ANSWER](model: FreedModel);
@@ -243,6 +247,22 @@ impl Call {
             let (bits, place) = match is {
                 Model | ChangedModel => {
                     pointer = Some(model.0.cast());
+                    number(0)
+                }
+                YieldingModel => {
+                    static MADE: OnceLock<usize> = OnceLock::new();
+                    let made = MADE.get_or_init(|| {
+                        let contact_law = ASPERITY_CONTACT_ELASTIC_PLASTIC;
+                        let elastic = asperity_params::dimensionless(0.6, 0.3, 0.0, 40.0);
+                        let hardness = 0.1 * elastic.composite_modulus;
+                        let mut own = null_mut();
+                        // SAFETY: a place for a handle.
+                        let status =
+                            unsafe { asperity_create(&asperity_params { contact_law, hardness, ..elastic }, &mut own) };
+                        assert_eq!(status, OK);
+                        own.expose_provenance()
+                    });
+                    pointer = Some(std::ptr::with_exposed_provenance_mut(*made));
                     number(0)
                 }
                 FreedModel => {
