@@ -14,7 +14,8 @@ SURFACE = b"pair = 'Si/Si'\nheight_std = 5e-9\nsummit_radius = 1e-6\nasperity_co
 NAMES = {"asperity_params_get_value": b"hardness", "asperity_params_set_pair": b"Si/Si", "asperity_describe": b"hardness"}
 # What else than OK these arguments give: there is no such file, no surface has three equal moments, and a sphere needs an area.
 REFUSED = ("asperity_params_read", "asperity_params_set_spectral_moments", "asperity_each_specimen_at_loads")
-ELSE = dict.fromkeys(REFUSED, Status.INVALID_PARAMETER)
+# Adhesion is not modelled in unloading.
+ELSE = dict.fromkeys(REFUSED, Status.INVALID_PARAMETER) | {"asperity_unloaded": Status.OUT_OF_RANGE}
 # Their only pointer may be NULL, or there is none.
 WITHOUT_POINTERS = {"asperity_estimate_text", "asperity_params_text", "asperity_describe", "asperity_last_error", "asperity_warnings_text"}
 

@@ -12,7 +12,7 @@ from processes import fresh_environment, run_main
 from test_docs import blocks, check_page, shows
 
 # And the pictures that each writes.
-GUIDES = {"start": (), "height-maps": ("band.svg", "cutoffs.svg"), "uncertainty-and-fits": ("fit.svg", "fit.png"), "studies": ("indices.svg",)}
+GUIDES = {"start": (), "joint": (), "height-maps": ("band.svg", "cutoffs.svg"), "uncertainty-and-fits": ("fit.svg", "fit.png"), "studies": ("indices.svg",)}
 
 pytestmark = pytest.mark.usefixtures("one_build_at_a_time")
 

@@ -152,10 +152,10 @@ impl Model {
     pub fn unloaded(&self, largest_load: f64) -> Result<Self, Error> {
         let refused = |allowed| Err(Error::out_of_range(LARGEST_LOAD, largest_load, allowed));
         let of_load = |error: Error| error.of_load(LARGEST_LOAD);
+        self.validate_load(largest_load).map_err(of_load)?;
         if self.params.work_of_adhesion > 0.0 {
             return refused("unloading of surfaces with adhesion is not modelled: set work_of_adhesion to 0");
         }
-        self.validate_load(largest_load).map_err(of_load)?;
         if largest_load <= 0.0 || largest_load >= self.law.table(Quantity::Friction).range().1 {
             return refused("must be > 0 and below max_table_load of the summary");
         }
