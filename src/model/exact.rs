@@ -268,8 +268,8 @@ impl Surfaces {
         let separation = self.equilibrium_at(load, || None).map_or(FARTHEST_SEPARATION, |(separation, _)| separation);
         let population = self.branch.population();
         let of_one = load / self.units.load * self.units.count;
-        let mut summit = population.one_summit(separation, 0.0, 0.0);
-        let mut bears = |overlap: f64| population.load_of_one(&mut summit, overlap).load > of_one;
+        let mut summit = population.one_summit(separation, 0.0, 0.0, None);
+        let mut bears = |overlap: f64| population.load_of_one(&mut summit, overlap, None).load > of_one;
         // What does not overlap bears none.
         let (mut loose, mut pressed) = (0.0, 1.0);
         while !bears(pressed) && pressed < FARTHEST_SEPARATION {

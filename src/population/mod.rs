@@ -23,7 +23,7 @@ mod tangential;
 mod unloading;
 mod walk;
 
-pub use one_summit::{OneSummit, Pressed};
+pub use one_summit::{LoadTable, OneSummit, Pressed};
 pub use statistics::Statistics;
 pub use sums::Sums;
 

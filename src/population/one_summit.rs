@@ -3,9 +3,11 @@
 use super::sums::{Summit, Sums};
 use super::Population;
 use crate::asperity::contact::Contact;
+use crate::asperity::maugis::FOLD_LAMBDA_CUBED;
+use crate::numerics::elementary::{exp, log};
 
 /// A summit of a specimen. Heights and overlaps in sigma.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct OneSummit {
     /// How far it lies below the tallest summit of its specimen.
     pub depth: f64,
@@ -15,6 +17,8 @@ pub struct OneSummit {
     break_away: f64,
     /// Parameter of its law, overlap, and the slope of the one by the other, where it was last asked for.
     before: (f64, f64, f64),
+    /// What a table has of it.
+    rows: Option<Box<Rows>>,
 }
 
 /// The load of a summit in E* b^2, and its slope by overlap.
@@ -24,20 +28,134 @@ pub struct Pressed {
     pub by_overlap: f64,
 }
 
+/// Rows of the load of one summit in contact, and of the parameter of its law, by the root of the overlap beyond break-away, of which both
+/// are smooth: each with what its slope makes over a step. Between rows there are cubics.
+type Rows = [[f64; 4]; ROWS];
+const ROWS: usize = 33;
+
+/// Loads of summits in contact, where it takes a solution of equations to have them: rows for some radii, in equal steps of their
+/// logarithm, between which there are cubics too. What is read is so to some 1e-6.
+pub struct LoadTable {
+    step: f64,
+    log_least: f64,
+    log_step: f64,
+    of_radii: Vec<Rows>,
+}
+
+impl LoadTable {
+    /// A radius and the next differ by no more than this.
+    const FINENESS: f64 = 0.06;
+    /// The first slope is that next to break-away, where the overlap has none.
+    const NEXT_TO_BREAK_AWAY: f64 = 1e-4;
+
+    /// The rows of a radius; `None` of one outside.
+    fn of(&self, g: f64) -> Option<Box<Rows>> {
+        if self.of_radii.len() == 1 {
+            return Some(Box::new(self.of_radii[0]));
+        }
+        let place = (log(g) - self.log_least) / self.log_step;
+        if !(place >= 0.0 && place <= (self.of_radii.len() - 1) as f64) {
+            return None;
+        }
+        let first = (place as usize).saturating_sub(1).min(self.of_radii.len() - 4);
+        let t = place - first as f64;
+        // Lagrange's polynomials of four points.
+        let [a, b, c, d] = [t, t - 1.0, t - 2.0, t - 3.0];
+        let weights = [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0];
+        let [one, two, three, four] = std::array::from_fn(|i| &self.of_radii[first + i]);
+        let mut rows = Box::new([[0.0; 4]; ROWS]);
+        for (k, row) in rows.iter_mut().enumerate() {
+            for (i, number) in row.iter_mut().enumerate() {
+                let [p, q, r, s] = weights;
+                *number = (p * one[k][i] + q * two[k][i]) + (r * three[k][i] + s * four[k][i]);
+            }
+        }
+        Some(rows)
+    }
+}
+
+/// The load by the root of the overlap beyond break-away, over a step of the table, and the parameter; `None` beyond the rows.
+#[inline]
+fn read(rows: &Rows, step: f64, root: f64) -> Option<(Pressed, f64)> {
+    let place = root / step;
+    let row = place as usize;
+    let [from, to] = [rows.get(row)?, rows.get(row + 1)?];
+    let t = place - row as f64;
+    let cubic = |i: usize| {
+        let (rise, begin, end) = (to[i] - from[i], from[i + 1], to[i + 1]);
+        let (square, cube) = (3.0 * rise - 2.0 * begin - end, begin + end - 2.0 * rise);
+        (from[i] + t * (begin + t * (square + t * cube)), begin + t * (2.0 * square + 3.0 * t * cube))
+    };
+    let (load, by_place) = cubic(0);
+    Some((Pressed { load, by_overlap: by_place / (2.0 * root * step) }, cubic(2).0))
+}
+
 impl Population {
+    /// Loads of summits as high as this or higher, and up to an overlap; `sharper` as of `one_summit`. `None` where there is no need for a
+    /// table, and where radii differ too much.
+    pub fn load_table(&self, lowest: f64, largest: f64, sharper: f64) -> Option<LoadTable> {
+        const WIDEST: f64 = 3.0;
+        let ends = [lowest, self.highest.min(lowest.abs() + 40.0)].map(|z| self.factor_of_one(z, sharper));
+        let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let has_fold = |g: f64| self.lambda_cubed * g > FOLD_LAMBDA_CUBED;
+        let (log_least, width) = (log(least), log(most / least));
+        if self.most_pull == 0.0 || !(width <= WIDEST) || has_fold(least) != has_fold(most) {
+            return None;
+        }
+        let radii = if width > 0.0 { 3 + (width / LoadTable::FINENESS) as usize } else { 0 };
+        let log_step = width / radii.max(1) as f64;
+        let step = (largest - self.law.break_away(most).overlap.min(self.deepest)).max(0.0).sqrt() / (ROWS - 1) as f64;
+        let of_radii: Vec<Rows> = (0..=radii).map(|i| self.rows(exp(log_least + i as f64 * log_step), step)).collect();
+        let is_finite = of_radii.iter().flatten().flatten().all(|number| number.is_finite());
+        // The last radius is within.
+        (is_finite && step > 0.0).then_some(LoadTable {
+            step,
+            log_least,
+            log_step: log_step * (1.0 + f64::EPSILON),
+            of_radii,
+        })
+    }
+
+    /// The rows of a radius.
+    fn rows(&self, g: f64, step: f64) -> Rows {
+        let break_away = self.law.break_away(g).overlap;
+        let mut summit = OneSummit { depth: 0.0, g, break_away, before: (f64::NAN, 0.0, 0.0), rows: None };
+        let mut rows = [[0.0; 4]; ROWS];
+        for (i, row) in rows.iter_mut().enumerate().rev() {
+            let over = if i == 0 { LoadTable::NEXT_TO_BREAK_AWAY } else { 0.0 };
+            let root = step * (i as f64 + over);
+            let contact = self.contact_of_one(&mut summit, break_away + root * root);
+            let by_place = 2.0 * root * step * contact.s_by_overlap();
+            let load = contact.by_s.load * by_place;
+            *row = [contact.load - over * load, load, contact.parameter - over * by_place, by_place];
+        }
+        rows
+    }
+
+    /// The radius of a summit over the mean one.
+    fn factor_of_one(&self, z: f64, sharper: f64) -> f64 {
+        1.0 / (1.0 / self.radius.factor(z) + sharper)
+    }
+
     /// The summit of a height, so far below the tallest; `sharper` adds to the inverse of its radius over the mean one.
-    pub fn one_summit(&self, z: f64, depth: f64, sharper: f64) -> OneSummit {
-        let g = 1.0 / (1.0 / self.radius.factor(z) + sharper);
+    pub fn one_summit(&self, z: f64, depth: f64, sharper: f64, table: Option<&LoadTable>) -> OneSummit {
+        let g = self.factor_of_one(z, sharper);
         let equal = self.radius.is_constant() && sharper == 0.0;
         let break_away = if equal { self.deepest } else { self.law.break_away(g).overlap };
-        OneSummit { depth, g, break_away, before: (f64::NAN, 0.0, 0.0) }
+        OneSummit { depth, g, break_away, before: (f64::NAN, 0.0, 0.0), rows: table.and_then(|table| table.of(g)) }
     }
 
     /// The load of a summit at an overlap on the branch of unloading: in contact down to its break-away, and below attracted
-    /// where there is such a state.
+    /// where there is such a state. What a table has of it is taken from there.
     #[inline]
-    pub fn load_of_one(&self, summit: &mut OneSummit, overlap: f64) -> Pressed {
+    pub fn load_of_one(&self, summit: &mut OneSummit, overlap: f64, table: Option<&LoadTable>) -> Pressed {
         if overlap >= summit.break_away {
+            let root = (overlap - summit.break_away).sqrt();
+            let told = table.zip(summit.rows.as_deref()).and_then(|(table, rows)| read(rows, table.step, root));
+            if let Some((pressed, parameter)) = told {
+                summit.before = (parameter, overlap, 0.0);
+                return pressed;
+            }
             let contact = self.contact_of_one(summit, overlap);
             return Pressed { load: contact.load, by_overlap: contact.by_s.load * contact.s_by_overlap() };
         }

@@ -9,7 +9,7 @@ mod statistics;
 mod unload;
 
 use crate::error::Error;
-use crate::model::Model;
+use crate::model::{Model, Surfaces, Units};
 use crate::numerics::elementary::pow;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
@@ -17,10 +17,12 @@ use crate::population::Sums;
 use heights::Heights;
 pub use statistics::spread;
 use std::f64::consts::PI;
-use unload::{too_many, Specimen, Sphere, MOST_DRAWN};
+use unload::{too_many, Contacts, Specimen, Sphere, MOST_DRAWN};
 
 /// On a sphere with fewer summits about its lowest point Poisson's statistics do not hold.
 const FEWEST_ON_SPHERE: f64 = 3.0;
+/// The table of the loads of summits reaches so many times as deep as one specimen does.
+const TABLED: f64 = 1.5;
 
 /// A specimen under one load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +54,16 @@ pub struct Specimens {
     pub seed: u64,
 }
 
+/// A specimen under a load, in the units of its summits.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Standing {
+    pub contacts: Contacts,
+    /// Sums of its summits, with what neighbours change.
+    pub sums: Sums,
+    /// Between the mean of the heights and the other surface, in sigma.
+    pub separation: f64,
+}
+
 impl Model {
     /// Whether specimens may be asked for at a load, also below the pull-off load of the model.
     ///
@@ -69,6 +81,30 @@ impl Model {
         for &load in loads {
             self.validate_specimens_load(load)?;
         }
+        let mut found = Vec::with_capacity(asked.count * loads.len());
+        self.stand(asked, loads, true, &mut |standing, pull_off_force| {
+            found.push(standing.map_or(Held::apart(pull_off_force), |standing| {
+                let gap = match asked.sphere_radius == 0.0 {
+                    true => self.gap_at(standing.separation),
+                    false => self.gap_of_lone(standing.separation),
+                };
+                standing.held(self.units(), gap, pull_off_force)
+            }));
+        })?;
+        Ok(found)
+    }
+}
+
+impl Surfaces {
+    /// Hands over how specimens stand under loads, each with all loads, in the order of these, and the pull-off force of each; not at all
+    /// where it is apart. What is not `exact` is so to 1e-6.
+    pub(crate) fn stand(
+        &self,
+        asked: Specimens,
+        loads: &[f64],
+        is_exact: bool,
+        take: &mut dyn FnMut(Option<Standing>, f64),
+    ) -> Result<(), Error> {
         let count = self.units().count;
         if count < 1.0 {
             let allowed = "a specimen needs its number of summits, 1 or more: give its nominal_area";
@@ -86,89 +122,72 @@ impl Model {
         let (lowest, highest) = population.extent();
         let heights = Heights::new(population.heights(), lowest, highest);
         let sphere = self.sphere(asked.sphere_radius, heaviest * of_one)?;
-        let specimen = |index: u64| Specimen::new(population, &heights, (count, sphere), asked.seed, index);
+        let specimen = |table, index| Specimen::new((population, table), &heights, (count, sphere), asked.seed, index);
         // One that is like the others says where to begin and how many summits are drawn, with all ranges before this one.
-        let mut typical = specimen(u64::MAX);
+        let mut typical = specimen(None, u64::MAX);
         let from = typical.pressed(-population.range_of_adhesion(), heaviest)?;
         let from = typical.unloaded(from, heaviest)?.unwrap_or(0.0);
         let drawn = typical.drawn().max(loads.len()) as f64 * (asked.first as f64 + asked.count as f64);
         if drawn > MOST_DRAWN {
             return Err(too_many(drawn));
         }
-        let mut found = vec![Held::apart(0.0); asked.count * loads.len()];
-        for (i, found) in found.chunks_mut(loads.len().max(1)).enumerate() {
-            let mut one = specimen(asked.first.wrapping_add(i as u64));
-            let pull_off_force = one.pull_off()? * of_one;
-            found.fill(Held::apart(pull_off_force));
+        let (range, sharper) = (population.range_of_adhesion(), sphere.map_or(0.0, |sphere| sphere.sharper));
+        // Other specimens reach as low as this one, or somewhat lower.
+        let table =
+            population.load_table(typical.tallest() - TABLED * (from + range), TABLED * (from + range), sharper);
+        let mut found = vec![None; loads.len()];
+        for i in 0..asked.count {
+            let mut one = specimen(table.as_ref(), asked.first.wrapping_add(i as u64));
+            let pull_off = one.pull_off()?;
+            found.fill(None);
             let mut approach = Some(one.pressed(from, heaviest)?);
             let mut last = None;
             // Neither is the pull-off force known to the last digit.
-            for &k in order.iter().filter(|&&k| loads[k] >= -1.000_001 * pull_off_force) {
+            for &k in order.iter().filter(|&&k| loads[k] >= -1.000_001 * pull_off * of_one) {
                 match last {
                     Some(j) if loads[j] == loads[k] => found[k] = found[j],
                     _ => {
                         let Some(before) = approach else { break };
                         approach = one.unloaded(before, loads[k] / of_one)?;
                         if let Some(approach) = approach {
-                            found[k] = self.held(&mut one, approach, pull_off_force)?;
+                            let at = if is_exact { one.exact(approach, loads[k] / of_one)? } else { approach };
+                            found[k] = Some(self.standing(&mut one, at)?);
                         }
                     }
                 }
                 last = Some(k);
             }
+            found.iter().for_each(|standing| take(*standing, pull_off * of_one));
         }
-        Ok(found)
+        Ok(())
     }
 
-    /// A rough sphere under a load; `None` for a plane.
-    fn sphere(&self, radius: f64, load: f64) -> Result<Option<Sphere>, Error> {
-        let refused = |value: f64, allowed| Err(Error::out_of_range("sphere_radius", value, allowed));
-        let Params { height_std, asperity_count, nominal_area, summit_radius, composite_modulus, .. } = *self.params();
-        if radius == 0.0 {
-            return Ok(None);
-        }
-        if !finite(radius) || radius < 0.0 {
-            return Err(Error::invalid("sphere_radius", radius, "must be finite and >= 0; 0 is a plane"));
-        }
-        if nominal_area == 0.0 {
-            return Err(Error::Missing {
-                name: "nominal_area",
-                says: "must be set, since a sphere needs the summits per area",
-            });
-        }
-        let number = 2.0 * PI * radius * height_std * asperity_count / nominal_area;
-        if number < FEWEST_ON_SPHERE {
-            return refused(radius, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill, a specimen of one \
-                                    summit of this radius");
-        }
-        let touched = pow(0.75 * load * radius / composite_modulus, 2.0 / 3.0);
-        if touched > radius * height_std {
-            return refused(radius, "under this load the sphere itself flattens, beyond Hertz' radius of (R height_std)^(1/2): take a flat \
-                                    specimen of the area pi (a^2 + 1.5 R height_std), with a of Hertz");
-        }
-        Ok(Some(Sphere { number, sharper: summit_radius / radius }))
-    }
-
-    fn held(&self, one: &mut Specimen, approach: f64, pull_off_force: f64) -> Result<Held, Error> {
-        let (contacts, units) = (one.contacts(approach)?, self.units());
+    fn standing(&self, one: &mut Specimen, approach: f64) -> Result<Standing, Error> {
+        let contacts = one.contacts(approach)?;
         // Summits on a sphere have neighbours on one side.
+        let count = self.units().count;
         let lone = Sums {
-            area: contacts.area / units.count,
-            radius: contacts.radius / units.count,
-            load_slope: -contacts.stiffness / units.count,
+            area: contacts.area / count,
+            radius: contacts.radius / count,
+            load_slope: -contacts.stiffness / count,
             ..Sums::default()
         };
         let sums = if one.is_flat() { self.population().among_neighbours(lone) } else { lone };
-        let separation = one.tallest() - approach;
-        Ok(Held {
+        Ok(Standing { contacts, sums, separation: one.tallest() - approach })
+    }
+}
+
+impl Standing {
+    fn held(&self, units: &Units, gap: f64, pull_off_force: f64) -> Held {
+        let Self { contacts, sums, .. } = self;
+        Held {
             friction_force: contacts.friction * units.force / units.count,
             tangential_stiffness: contacts.radius / sums.psi() * units.stiffness / units.count,
-            normal_stiffness: contacts.stiffness / sums.approach_of_planes() * (units.load / units.count)
-                / units.length,
-            gap: if one.is_flat() { self.gap_at(separation) } else { self.gap_of_lone(separation) },
+            normal_stiffness: contacts.stiffness / sums.approach_of_planes() * (units.load / units.count) / units.length,
+            gap,
             contacts: contacts.number,
             pull_off_force,
-        })
+        }
     }
 }
 

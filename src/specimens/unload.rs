@@ -6,7 +6,7 @@
 
 use super::heights::{bits, exponential, uniform, Heights};
 use crate::error::Error;
-use crate::population::{OneSummit, Population, Pressed};
+use crate::population::{LoadTable, OneSummit, Population, Pressed};
 
 /// Loads are found to this part of the sum of the loads of all summits, each by its amount.
 const TOLERANCE: f64 = 1e-12;
@@ -43,6 +43,8 @@ pub struct Contacts {
     pub friction: f64,
     pub radius: f64,
     pub area: f64,
+    /// The load of Hertz' contacts of the same radii.
+    pub hertz_load: f64,
     /// Minus the slope of the load by separation.
     pub stiffness: f64,
 }
@@ -59,6 +61,8 @@ pub struct Sphere {
 /// A specimen with the summits that were drawn, the tallest first.
 pub struct Specimen<'a> {
     population: &'a Population,
+    /// Loads of its summits, where it takes a solution of equations to have them: to look for a state.
+    table: Option<&'a LoadTable>,
     heights: &'a Heights,
     seed: u64,
     index: u64,
@@ -72,7 +76,7 @@ pub struct Specimen<'a> {
 impl<'a> Specimen<'a> {
     /// Of so many summits on a plane, or on a sphere.
     pub fn new(
-        population: &'a Population,
+        (population, table): (&'a Population, Option<&'a LoadTable>),
         heights: &'a Heights,
         (count, sphere): (f64, Option<Sphere>),
         seed: u64,
@@ -81,7 +85,7 @@ impl<'a> Specimen<'a> {
         let one_more = uniform(bits(seed, index, u64::MAX)) < count - count.floor();
         let count = if sphere.is_some() { f64::INFINITY } else { count.floor() + f64::from(u8::from(one_more)) };
         let (hazard, tallest, summits) = (0.0, 0.0, Vec::new());
-        let mut specimen = Self { population, heights, seed, index, count, sphere, hazard, tallest, summits };
+        let mut specimen = Self { population, table, heights, seed, index, count, sphere, hazard, tallest, summits };
         specimen.draw();
         specimen
     }
@@ -120,7 +124,7 @@ impl<'a> Specimen<'a> {
         if j == 0 {
             self.tallest = above;
         }
-        self.summits.push(self.population.one_summit(z, self.tallest - above, sharper));
+        self.summits.push(self.population.one_summit(z, self.tallest - above, sharper, self.table));
     }
 
     /// Draws all summits that are near at an approach; returns how many there are.
@@ -139,13 +143,17 @@ impl<'a> Specimen<'a> {
         Ok(self.summits.partition_point(|summit| summit.depth < farthest))
     }
 
-    /// The loads of the summits at an approach.
+    /// The loads of the summits at an approach, as the table has them.
     pub fn loads(&mut self, approach: f64) -> Result<Loads, Error> {
+        self.loads_by(approach, self.table)
+    }
+
+    fn loads_by(&mut self, approach: f64, table: Option<&LoadTable>) -> Result<Loads, Error> {
         let near = self.near(approach)?;
         let mut loads = Loads::default();
         let most_pull = self.population.most_pull();
         for summit in &mut self.summits[..near] {
-            let Pressed { load, by_overlap } = self.population.load_of_one(summit, approach - summit.depth);
+            let Pressed { load, by_overlap } = self.population.load_of_one(summit, approach - summit.depth, table);
             loads.load += load;
             loads.magnitude += load.abs();
             loads.falls += by_overlap.max(0.0);
@@ -165,7 +173,7 @@ impl<'a> Specimen<'a> {
         for summit in &mut self.summits[..near] {
             let overlap = approach - summit.depth;
             let Some(one) = self.population.contact_at(summit, overlap) else {
-                all.stiffness += self.population.load_of_one(summit, overlap).by_overlap;
+                all.stiffness += self.population.load_of_one(summit, overlap, None).by_overlap;
                 continue;
             };
             all.stiffness += one.load_by_overlap;
@@ -173,6 +181,7 @@ impl<'a> Specimen<'a> {
                 all.number += 1.0;
                 all.friction += one.friction;
                 all.radius += one.radius;
+                all.hertz_load += one.hertz_load;
                 all.area += std::f64::consts::PI * one.radius * one.radius;
             }
         }
@@ -221,6 +230,24 @@ impl<'a> Specimen<'a> {
         Err(Error::NotConverged { what: "approach of a specimen under load", value: load })
     }
 
+    /// An approach at which the table has a load, as the laws of the summits themselves have it: by Newton's method, where it leads hardly
+    /// farther.
+    pub fn exact(&mut self, mut approach: f64, load: f64) -> Result<f64, Error> {
+        const FARTHEST: f64 = 1e-4;
+        for _ in 0..u32::from(self.table.is_some()) * 2 {
+            let here = self.loads_by(approach, None)?;
+            let step = (here.load - load) / (here.falls - here.rises);
+            if !(here.falls > here.rises) || !(step.abs() <= FARTHEST * self.population.range_of_adhesion()) {
+                break;
+            }
+            approach -= step;
+            if (here.load - load).abs() <= NEXT_TO * here.magnitude {
+                break;
+            }
+        }
+        Ok(approach)
+    }
+
     /// The approach of a load between two, at the first of which the specimen carries less.
     fn between(&mut self, mut less: f64, mut more: f64, load: f64) -> Result<f64, Error> {
         for _ in 0..200 {
@@ -261,10 +288,13 @@ impl<'a> Specimen<'a> {
         for _ in 0..40 {
             let [left, right] = [lower + PART * (upper - lower), upper - PART * (upper - lower)];
             let [on_left, on_right] = [self.loads(left)?.load, self.loads(right)?.load];
-            least = least.min(on_left).min(on_right);
+            for (load, approach) in [(on_left, left), (on_right, right)] {
+                (least, at) = if load < least { (load, approach) } else { (least, at) };
+            }
             *(if on_left < on_right { &mut upper } else { &mut lower }) = if on_left < on_right { right } else { left };
         }
-        Ok(-least)
+        // At its minimum the load hardly depends on where that is.
+        Ok(if self.table.is_some() { -self.loads_by(at, None)?.load } else { -least })
     }
 }
 
