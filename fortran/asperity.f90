@@ -45,6 +45,12 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
   ! A strength_source: measured on these surfaces
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
+  ! A specimen: so many summits touch that nominally equal specimens hardly differ
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_MANY_CONTACTS = 0
+  ! A specimen: one specimen, whichever it is, since few summits touch
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_ANY = 1
+  ! A specimen: the one that was measured, with specimens = 1
+  integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_MEASURED = 2
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_GAUSSIAN = 0  ! Gaussian heights, eq (17): the default
   ! Weibull heights, eqs (18)-(21): their skew follows from weibull_shape
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_WEIBULL = 1
@@ -101,25 +107,27 @@ module asperity
 
   ! ---- The C interface: types ----
 
-  ! Friction at one load, with its band, and stiffness with theirs
+  ! Friction at one load, with its band, and stiffness with theirs; if few summits touch, of one specimen
   type, bind(c), public :: asperity_estimate
-    integer(c_int64_t) :: struct_size = 272         ! bytes of this type; leave it
+    integer(c_int64_t) :: struct_size = 360         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load [N]
     real(c_double) :: friction_coefficient          ! F/P, the median; infinite from the pull-off load to 0, where F/P
                                                     ! has no limit; 0 below
-    real(c_double) :: low                           ! Lower end of the band, which is without the scatter of specimens
+    real(c_double) :: low                           ! Lower end of the band
     real(c_double) :: high                          ! Upper end
     real(c_double) :: friction_force                ! F [N]
+    real(c_double) :: friction_force_low            ! Lower end of its band
+    real(c_double) :: friction_force_high           ! Upper end
     real(c_double) :: curve_coefficient             ! F/P of a model of what asperity_params_set_text makes of the text;
                                                     ! NaN if no strength gives the measured friction
     real(c_double) :: constant_odds                 ! How probable it is that F/P is within 10 % of the measured mean:
                                                     ! above 0.8 a constant coefficient does
     real(c_double) :: contacts                      ! Summits in contact, by the mean of the model; NaN if loads are
-                                                    ! pressures, as the next two
-    real(c_double) :: specimen_force                ! Mean F of single specimens with this strength [N], NaN if not
-                                                    ! known; if contacts < 1 of one summit, had once or twice
-    real(c_double) :: specimen_scatter              ! Its standard deviation over it, from specimen to specimen; NaN if
-                                                    ! contacts < 1, or if not known
+                                                    ! pressures
+    real(c_double) :: another_force                 ! F of another specimen than the one that was measured [N];
+                                                    ! friction_force if it is of no measured one
+    real(c_double) :: another_force_low             ! Lower end of its band
+    real(c_double) :: another_force_high            ! Upper end
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
                                                     ! interface: measure friction
     real(c_double) :: size_share                    ! Share from how the strength depends on the size of a contact
@@ -131,6 +139,8 @@ module asperity
     real(c_double) :: measurement_share             ! Share from the errors of the measured points: measure more
     real(c_double) :: model_share                   ! Share from how real interfaces leave the law between loads:
                                                     ! measure at this load
+    real(c_double) :: specimen_share                ! Share from which summits a specimen happens to have: take a
+                                                    ! heavier load or a larger area
     real(c_double) :: tangential_stiffness          ! K_t [N/m] before any contact slips; 0 for loads <= 0, as all
                                                     ! stiffness
     real(c_double) :: tangential_stiffness_low      ! Lower end of its band
@@ -145,6 +155,14 @@ module asperity
     real(c_double) :: unloading_stiffness           ! -d(load)/d(gap) when the load begins to fall [N/m]
     real(c_double) :: unloading_stiffness_low       ! Lower end of its band
     real(c_double) :: unloading_stiffness_high      ! Upper end
+    real(c_double) :: gap                           ! Gap between the mean planes of the surfaces [m]; NaN if they are
+                                                    ! apart
+    real(c_double) :: gap_low                       ! Lower end of its band
+    real(c_double) :: gap_high                      ! Upper end
+    real(c_double) :: pull_off_force                ! The largest pull that a specimen withstands [N]; NaN if 128
+                                                    ! summits or more touch
+    real(c_double) :: pull_off_force_low            ! Lower end of its band
+    real(c_double) :: pull_off_force_high           ! Upper end
     real(c_double) :: error_growth                  ! By how much the errors of the measured points grew, since they
                                                     ! contradict each other; 1 if they do not
     integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
@@ -153,6 +171,10 @@ module asperity
                                                     ! ASPERITY_STRENGTH_....
     integer(c_int32_t) :: is_of_pressures           ! 1 if the text has no area: loads are pressures [Pa], forces
                                                     ! stresses; else 0
+    integer(c_int32_t) :: specimen                  ! What friction, stiffness and gap are of: one of
+                                                    ! ASPERITY_SPECIMEN_....
+    integer(c_int32_t) :: measured_specimens        ! On how many specimens the points were measured, as the text says;
+                                                    ! 0 if it does not
   end type asperity_estimate
 
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat

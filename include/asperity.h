@@ -88,6 +88,12 @@
 #define ASPERITY_STRENGTH_GIVEN 2
 /** A `strength_source`: measured on these surfaces. */
 #define ASPERITY_STRENGTH_MEASURED 3
+/** A `specimen`: so many summits touch that nominally equal specimens hardly differ. */
+#define ASPERITY_SPECIMEN_MANY_CONTACTS 0
+/** A `specimen`: one specimen, whichever it is, since few summits touch. */
+#define ASPERITY_SPECIMEN_ANY 1
+/** A `specimen`: the one that was measured, with `specimens = 1`. */
+#define ASPERITY_SPECIMEN_MEASURED 2
 /** Gaussian heights, eq (17): the default. */
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 /** Weibull heights, eqs (18)-(21): their skew follows from `weibull_shape`. */
@@ -172,25 +178,27 @@ typedef struct asperity_model asperity_model;
 /** What a call returns: 0, or why it failed. A plain integer, never an enum type. */
 typedef int32_t asperity_status;
 
-/** Friction at one load, with its band, and stiffness with theirs. SI units. */
+/** Friction at one load, with its band, and stiffness with theirs; if few summits touch, of one specimen. SI units. */
 typedef struct asperity_estimate {
   /** Set it to `sizeof(asperity_estimate)` in the first element before the call; the elements are this far apart. */
   uint64_t struct_size;
   /** Normal load [N]. */ double load;
   /** F/P, the median; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap. */
   double friction_coefficient;
-  /** Lower end of the band, which is without the scatter of specimens. */ double low;
+  /** Lower end of the band. */ double low;
   /** Upper end. */ double high;
-  /** F [N]. */ double friction_force;
+  /** F [N]. If load <= 0, that of surfaces which adhere. */ double friction_force;
+  /** Lower end of its band. */ double friction_force_low;
+  /** Upper end. */ double friction_force_high;
   /** F/P of a model of what `asperity_params_set_text` makes of the text; NaN if no strength gives the measured friction. */
   double curve_coefficient;
   /** How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does. */
   double constant_odds;
-  /** Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two. */ double contacts;
-  /** Mean F of single specimens with this strength [N], NaN if not known; if contacts < 1 of one summit, had once or twice. */
-  double specimen_force;
-  /** Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known. */
-  double specimen_scatter;
+  /** Summits in contact, by the mean of the model; NaN if loads are pressures. */ double contacts;
+  /** F of another specimen than the one that was measured [N]; `friction_force` if it is of no measured one. */
+  double another_force;
+  /** Lower end of its band. */ double another_force_low;
+  /** Upper end. */ double another_force_high;
   /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. All shares are 0 without a band. */
   double strength_share;
   /** Share from how the strength depends on the size of a contact. */ double size_share;
@@ -200,6 +208,8 @@ typedef struct asperity_estimate {
   /** Share from the slope and the height of the surface: measure RSm, or Ra. */ double slope_share;
   /** Share from the errors of the measured points: measure more. */ double measurement_share;
   /** Share from how real interfaces leave the law between loads: measure at this load. */ double model_share;
+  /** Share from which summits a specimen happens to have: take a heavier load or a larger area. */
+  double specimen_share;
   /** K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness. */ double tangential_stiffness;
   /** Lower end of its band. */ double tangential_stiffness_low;
   /** Upper end. */ double tangential_stiffness_high;
@@ -212,11 +222,20 @@ typedef struct asperity_estimate {
   /** -d(load)/d(gap) when the load begins to fall [N/m]. */ double unloading_stiffness;
   /** Lower end of its band. */ double unloading_stiffness_low;
   /** Upper end. */ double unloading_stiffness_high;
+  /** Gap between the mean planes of the surfaces [m]; NaN if they are apart. */ double gap;
+  /** Lower end of its band. */ double gap_low;
+  /** Upper end. */ double gap_high;
+  /** The largest pull that a specimen withstands [N]; NaN if 128 summits or more touch. */ double pull_off_force;
+  /** Lower end of its band. */ double pull_off_force_low;
+  /** Upper end. */ double pull_off_force_high;
   /** By how much the errors of the measured points grew, since they contradict each other; 1 if they do not. */
   double error_growth;
   /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
   /** What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`. */ int32_t strength_source;
   /** 1 if the text has no area: loads are pressures [Pa], forces stresses; else 0. */ int32_t is_of_pressures;
+  /** What friction, stiffness and gap are of: one of `ASPERITY_SPECIMEN_...`. */ int32_t specimen;
+  /** On how many specimens the points were measured, as the text says; 0 if it does not. */
+  int32_t measured_specimens;
 } asperity_estimate;
 
 /** Two rough surfaces in contact, as one equivalent rough surface against a flat.
@@ -479,9 +498,10 @@ extern "C" {
  *
  * The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
  * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
- * `interface`, also one with a friction coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of
- * the band, 0.95. Give `hardness` if the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces
- * adhere, and some for each load.
+ * `specimens`, on how many they were measured, where fewer than 20 summits touch; `interface`, also one with a friction
+ * coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of the band, 0.95. Give `hardness` if
+ * the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces adhere or few summits touch,
+ * and some for each load.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"

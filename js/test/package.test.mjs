@@ -277,7 +277,9 @@ test("a text alone has friction with its band", () => {
   assert.equal(many.length, 3000);
   assert.ok(Math.abs(many[9].low / one.low - 1) < 1e-6 && many[2999].load === 3000);
   assert.match(estimateText(text, [10]), /^mu\(10 N\) = 0\.173, 95 % band 0\.108 to 0\.279\n/);
-  assert.ok(one.contacts > 20 && one.specimen_scatter < 0.1 && one.is_of_pressures === false);
+  assert.ok(one.contacts > 20 && one.gap > 0 && one.gap_low < one.gap && one.is_of_pressures === false);
+  const device = estimate('pair = "Si/Si"\nnominal_area = 6e-11\nmeasured = [1e-5, 0.27]\nspecimens = 1\n[roughness]\nSq = 12e-9\nSdq = 0.2\n', 1e-6);
+  assert.ok(device.specimen === "measured" && device.friction_coefficient > 0.5 && device.another_force_high > device.friction_force_high);
   const pressure = estimate(text.replace("nominal_area = 1e-4", ""), 1e7);
   assert.ok(pressure.is_of_pressures && Number.isNaN(pressure.contacts));
   const params = readText(text);

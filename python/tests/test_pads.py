@@ -31,39 +31,56 @@ def variants(params: Params) -> list[Params]:
     ]
 
 
-# What one specimen has that is to be expected of it: pairs that adhere, that hardly do, that yield.
+# Pairs that adhere, that hardly do, that yield; of each nothing else is in doubt.
 SPECIMENS: dict[str, dict[str, Any]] = {
-    "SiO2/SiO2": {"Sq": 5e-9, "Sdq": 0.08, "nominal_area": 1e-8},
-    "Si/Si": {"Sq": 5e-9, "Sdq": 0.08, "nominal_area": 1e-8, "work_of_adhesion": 1e-4},
-    "steel/steel": {"process": "ground", "Ra": 0.8e-6, "nominal_area": 1e-6},
+    "SiO2/SiO2": {"Sq": 5e-9, "Sdq": 0.08, "nominal_area": 1e-8, "work_of_adhesion": 0.063, "contact_law": "maugis"},
+    "Si/Si": {"Sq": 5e-9, "Sdq": 0.08, "nominal_area": 1e-8, "work_of_adhesion": 1e-4, "contact_law": "maugis"},
+    "steel/steel": {"Ra": 0.8e-6, "RSm": 30e-6, "nominal_area": 1e-6, "work_of_adhesion": 0.0, "contact_law": "elastic-plastic"},
 }
+KNOWN: dict[str, Any] = {"model_error": 0.0, "size_effect": 1.0, "pressure_coefficient": 0.0, "known_to": {"slope": 1.0, "hardness": 1.0}}
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
 @pytest.mark.parametrize("pair", SPECIMENS)
-def test_an_estimate_tells_what_single_specimens_have(pair: str) -> None:
-    """From 30 contacts to a thousandth of one: mean and scatter to 20 %, and below one contact what one summit has once or twice."""
-    surface = SPECIMENS[pair]
+def test_an_estimate_of_few_contacts_is_that_of_specimens(pair: str) -> None:
+    """From 15 contacts to none: median, quantiles, stiffness, gap and pull-off of 400 that are drawn with the same strength."""
+    surface = SPECIMENS[pair] | {"measured": (1.0, 0.2, 1e-4)} | KNOWN
     model = Model(friction(pair, **surface, load=1.0).params)
-    gaps = [model.params.height_std * z for z in np.linspace(-1, 12, 60)]
-    states = [model.state_at_gap(gap) for gap in gaps]
-    by_contacts = np.interp(np.log([30, 10, 3, 0.3, 0.03, 1e-3]), np.log([s.contacting for s in states][::-1]), np.log([s.load for s in states][::-1]))
-    loads = np.exp(by_contacts).tolist() + ([0.0] if model.params.work_of_adhesion else [])
-    told = friction(pair, **surface, load=loads)
-    found = pads(told.params, loads, 400, progress=False)
-    error = found.mean_force * found.scatter / 20
-    # Pads have the strength of the law, which the estimate says to be off its median.
-    law = np.divide(told.curve, told.value, out=np.ones(len(loads)), where=np.array(loads) > 0)
-    specimen, mean = law * told.specimen_force, law * told.force
-    for i, contacts in enumerate(told.contacts):
-        if contacts >= 1:
-            assert abs(specimen[i] - found.mean_force[i]) < 0.2 * abs(found.mean_force[i] - mean[i]) + 3 * error[i], i
-            assert told.specimen_scatter[i] == pytest.approx(found.scatter[i], rel=0.2), i
-        else:
-            times = found.mean_force[i] / specimen[i]
-            assert 1 - 3 * error[i] / found.mean_force[i] < times < 2 and math.isnan(told.specimen_scatter[i]), (i, times)
-    assert told.contacts[0] > 20 and f"few contacts: {told.contacts[1]:.3g} summits touch at" in told.text
-    assert told.text.count("few contacts: ") == 5
+    states = [model.state_at_gap(model.params.height_std * z) for z in np.linspace(-1, 12, 60)]
+    contacts, of_states = (np.log([getattr(state, name) for state in states])[::-1] for name in ("contacting", "load"))
+    loads = np.exp(np.interp(np.log([15, 3, 0.3, 0.03, 1e-3]), contacts, of_states)).tolist() + ([0.0] if model.params.work_of_adhesion else [])
+    told, found = friction(pair, **surface, load=loads), pads(model.params, loads, 400, progress=False)
+    one = told.specimens
+    assert (one.of == "any").all() and told.text.count("few contacts: ") == 5
+    low, middle, high = np.quantile(found.friction_force, (0.025, 0.5, 0.975), axis=0)
+    assert one.force.value == pytest.approx(middle, rel=0.1)
+    assert one.force.low == pytest.approx(low, rel=0.15) and one.force.high == pytest.approx(high, rel=0.15)
+    for name, band in (("tangential_stiffness", one.stiffness), ("normal_stiffness", one.normal_stiffness), ("gap", one.gap)):
+        assert band.value == pytest.approx(np.median(getattr(found, name), axis=0), rel=0.1), name
+    assert one.pull_off.value == pytest.approx(np.full(len(loads), np.median(found.pull_off_force)), rel=0.05)
+    assert one.force.value[:5] == pytest.approx(told.value[:5] * loads[:5])
+    # Above 20 contacts the same numbers are those of the mean.
+    heavy = np.exp(np.interp(np.log(500), contacts, of_states))
+    assert (mean := friction(pair, **surface, load=heavy)).specimens.of == "many contacts" and math.isnan(mean.specimens.pull_off.value)
+
+
+def test_a_measured_specimen_is_not_another() -> None:
+    """A device with one contact, measured once: it keeps what was measured, and others scatter about it."""
+    device = {"Sq": 12e-9, "Sdq": 0.2, "nominal_area": 6e-11, "measured": (1e-5, 0.27)}
+    with pytest.warns(match="few|contacts"):
+        found = friction("Si/Si", **device, specimens=1, load=[1e-5, 1e-6])
+    one = found.specimens
+    assert (one.of == "measured").all() and found.low[0] < 0.27 < found.high[0] < 1.15 * found.low[0] * 1.1
+    assert one.another.high[0] > 1.25 * found.high[0] and one.another.low[0] < 0.8 * found.low[0]
+    with pytest.warns(match="few|contacts"):
+        assert "Give specimens = 1 if on one" in friction("Si/Si", **device, load=1e-5).text
+    for wrong in (0, 1.5, "one", -1):
+        with pytest.raises(Error, match="specimens"):
+            friction("Si/Si", **device, specimens=wrong, load=1e-5)
+    with pytest.raises(Error, match="specimens: measured must be set"):
+        friction("Si/Si", **{key: device[key] for key in ("Sq", "Sdq", "nominal_area")}, specimens=1, load=1e-5)
+    with pytest.raises(Error, match="a specimen needs its number of summits"):
+        friction("Si/Si", Sq=12e-9, Sdq=0.2, measured=(1e5, 0.27), specimens=1, load=1e5)
 
 
 # ---- Against another program ----

@@ -89,7 +89,7 @@ def test_the_area_of_the_page_is_within_two_per_cent_of_friction(root: Path, err
     text = (root / "docs" / "start.md").read_text(encoding="utf-8")
     assert "A = π (a² + 1.5 Sq R)" in text
     ((friction, band),) = re.findall(r"glass beads of 4 mm \| (\S+) \((.*)\) at 0.01 N", text)  # The table at the top.
-    assert f"0.01 N: mu = {friction}, " in text and f"mu(0.01 N) = {friction}, 95 % band {band}\n" in text
+    assert f"mu(0.01 N) = {friction}, 95 % band {band}\n" in text
     assert max(np.abs(rows[:, 1]).max() for rows in errors.values()) < 2
     assert np.abs(errors[30.0][:, 0]).max() > 25
 
@@ -152,7 +152,9 @@ def test_the_slope_of_a_grain_matters_as_the_page_says(root: Path) -> None:
         for law in ("elastic-plastic", "maugis"):
             other = surface.replace("0.1e-6", height).replace("elastic-plastic", law)
             flat, steep, middle = (bead(other.replace("0.2, 0.2", f"{s}, {s}"), 0.01).value for s in (0.1, 0.4, 0.2))
-            assert 1 < flat / middle < 1.12 and 0.93 < steep / middle < 1.05
+            # On rough grains so few summits touch that single ones differ.
+            most, least = (1.12, 0.93) if height == "0.02e-6" else (1.7, 0.8)
+            assert 1 < flat / middle < most and least < steep / middle < 1.05
 
 
 def test_the_band_of_a_grain_counts_the_contacts_on_its_area(root: Path) -> None:
@@ -166,7 +168,8 @@ def test_the_band_of_a_grain_counts_the_contacts_on_its_area(root: Path) -> None
         ]
         model, found = Model(params.calibrated(1.0 / shares[1], 0.15)), bead(surface, load)
         # The estimate leaves open how strength depends on size, which the model of the point alone does not.
-        assert found.value == pytest.approx(model.friction_at_load(load / shares[0]), rel=1e-2)
+        law = model.friction_at_load(load / shares[0])
+        assert found.curve == pytest.approx(law, rel=1e-2) and 0.99 * law < found.value < (1.15 if found.contacts < 20 else 1.01) * law
         assert found.contacts == pytest.approx(shares[0] * model.state_at_load(load / shares[0]).contacting, rel=2e-3)
         assert (found.contacts < 20) == ("few contacts" in found.text)
     assert bead(surface, 1.0).value == pytest.approx(0.15, rel=1e-6)

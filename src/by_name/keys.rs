@@ -43,6 +43,7 @@ impl Table {
                 "calibration_friction_coefficient",
                 "calibration_friction_force",
                 "measured",
+                "specimens",
                 "coverage",
                 "interface_kind",
                 "size_effect",

@@ -78,6 +78,10 @@ pub struct Described {
     /// Those that the points were measured on, where they are others.
     pub measured_on: Option<Measured>,
     pub points: Vec<MeasuredPoint>,
+    /// On how many specimens they were measured, where it is said.
+    pub specimens: Option<f64>,
+    /// Whether they are what a model has rather than what specimens have.
+    pub is_of_law: bool,
     /// Whether the points may set the pressure coefficient, since nothing else does.
     pub pressure_is_free: bool,
     /// The size effect, where it is given: slip stresses are 30 to the power of it apart.
@@ -235,6 +239,8 @@ impl Entries<'_> {
         let points = self.points(&numbers, params.error_of_point())?;
         let described = Described {
             measured_on: self.measured_on(before, numbers.clone(), &points)?,
+            specimens: self.specimens(&params)?,
+            is_of_law: ["measured", "specimens"].iter().all(|name| self.find(Table::Top, name).is_none()),
             points,
             pressure_is_free: is_whole && !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
             size_effect: self.size_effect()?,
@@ -287,6 +293,24 @@ impl Entries<'_> {
         match entry.number()? {
             number if (0.0..=1.0).contains(&number) => Ok(Some(number)),
             _ => Err(entry.must_be(format_args!("from 0, a film, to 1, clean crystals"))),
+        }
+    }
+
+    /// The number of specimens that were measured.
+    fn specimens(&self, params: &Params) -> Outcome<Option<f64>> {
+        let Some(entry) = self.find(Table::Top, "specimens") else { return Ok(None) };
+        if self.measured().is_none() {
+            return Err(entry.refused(format_args!("measured must be set, what was measured on them")));
+        }
+        let has_count = !self.gives_no_area() || params.asperity_count >= 1.0 && params.nominal_area != 1.0;
+        if !has_count || params.asperity_count < 1.0 {
+            return Err(entry.refused(format_args!(
+                "a specimen needs its number of summits, 1 or more: give its nominal_area, and loads in N"
+            )));
+        }
+        match entry.number()? {
+            number if (1.0..=1e6).contains(&number) && number.fract() == 0.0 => Ok(Some(number)),
+            _ => Err(entry.must_be(format_args!("a whole number, from 1: how many specimens were measured"))),
         }
     }
 

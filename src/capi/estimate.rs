@@ -4,7 +4,7 @@ use super::boundary::{self, not_null, reference, wrong_struct_size, Failure};
 use super::last_error::asperity_last_error;
 use super::status::asperity_status;
 use super::surface_text::bytes;
-use crate::estimate::{write, Answer, Estimate, Rests};
+use crate::estimate::{write, Answer, Estimate, Rests, Whose};
 use std::ffi::c_char;
 use std::mem::{align_of, size_of};
 
@@ -17,7 +17,14 @@ pub const ASPERITY_STRENGTH_GIVEN: i32 = 2;
 /// A `strength_source`: measured on these surfaces.
 pub const ASPERITY_STRENGTH_MEASURED: i32 = 3;
 
-/// Friction at one load, with its band, and stiffness with theirs. SI units.
+/// A `specimen`: so many summits touch that nominally equal specimens hardly differ.
+pub const ASPERITY_SPECIMEN_MANY_CONTACTS: i32 = 0;
+/// A `specimen`: one specimen, whichever it is, since few summits touch.
+pub const ASPERITY_SPECIMEN_ANY: i32 = 1;
+/// A `specimen`: the one that was measured, with `specimens = 1`.
+pub const ASPERITY_SPECIMEN_MEASURED: i32 = 2;
+
+/// Friction at one load, with its band, and stiffness with theirs; if few summits touch, of one specimen. SI units.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_estimate {
@@ -27,22 +34,28 @@ pub struct asperity_estimate {
     pub load: f64,
     /// F/P, the median; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap.
     pub friction_coefficient: f64,
-    /// Lower end of the band, which is without the scatter of specimens.
+    /// Lower end of the band.
     pub low: f64,
     /// Upper end.
     pub high: f64,
-    /// F [N].
+    /// F [N]. If load <= 0, that of surfaces which adhere.
     pub friction_force: f64,
+    /// Lower end of its band.
+    pub friction_force_low: f64,
+    /// Upper end.
+    pub friction_force_high: f64,
     /// F/P of a model of what `asperity_params_set_text` makes of the text; NaN if no strength gives the measured friction.
     pub curve_coefficient: f64,
     /// How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does.
     pub constant_odds: f64,
-    /// Summits in contact, by the mean of the model; NaN if loads are pressures, as the next two.
+    /// Summits in contact, by the mean of the model; NaN if loads are pressures.
     pub contacts: f64,
-    /// Mean F of single specimens with this strength [N], NaN if not known; if contacts < 1 of one summit, had once or twice.
-    pub specimen_force: f64,
-    /// Its standard deviation over it, from specimen to specimen; NaN if contacts < 1, or if not known.
-    pub specimen_scatter: f64,
+    /// F of another specimen than the one that was measured [N]; `friction_force` if it is of no measured one.
+    pub another_force: f64,
+    /// Lower end of its band.
+    pub another_force_low: f64,
+    /// Upper end.
+    pub another_force_high: f64,
     /// Share of the variance of ln(F/P) from the strength of the interface: measure friction. All shares are 0 without a band.
     pub strength_share: f64,
     /// Share from how the strength depends on the size of a contact.
@@ -59,6 +72,8 @@ pub struct asperity_estimate {
     pub measurement_share: f64,
     /// Share from how real interfaces leave the law between loads: measure at this load.
     pub model_share: f64,
+    /// Share from which summits a specimen happens to have: take a heavier load or a larger area.
+    pub specimen_share: f64,
     /// K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness.
     pub tangential_stiffness: f64,
     /// Lower end of its band.
@@ -83,6 +98,18 @@ pub struct asperity_estimate {
     pub unloading_stiffness_low: f64,
     /// Upper end.
     pub unloading_stiffness_high: f64,
+    /// Gap between the mean planes of the surfaces [m]; NaN if they are apart.
+    pub gap: f64,
+    /// Lower end of its band.
+    pub gap_low: f64,
+    /// Upper end.
+    pub gap_high: f64,
+    /// The largest pull that a specimen withstands [N]; NaN if 128 summits or more touch.
+    pub pull_off_force: f64,
+    /// Lower end of its band.
+    pub pull_off_force_low: f64,
+    /// Upper end.
+    pub pull_off_force_high: f64,
     /// By how much the errors of the measured points grew, since they contradict each other; 1 if they do not.
     pub error_growth: f64,
     /// Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0.
@@ -91,6 +118,10 @@ pub struct asperity_estimate {
     pub strength_source: i32,
     /// 1 if the text has no area: loads are pressures [Pa], forces stresses; else 0.
     pub is_of_pressures: i32,
+    /// What friction, stiffness and gap are of: one of `ASPERITY_SPECIMEN_...`.
+    pub specimen: i32,
+    /// On how many specimens the points were measured, as the text says; 0 if it does not.
+    pub measured_specimens: i32,
 }
 
 /// The text and the loads of a caller, and what the library makes of them.
@@ -121,9 +152,10 @@ unsafe fn estimated(
 ///
 /// The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
 /// `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
-/// `interface`, also one with a friction coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of
-/// the band, 0.95. Give `hardness` if the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces
-/// adhere, and some for each load.
+/// `specimens`, on how many they were measured, where fewer than 20 summits touch; `interface`, also one with a friction
+/// coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of the band, 0.95. Give `hardness` if
+/// the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces adhere or few summits touch,
+/// and some for each load.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -166,19 +198,23 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
             (_, Rests::Given) => ASPERITY_STRENGTH_GIVEN,
         };
         for (i, answer) in answers.iter().enumerate() {
+            let Answer { friction, force, another, gap, pull_off, .. } = *answer;
             let [tangential, normal, radii, unloading] = answer.stiffness;
             let one = asperity_estimate {
                 struct_size: step,
                 load: answer.load,
-                friction_coefficient: answer.friction.value,
-                low: answer.friction.low,
-                high: answer.friction.high,
-                friction_force: answer.friction_force,
+                friction_coefficient: friction.value,
+                low: friction.low,
+                high: friction.high,
+                friction_force: force.value,
+                friction_force_low: force.low,
+                friction_force_high: force.high,
                 curve_coefficient: answer.curve,
                 constant_odds: answer.constant_odds,
                 contacts: answer.contacts,
-                specimen_force: answer.specimen_force,
-                specimen_scatter: answer.specimen_scatter,
+                another_force: another.value,
+                another_force_low: another.low,
+                another_force_high: another.high,
                 strength_share: answer.shares.strength,
                 size_share: answer.shares.size,
                 pressure_share: answer.shares.pressure,
@@ -187,6 +223,7 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
                 slope_share: answer.shares.slope,
                 measurement_share: answer.shares.measurement,
                 model_share: answer.shares.model,
+                specimen_share: answer.shares.specimen,
                 tangential_stiffness: tangential.value,
                 tangential_stiffness_low: tangential.low,
                 tangential_stiffness_high: tangential.high,
@@ -199,10 +236,22 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
                 unloading_stiffness: unloading.value,
                 unloading_stiffness_low: unloading.low,
                 unloading_stiffness_high: unloading.high,
+                gap: gap.value,
+                gap_low: gap.low,
+                gap_high: gap.high,
+                pull_off_force: pull_off.value,
+                pull_off_force_low: pull_off.low,
+                pull_off_force_high: pull_off.high,
                 error_growth: estimate.growth,
                 warnings,
                 strength_source,
                 is_of_pressures: estimate.is_of_pressures().into(),
+                specimen: match answer.whose {
+                    Whose::Many => ASPERITY_SPECIMEN_MANY_CONTACTS,
+                    Whose::Any => ASPERITY_SPECIMEN_ANY,
+                    Whose::Measured => ASPERITY_SPECIMEN_MEASURED,
+                },
+                measured_specimens: estimate.measured_specimens() as i32,
             };
             let count = size_of::<asperity_estimate>().min(step as usize);
             // SAFETY: the caller says that n elements are so far apart.

@@ -1,4 +1,4 @@
-//! The surfaces that may be, and what they bear at a load: sums over their summits, without a compiled law.
+//! The surfaces that may be, and what they bear at a load, as a mean or as single specimens, without a compiled law.
 
 use super::known::deviation;
 use super::posterior::INPUTS;
@@ -9,6 +9,7 @@ use crate::model::{Model, Surfaces};
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{ContactLawKind, Params};
+use crate::specimens::{Specimens, Standing};
 
 /// Where inputs stand among those that are normal.
 const SLOPE_INPUT: usize = 0;
@@ -31,6 +32,10 @@ pub struct Terms {
     pub hertz: f64,
     /// Tangential and normal stiffness, the sum of the contact radii, and the normal stiffness of unloading.
     pub stiffness: [f64; 4],
+    /// The gap itself.
+    pub gap: f64,
+    /// How many summits touch.
+    pub contacts: f64,
 }
 
 /// One work of adhesion, with its probability among the others.
@@ -53,29 +58,49 @@ pub struct Law {
     middle: usize,
     /// The same with an input one standard deviation off, and the sign of that.
     changed: [Option<(Surfaces, f64)>; INPUTS],
+    /// How many specimens are drawn.
+    pub specimens: usize,
 }
 
 /// What one law makes of a load.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct OfLaw {
+    /// The mean of the model, or where few summits touch that of the specimens.
     models: Vec<Terms>,
     middle: usize,
+    /// What the changed ones are compared with.
+    unchanged: Terms,
     changed: [Option<(Terms, f64)>; INPUTS],
+    /// Single specimens of each model, none where many summits touch.
+    specimens: Vec<Vec<Terms>>,
+    /// How hard the specimens of each model can be pulled, none likewise.
+    pulls: Vec<Vec<f64>>,
 }
 
+/// Specimens that stand for all, more where one was measured; and those that tell what an input changes.
+const SPECIMENS: [usize; 2] = [128, 256];
+const COMPARED: usize = 16;
+/// With fewer contacts specimens are drawn; with more, those of so many come nearer to the mean, and are it at the second number.
+const DRAWN: f64 = 20.0;
+pub const ALL_ALIKE: f64 = 128.0;
+/// Summits that may be drawn for all specimens.
+const MOST_DRAWN: f64 = 2e5;
+/// The logarithm of nothing.
+pub const NOTHING: f64 = -690.0;
+
 impl Terms {
-    /// The separation becomes that of these surfaces: like ones are near it.
-    fn at(surfaces: &Surfaces, load: f64, is_film: bool, separation: &mut Option<f64>) -> Result<Self, Error> {
-        let borne = surfaces.borne_near(load, *separation)?;
-        *separation = Some(borne.separation);
-        let params = surfaces.params();
-        let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
-        let slip = log(borne.friction_force) - log(unit);
+    /// The separation becomes that of these surfaces: like ones are near it. What neighbours add to the gap is that of the first ones.
+    fn at(surfaces: &Surfaces, load: f64, is_film: bool, near: &mut Option<(f64, f64)>) -> Result<Self, Error> {
+        let borne = surfaces.borne_near(load, near.map(|(separation, _)| separation))?;
+        let widening = near.map_or_else(|| surfaces.widening(borne.separation), |(_, widening)| widening);
+        *near = Some((borne.separation, widening));
+        let slip = log(borne.friction_force) - log(unit_strength(surfaces));
         let film = if is_film { log(borne.real_area) } else { slip };
         let [tangential, normal, unloading] =
             [borne.tangential_stiffness, borne.normal_stiffness, borne.unloading_stiffness].map(log);
         let stiffness = [tangential, normal, log(borne.contact_radius_sum), unloading];
-        let found = Self { film, slip, hertz: log(borne.hertz_load), stiffness };
+        let gap = surfaces.gap_of(borne.separation, widening);
+        let found = Self { film, slip, hertz: log(borne.hertz_load), stiffness, gap, contacts: borne.contacting };
         match finite(film) && finite(slip) && finite(found.hertz) {
             true => Ok(found),
             false if load > 0.0 => {
@@ -85,13 +110,57 @@ impl Terms {
         }
     }
 
-    fn mix(&self, other: &Self, part: f64) -> Self {
-        let mix = |one: f64, other: f64| one + part * (other - one);
+    /// A specimen; one that is apart has nothing. What neighbours add to the gap is that of the first one.
+    fn of(standing: Option<Standing>, surfaces: &Surfaces, is_film: bool, widening: &mut Option<f64>) -> Self {
+        let Some(standing) = standing else {
+            let stiffness = [NOTHING; 4];
+            return Self { film: NOTHING, slip: NOTHING, hertz: NOTHING, stiffness, gap: f64::NAN, contacts: 0.0 };
+        };
+        let widening = *widening.get_or_insert_with(|| surfaces.widening(standing.separation));
+        let held = standing.held(surfaces.units(), surfaces.gap_of(standing.separation, widening), 0.0);
+        let [area, hertz] = standing.area_and_hertz(surfaces.units());
+        let some = |number: f64| if number > 0.0 { log(number).max(NOTHING) } else { NOTHING };
+        let slip = some(held.friction_force / unit_strength(surfaces));
+        let radii = standing.contacts.radius / standing.sums.psi() * surfaces.params().burgers_vector;
+        let unloading = surfaces.unloading_stiffness(radii, held.normal_stiffness);
         Self {
-            film: mix(self.film, other.film),
-            slip: mix(self.slip, other.slip),
-            hertz: mix(self.hertz, other.hertz),
-            stiffness: std::array::from_fn(|i| mix(self.stiffness[i], other.stiffness[i])),
+            film: if is_film { some(area) } else { slip },
+            slip,
+            hertz: some(hertz),
+            stiffness: [held.tangential_stiffness, held.normal_stiffness, radii, unloading].map(some),
+            gap: held.gap,
+            contacts: held.contacts,
+        }
+    }
+
+    fn mix(&self, other: &Self, part: f64) -> Self {
+        self.each(other, |one, other| one + part * (other - one))
+    }
+
+    /// What a function makes of the quantities of both.
+    fn each(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        Self {
+            film: of(self.film, other.film),
+            slip: of(self.slip, other.slip),
+            hertz: of(self.hertz, other.hertz),
+            stiffness: std::array::from_fn(|i| of(self.stiffness[i], other.stiffness[i])),
+            gap: of(self.gap, other.gap),
+            contacts: of(self.contacts, other.contacts),
+        }
+    }
+
+    /// The mean of specimens, of what it is the logarithm of.
+    fn mean(all: &[Self]) -> Self {
+        let mean = |of: &dyn Fn(&Self) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
+        let log_mean = |of: &dyn Fn(&Self) -> f64| log(mean(&|one| exp(of(one))));
+        let holding = all.iter().filter(|one| !one.gap.is_nan());
+        Self {
+            film: log_mean(&|one| one.film),
+            slip: log_mean(&|one| one.slip),
+            hertz: log_mean(&|one| one.hertz),
+            stiffness: std::array::from_fn(|i| log_mean(&|one| one.stiffness[i])),
+            gap: holding.clone().map(|one| one.gap).sum::<f64>() / holding.count() as f64,
+            contacts: mean(&|one| one.contacts),
         }
     }
 
@@ -106,31 +175,143 @@ impl OfLaw {
         one.mix(other, work.part)
     }
 
+    /// Single specimens with a work of adhesion; none where many summits touch.
+    pub fn specimens<'a>(&'a self, work: &'a Work) -> impl ExactSizeIterator<Item = Terms> + 'a {
+        let of = |model: usize| self.specimens.get(work.models[model]).map_or(&[][..], |all| &all[..]);
+        of(0).iter().zip(of(1)).map(|(one, other)| one.mix(other, work.part))
+    }
+
+    /// How hard they can be pulled.
+    pub fn pulls<'a>(&'a self, work: &'a Work) -> impl Iterator<Item = f64> + 'a {
+        let of = |model: usize| self.pulls.get(work.models[model]).map_or(&[][..], |all| &all[..]);
+        of(0).iter().zip(of(1)).map(|(one, other)| one + work.part * (other - one))
+    }
+
+    pub fn has_specimens(&self) -> bool {
+        !self.specimens.is_empty()
+    }
+
+    /// The mean of what they can be pulled with, as the surfaces most probably are.
+    pub fn mean_pull(&self) -> f64 {
+        self.pulls.get(self.middle).map_or(0.0, |pulls| pulls.iter().sum::<f64>() / pulls.len() as f64)
+    }
+
     /// What a quantity changes by with each input.
     pub fn gains(&self, of: impl Fn(&Terms) -> f64) -> [f64; INPUTS] {
-        let middle = of(&self.models[self.middle]);
+        let middle = of(&self.unchanged);
         self.changed.each_ref().map(|changed| changed.as_ref().map_or(0.0, |(terms, sign)| sign * (of(terms) - middle)))
     }
 }
 
+/// The shear strength of surfaces.
+fn unit_strength(surfaces: &Surfaces) -> f64 {
+    let params = surfaces.params();
+    params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus
+}
+
 impl Law {
+    /// Surfaces of which nothing is in doubt.
+    pub fn alone(surfaces: &Surfaces, specimens: usize) -> Self {
+        let works =
+            vec![Work { probability: 1.0, work: surfaces.params().work_of_adhesion, models: [0; 2], part: 0.0 }];
+        Self {
+            probability: 1.0,
+            works,
+            models: vec![surfaces.clone()],
+            middle: 0,
+            changed: [const { None }; INPUTS],
+            specimens,
+        }
+    }
+
+    /// A load at which many summits touch, and the friction force of the mean there, of the strength with which specimens have a force
+    /// at a load, on the mean.
+    pub fn calibrated(&self, params: &Params, load: f64, force: f64) -> Result<(f64, f64), Error> {
+        let (surfaces, kappa) = (self.middle(), params.pressure_coefficient);
+        let of_specimens = self.at(load, false)?.terms(&self.works[0]);
+        let factor = (force - kappa * exp(of_specimens.hertz)) / (exp(of_specimens.slip) * unit_strength(surfaces));
+        let contacts = surfaces.borne_at_load(load).map_or(0.0, |borne| borne.contacting).max(1e-9);
+        let many = load * (DRAWN / contacts).max(1.0);
+        let borne = surfaces.borne_at_load(many)?;
+        Ok((many, factor * borne.friction_force + kappa * borne.hertz_load))
+    }
+
     /// The surfaces as they most probably are.
     pub fn middle(&self) -> &Surfaces {
         &self.models[self.middle]
     }
 
-    pub fn at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
+    /// What the mean of the model bears at a load.
+    pub fn mean_at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
         let mut near = None;
-        let models = self.models.iter().map(|surfaces| Terms::at(surfaces, load, is_film, &mut near));
-        let models = models.collect::<Result<_, _>>()?;
+        let mut at = |surfaces: &Surfaces| Terms::at(surfaces, load, is_film, &mut near);
+        let models = self.models.iter().map(&mut at).collect::<Result<Vec<_>, _>>()?;
         let mut changed = [const { None }; INPUTS];
-        for (input, found) in changed.iter_mut().enumerate() {
-            *found = match &self.changed[input] {
-                Some((surfaces, sign)) => Some((Terms::at(surfaces, load, is_film, &mut near)?, *sign)),
-                None => None,
-            };
+        for (found, other) in changed.iter_mut().zip(&self.changed) {
+            *found = other.as_ref().map(|(surfaces, sign)| at(surfaces).map(|terms| (terms, *sign))).transpose()?;
         }
-        Ok(OfLaw { models, middle: self.middle, changed })
+        let (middle, unchanged) = (self.middle, models[self.middle]);
+        Ok(OfLaw { models, middle, unchanged, changed, specimens: Vec::new(), pulls: Vec::new() })
+    }
+
+    /// What the surfaces bear at a load: where few summits touch, single specimens.
+    pub fn at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
+        let mean = self.mean_at(load, is_film);
+        let contacts = mean.as_ref().map_or(0.0, |mean| mean.models[self.middle].contacts);
+        if contacts >= ALL_ALIKE || self.middle().params().asperity_count <= 1.0 {
+            return mean;
+        }
+        let near = |load: f64| self.drawn_at(load, is_film);
+        let Some(mean_there) = mean.as_ref().ok().filter(|_| contacts > DRAWN) else {
+            return near(load).or(mean);
+        };
+        // As many more summits touch, specimens are nearer to the mean.
+        let there = load * DRAWN / contacts;
+        let left = log(ALL_ALIKE / contacts) / log(ALL_ALIKE / DRAWN);
+        let part = (DRAWN / contacts).sqrt() * left * left * (3.0 - 2.0 * left);
+        let Ok((of, to)) = near(there).and_then(|of| Ok((of, self.mean_at(there, is_film)?))) else { return mean };
+        let mut found = mean_there.clone();
+        let nearer = |at: &mut Terms, one: &Terms, to: &Terms| {
+            *at = at.each(&one.each(to, |one, to| one - to), |at, off| at + part * off);
+        };
+        for (k, at) in found.models.iter_mut().enumerate() {
+            let mean = *at;
+            nearer(at, &of.models[k], &to.models[k]);
+            let moved = of.specimens[k].iter().map(|one| {
+                let mut moved = mean;
+                nearer(&mut moved, one, &to.models[k]);
+                moved
+            });
+            found.specimens.push(moved.collect());
+        }
+        found.pulls = of.pulls;
+        Ok(found)
+    }
+
+    /// Single specimens at a load.
+    fn drawn_at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
+        let mut widening = None;
+        let mut draw = |surfaces: &Surfaces, count: usize| {
+            let (mut found, mut pulls) = (Vec::with_capacity(count), Vec::with_capacity(count));
+            let asked = Specimens { count, seed: 1, ..Specimens::default() };
+            surfaces.stand((asked, MOST_DRAWN), &[load], false, &mut |standing, pull| {
+                found.push(Terms::of(standing, surfaces, is_film, &mut widening));
+                pulls.push(pull);
+            })?;
+            Ok::<_, Error>((found, pulls))
+        };
+        let drawn = self.models.iter().map(|surfaces| draw(surfaces, self.specimens)).collect::<Result<Vec<_>, _>>()?;
+        let (specimens, pulls): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
+        let mut changed = [const { None }; INPUTS];
+        for (found, other) in changed.iter_mut().zip(&self.changed) {
+            let compared = other
+                .as_ref()
+                .map(|(surfaces, sign)| draw(surfaces, COMPARED).map(|(all, _)| (Terms::mean(&all), *sign)));
+            *found = compared.transpose()?;
+        }
+        let unchanged = Terms::mean(&specimens[self.middle][..COMPARED]);
+        let models = specimens.iter().map(|all| Terms::mean(all)).collect();
+        Ok(OfLaw { models, middle: self.middle, unchanged, changed, specimens, pulls })
     }
 }
 
@@ -269,7 +450,8 @@ fn law(
             Surfaces::new(&other).ok().map(|surfaces| (surfaces, sign))
         });
     }
-    Ok(Law { probability, works, models, middle, changed })
+    let specimens = SPECIMENS[usize::from(described.specimens.is_some())];
+    Ok(Law { probability, works, models, middle, changed, specimens })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.

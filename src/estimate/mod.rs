@@ -17,12 +17,11 @@ use crate::asperity::slip::SlipConstants;
 use crate::by_name::{describe, Described};
 use crate::error::{Error, LOAD};
 use crate::model::calibration::MeasuredPoint;
-use crate::model::validity::WARNING_FEW;
 use crate::model::Surfaces;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{Params, OF_OTHER_MATERIALS};
-use cases::{laws, Law, OfLaw, Work, HARDNESS_INPUT, SLOPES, YOUNG_INPUT};
+use cases::{laws, Law, OfLaw, Terms, Work, HARDNESS_INPUT, NOTHING, SLOPES, YOUNG_INPUT};
 use known::deviation;
 use posterior::{Kernel, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
 use std::cell::RefCell;
@@ -51,6 +50,8 @@ const CONSTANT: f64 = 1.1;
 const LARGE: f64 = 5.0;
 /// Nodes less probable than this do not matter.
 const UNLIKELY: f64 = 1e-7;
+/// A band is the quantiles of not many more normal distributions.
+const MOST_NORMALS: usize = 4096;
 /// No band has a smaller variance.
 const CERTAIN: f64 = 1e-20;
 
@@ -65,6 +66,7 @@ pub struct Shares {
     pub slope: f64,
     pub measurement: f64,
     pub model: f64,
+    pub specimen: f64,
 }
 
 /// A number with its band.
@@ -75,15 +77,15 @@ pub struct Band {
     pub high: f64,
 }
 
-/// An answer for one load.
+/// An answer for one load: where few summits touch, of one specimen.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Answer {
     /// [N]
     pub load: f64,
     /// F/P: infinite from the pull-off load to 0, 0 below.
     pub friction: Band,
-    /// F [N].
-    pub friction_force: f64,
+    /// F [N]. Of loads that do not press, that of surfaces which adhere.
+    pub force: Band,
     /// F/P of a model of the parameters; NaN where no strength gives the measured friction.
     pub curve: f64,
     /// How probable it is that F/P is within 10 % of what was measured.
@@ -91,15 +93,27 @@ pub struct Answer {
     pub shares: Shares,
     /// Tangential and normal stiffness [N/m], the sum of the contact radii [m], and the normal stiffness of unloading [N/m].
     pub stiffness: [Band; 4],
-    /// Summits in contact that the model expects, and whether they are too few for one specimen to be like the mean of the model. NaN
-    /// where loads are pressures.
+    /// Between the mean planes [m].
+    pub gap: Band,
+    /// How hard a specimen can be pulled [N]; NaN where many summits touch.
+    pub pull_off: Band,
+    /// F [N] of another specimen than the one that was measured.
+    pub another: Band,
+    /// Summits in contact that the model expects; NaN where loads are pressures.
     pub contacts: f64,
-    pub is_few: bool,
-    /// Mean friction force of single specimens [N]. Of less than one contact that of a summit alone, which simulated specimens have once
-    /// or twice (python/tests/test_pads.py). NaN where it is not known.
-    pub specimen_force: f64,
-    /// Standard deviation of the friction force of single specimens over its mean; NaN where it is not known.
-    pub specimen_scatter: f64,
+    pub whose: Whose,
+}
+
+/// What an answer is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Whose {
+    /// Many contacts: specimens hardly differ.
+    #[default]
+    Many,
+    /// One specimen of many.
+    Any,
+    /// The specimen that was measured.
+    Measured,
 }
 
 /// All that a text tells of friction.
@@ -214,9 +228,24 @@ impl Estimate {
         self.size.is_none()
     }
 
-    /// What the laws make of a load.
-    fn at(laws: &[Law], load: f64, is_film: bool) -> Result<Vec<OfLaw>, Error> {
-        laws.iter().map(|law| law.at(load, is_film)).collect()
+    /// What the laws make of a load: where few summits touch, of specimens.
+    fn at(&self, laws: &[Law], load: f64) -> Result<Vec<OfLaw>, Error> {
+        match self.is_of_pressures() {
+            true => laws.iter().map(|law| law.mean_at(load, self.is_film())).collect(),
+            false => laws.iter().map(|law| law.at(load, self.is_film())).collect(),
+        }
+    }
+
+    /// The same of surfaces on which friction was measured; what other specimens tell is of many.
+    fn at_measured(&self, load: f64) -> Result<Rc<Vec<OfLaw>>, Error> {
+        let laws = self.laws_there.as_ref().unwrap_or(&self.laws);
+        let is_of_many = self.described.is_of_law || self.points.is_empty();
+        let mean = || laws.iter().map(|law| law.mean_at(load, self.is_film())).collect::<Result<_, _>>().map(Rc::new);
+        match self.laws_there.is_some() {
+            _ if is_of_many => mean(),
+            true => self.at(laws, load).map(Rc::new),
+            false => self.at_asked(load),
+        }
     }
 
     /// The same of the surfaces that are asked for, kept since a text asks for some loads more than once.
@@ -224,7 +253,7 @@ impl Estimate {
         if let Some((_, kept)) = self.asked.borrow().iter().find(|(other, _)| *other == load) {
             return Ok(kept.clone());
         }
-        let found = Rc::new(Self::at(&self.laws, load, self.is_film())?);
+        let found = Rc::new(self.at(&self.laws, load)?);
         let mut asked = self.asked.borrow_mut();
         if asked.len() == MOST_KEPT {
             asked.remove(0);
@@ -235,24 +264,18 @@ impl Estimate {
 
     /// Makes the nodes, and gives them the probabilities that the points leave them.
     fn weigh(&mut self) -> Result<(), Error> {
-        let there = self.laws_there.as_ref().unwrap_or(&self.laws);
-        let is_film = self.is_film();
         // A stress holds at all loads, but a pressure coefficient has a load at which it is a part.
-        let reference = Self::at(
-            there,
-            if self.strength.is_stress { self.described.usual_load() } else { self.strength.load },
-            is_film,
-        )?;
-        let of_points =
-            self.points.iter().map(|point| Self::at(there, point.load, is_film)).collect::<Result<Vec<_>, _>>()?;
+        let reference =
+            self.at_measured(if self.strength.is_stress { self.described.usual_load() } else { self.strength.load })?;
+        let of_points = self.points.iter().map(|point| self.at_measured(point.load)).collect::<Result<Vec<_>, _>>()?;
+        let decades: Vec<f64> =
+            self.points.iter().zip(&of_points).map(|(point, at)| self.decades(at, point.load)).collect();
         let measured: Vec<f64> = self.points.iter().map(|point| point.log_force).collect();
         let mut noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
         let unsolved = self.unsolved_nodes(&reference)?;
         for is_again in [false, true] {
             let solve = |(node, prior): &(Node, f64)| {
-                let seen =
-                    of_points.iter().zip(&self.points).map(|(at, point)| node.seen(at, self.decades(point.load)));
-                let solved = Solved::new(seen.collect(), node.kernel, &measured, &noise);
+                let solved = self.solve(node, &of_points, &decades, (&measured, &noise));
                 let weight = log(*prior) + solved.log_probability;
                 (solved, weight)
             };
@@ -281,6 +304,37 @@ impl Estimate {
         let leaves = |node: &&Node| node.more.0 > 1.0;
         self.leaves_law = self.nodes.iter().filter(leaves).map(|node| node.weight).sum();
         Ok(())
+    }
+
+    /// What the points tell of a node: those of one specimen whichever it is, and those of some on the mean of them.
+    fn solve(
+        &self,
+        node: &Node,
+        of_points: &[Rc<Vec<OfLaw>>],
+        decades: &[f64],
+        (measured, noise): (&[f64], &[f64]),
+    ) -> Solved {
+        let n = measured.len();
+        let seen = of_points.iter().zip(decades).map(|(at, &decades)| node.seen(at, decades)).collect();
+        let mut errors = vec![0.0; n * n];
+        noise.iter().enumerate().for_each(|(i, noise)| errors[i * n + i] = *noise);
+        let Some(count) = self.described.specimens else { return Solved::new(seen, node.kernel, measured, &errors) };
+        let on_each: Vec<Vec<f64>> =
+            of_points.iter().zip(decades).map(|(at, &decades)| node.specimens(at, decades)).collect();
+        if count > 1.0 {
+            for (i, k) in (0..n).flat_map(|i| (0..n).map(move |k| (i, k))) {
+                errors[i * n + k] += covariance(&on_each[i], &on_each[k], count);
+            }
+            return Solved::new(seen, node.kernel, measured, &errors);
+        }
+        let solved = Solved::new(seen, node.kernel, measured, &errors);
+        if on_each.iter().all(Vec::is_empty) {
+            return solved;
+        }
+        let seen = |i: usize| node.seen(&of_points[i], decades[i]).mean;
+        let of_one = |one: usize| (0..n).map(|i| on_each[i].get(one).copied().unwrap_or_else(|| seen(i))).collect();
+        let count = on_each.iter().map(Vec::len).fold(0, usize::max);
+        solved.on_one_of((0..count).map(of_one), measured)
     }
 
     /// By how much the errors grow for a misfit, without a step.
@@ -386,36 +440,50 @@ impl Estimate {
         Ok(std::iter::once((0.0, 0.5, log_force)).chain(pressing).collect())
     }
 
-    /// Decades of load from the reference.
-    fn decades(&self, load: f64) -> f64 {
-        match load > 0.0 && self.strength.load > 0.0 {
-            true => (log(load) - log(self.strength.load)) / LN_10,
+    /// Decades of load from the reference, each with what adhesion adds to the load of a specimen.
+    fn decades(&self, at: &[OfLaw], load: f64) -> f64 {
+        let pull = at.first().map_or(0.0, OfLaw::mean_pull);
+        match load + pull > 0.0 && self.strength.load > 0.0 {
+            true => (log(load + pull) - log(self.strength.load + pull)) / LN_10,
             false => 0.0,
         }
     }
 
-    /// ln F at a load, as all nodes have it.
-    fn mixture(&self, at: &[OfLaw], decades: f64) -> Mixture {
-        self.looked(at, decades).0
+    /// ln F at a load, as each node has it of the mean of specimens.
+    fn nodes_at(&self, at: &[OfLaw], decades: f64) -> Vec<Normal> {
+        let of = |node: &Node| {
+            let seen = node.seen(at, decades);
+            let deviation = node.solved.parts(&seen).iter().sum::<f64>().sqrt();
+            Normal { weight: node.weight, mean: node.solved.mean(&seen), deviation }
+        };
+        self.nodes.iter().map(of).collect()
     }
 
-    /// The same, with what makes its variance: within nodes its parts, between them each of what they differ in.
-    fn looked(&self, at: &[OfLaw], decades: f64) -> (Mixture, Shares) {
+    /// ln F at a load, with what makes its variance: within nodes its parts, between them each of what they differ in. Of a specimen
+    /// that is the one which was measured, or of another. Of loads that do not press only of surfaces that adhere.
+    fn looked(&self, at: &[OfLaw], load: f64, is_another: bool) -> (Mixture, Shares) {
+        let decades = self.decades(at, load);
         let mut within = [0.0; PARTS];
+        let mut of_specimens = 0.0;
         // The probability and the mean of all nodes that have one thing alike.
         let mut alike = [[(0.0, 0.0); PRESSURES as usize + 1]; 5];
-        let mut normals = Vec::with_capacity(self.nodes.len());
-        for node in &self.nodes {
+        let mut mixture = Mixture::default();
+        let adheres = |node: &&Node| load > 0.0 || node.work.work > 0.0;
+        let all: f64 = self.nodes.iter().filter(adheres).map(|node| node.weight).sum();
+        for node in self.nodes.iter().filter(adheres) {
             let seen = node.seen(at, decades);
-            let (parts, mean) = (node.solved.parts(&seen), node.solved.mean(&seen));
-            let weight = node.weight;
+            let parts = node.solved.parts(&seen);
+            let weight = node.weight / all;
             within.iter_mut().zip(parts).for_each(|(sum, part)| *sum += weight * part);
+            let means = node.solved.means(&seen, &node.specimens(at, decades), is_another);
+            let mean: f64 = means.iter().map(|(part, mean)| part * mean).sum();
+            of_specimens += weight * means.iter().map(|(part, one)| part * (one - mean) * (one - mean)).sum::<f64>();
             for (what, &place) in alike.iter_mut().zip(&node.place) {
                 what[place] = (what[place].0 + weight, what[place].1 + weight * mean);
             }
-            normals.push(Normal { weight, mean, deviation: parts.iter().sum::<f64>().sqrt() });
+            let deviation = parts.iter().sum::<f64>().sqrt();
+            mixture.add(means, weight, deviation, MOST_NORMALS.div_ceil(self.nodes.len()));
         }
-        let mixture = Mixture(normals);
         let (mean, variance) = mixture.moments();
         if variance < CERTAIN {
             return (mixture, Shares::default());
@@ -424,7 +492,7 @@ impl Estimate {
             let known = what.iter().filter(|(weight, _)| *weight > 0.0);
             known.map(|(weight, sum)| weight * (sum / weight - mean) * (sum / weight - mean)).sum::<f64>()
         });
-        let [inside, all] = [within.iter().sum::<f64>(), apart.iter().sum::<f64>()];
+        let [inside, all] = [within.iter().sum::<f64>() + of_specimens, apart.iter().sum::<f64>()];
         let between = (variance - inside).max(0.0);
         let [law, adhesion, size, pressure, more] =
             apart.map(|part| if all > 0.0 { part / all * between } else { 0.0 });
@@ -438,6 +506,7 @@ impl Estimate {
             slope: share(SLOPES.iter().map(|&input| within[input]).sum()),
             measurement: share(within[INPUTS + 1]),
             model: share(within[INPUTS + 2] + more),
+            specimen: share(of_specimens),
         };
         (mixture, shares)
     }
@@ -455,99 +524,137 @@ impl Estimate {
         if !finite(load) {
             return Err(Error::InvalidLoad { name: LOAD, value: load });
         }
-        let mut answer = Answer { load, ..Answer::default() };
-        [answer.contacts, answer.specimen_force, answer.specimen_scatter] = [f64::NAN; 3];
-        if load > 0.0 {
-            self.add_band(&mut answer)?;
+        let mut answer = Answer { load, pull_off: UNKNOWN, gap: UNKNOWN, ..Answer::default() };
+        self.add_curve(&mut answer)?;
+        if load > 0.0 || self.nodes.iter().any(|node| node.work.work > 0.0) {
+            match self.at_asked(load) {
+                Ok(at) => self.add_bands(&at, &mut answer),
+                // Nothing holds under such a pull.
+                Err(_) if load <= 0.0 => {}
+                Err(error) => return Err(error),
+            }
         }
-        self.add_state(&mut answer)?;
-        if self.is_of_pressures() {
-            [answer.contacts, answer.specimen_force, answer.specimen_scatter] = [f64::NAN; 3];
+        if load == 0.0 || (load < 0.0 && answer.force.value > 0.0) {
+            // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
+            answer.friction = infinite();
+        }
+        if load <= 0.0 && answer.curve > 0.0 {
+            answer.curve = f64::INFINITY;
         }
         Ok(answer)
     }
 
-    fn add_band(&self, answer: &mut Answer) -> Result<(), Error> {
-        let at = self.at_asked(answer.load)?;
-        let (decades, log_load) = (self.decades(answer.load), log(answer.load));
-        let (mixture, shares) = self.looked(&at, decades);
-        let ratio = |probability: f64| exp(mixture.quantile(probability) - log_load);
+    fn add_bands(&self, at: &[OfLaw], answer: &mut Answer) {
+        let is_few = at.iter().any(OfLaw::has_specimens);
+        let is_device = self.nodes.iter().any(|node| node.solved.has_devices()) && self.laws_there.is_none();
+        answer.whose = match is_few || is_device && answer.contacts < cases::ALL_ALIKE {
+            true if is_device => Whose::Measured,
+            true => Whose::Any,
+            false => Whose::Many,
+        };
+        let (mixture, shares) = self.looked(at, answer.load, !is_device);
         let [low, high] = self.ends();
-        let value = ratio(0.5);
-        answer.friction = Band { value, low: ratio(low).min(value), high: ratio(high).max(value) };
-        if mixture.moments().1 < CERTAIN {
-            answer.friction = Band { value, low: value, high: value };
-        }
-        answer.friction_force = answer.friction.value * answer.load;
-        let constant = self.strength.mean + log_load;
-        let near = log(CONSTANT);
-        answer.constant_odds = mixture.between(constant - near, constant + near);
+        let band = |mixture: &Mixture| {
+            let at = |probability: f64| some(exp(mixture.quantile(probability)));
+            let value = at(0.5);
+            match mixture.moments().1 < CERTAIN {
+                true => Band { value, low: value, high: value },
+                false => Band { value, low: at(low).min(value), high: at(high).max(value) },
+            }
+        };
+        answer.force = band(&mixture);
+        answer.another = if is_device { band(&self.looked(at, answer.load, true).0) } else { answer.force };
         answer.shares = shares;
         for (i, band) in answer.stiffness.iter_mut().enumerate() {
-            *band = self.stiffness(&at, i);
-        }
-        Ok(())
-    }
-
-    /// A stiffness, of which nothing was measured.
-    fn stiffness(&self, at: &[OfLaw], which: usize) -> Band {
-        let mut alike: Vec<([usize; 2], Normal)> = Vec::new();
-        for node in &self.nodes {
-            let key = [node.place[0], node.place[1]];
-            if let Some((_, normal)) = alike.iter_mut().find(|(other, _)| *other == key) {
-                normal.weight += node.weight;
-                continue;
-            }
-            let of = &at[node.law];
             let error = self.described.model_error * deviation(priors::STIFFNESS);
-            let inputs: f64 = of.gains(|terms| terms.stiffness[which]).iter().map(|gain| gain * gain).sum();
-            let mean = of.terms(&node.work).stiffness[which];
-            alike.push((key, Normal { weight: node.weight, mean, deviation: (inputs + error * error).sqrt() }));
+            *band = self.of_surfaces(at, error, |terms| terms.stiffness[i]).map(|end| some(exp(end)));
         }
-        let mixture = Mixture(alike.into_iter().map(|one| one.1).collect());
-        let [low, high] = self.ends();
-        let [value, low, high] = [0.5, low, high].map(|probability| exp(mixture.quantile(probability)));
-        Band { value, low, high }
+        answer.gap = self.of_surfaces(at, 0.0, |terms| terms.gap);
+        answer.pull_off = self.pulled(at);
+        if answer.load > 0.0 {
+            answer.friction = answer.force.map(|force| force / answer.load);
+            let constant = self.strength.mean + log(answer.load);
+            let near = log(CONSTANT);
+            answer.constant_odds = mixture.between(constant - near, constant + near);
+        }
     }
 
-    /// What a model of the parameters has, and single specimens.
-    fn add_state(&self, answer: &mut Answer) -> Result<(), Error> {
+    /// The laws and works of adhesion with their probabilities, each with a node of it.
+    fn surfaces(&self) -> Vec<(f64, &Node)> {
+        let mut alike: Vec<(f64, &Node)> = Vec::new();
+        for node in &self.nodes {
+            match alike.iter_mut().find(|(_, other)| other.place[..2] == node.place[..2]) {
+                Some((weight, _)) => *weight += node.weight,
+                None => alike.push((node.weight, node)),
+            }
+        }
+        alike
+    }
+
+    /// A quantity of which nothing was measured, to an error beside that of the inputs.
+    fn of_surfaces(&self, at: &[OfLaw], error: f64, quantity: impl Fn(&Terms) -> f64) -> Band {
+        let mut normals = Vec::new();
+        for (weight, node) in self.surfaces() {
+            let of = &at[node.law];
+            let inputs: f64 = of.gains(&quantity).iter().map(|gain| gain * gain).sum();
+            let deviation = (inputs + error * error).sqrt();
+            let mut means: Vec<f64> = of.specimens(&node.work).map(|terms| quantity(&terms)).collect();
+            if means.is_empty() {
+                means.push(quantity(&of.terms(&node.work)));
+            }
+            means.retain(|mean| !mean.is_nan());
+            let weight = weight / means.len() as f64;
+            normals.extend(means.into_iter().map(|mean| Normal { weight, mean, deviation }));
+        }
+        if normals.is_empty() {
+            return UNKNOWN;
+        }
+        let mixture = Mixture(normals);
+        let [low, high] = self.ends();
+        let [value, low, high] = [0.5, low, high].map(|probability| mixture.quantile(probability));
+        Band { value, low: low.min(value), high: high.max(value) }
+    }
+
+    /// How hard specimens can be pulled.
+    fn pulled(&self, at: &[OfLaw]) -> Band {
+        let mut found: Vec<(f64, f64)> = Vec::new();
+        for (weight, node) in self.surfaces() {
+            let pulls: Vec<f64> = at[node.law].pulls(&node.work).collect();
+            found.extend(pulls.iter().map(|pull| (*pull, weight / pulls.len() as f64)));
+        }
+        found.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let at = |probability: f64| {
+            let mut below = 0.0;
+            let reached = |&&(_, weight): &&(f64, f64)| {
+                below += weight;
+                below >= probability
+            };
+            found.iter().find(reached).map_or(f64::NAN, |(pull, _)| *pull)
+        };
+        let [low, high] = self.ends();
+        Band { value: at(0.5), low: at(low), high: at(high) }
+    }
+
+    /// What a model of the parameters has.
+    fn add_curve(&self, answer: &mut Answer) -> Result<(), Error> {
         let Curve { params, surfaces, failure } = &self.curve;
         let load = answer.load;
-        let is_apart = load <= 0.0 && surfaces.validate_load(load).is_err();
-        if is_apart || (load <= 0.0 && params.work_of_adhesion == 0.0) {
-            answer.contacts = 0.0;
-            if !is_apart {
-                (answer.friction, answer.specimen_force) = (infinite(), 0.0);
-            }
-            answer.curve = if failure.is_some() { f64::NAN } else { answer.friction.value };
-            return Ok(());
-        }
-        let state = match surfaces.state_at_load(load) {
-            // No number is small enough for what the mean of so rough surfaces has without a load.
-            Err(_) if load == 0.0 => None,
-            state => Some(state?),
+        let borne = match surfaces.borne_at_load(load) {
+            // Apart, or no number is small enough for what the mean of so rough surfaces has without a load.
+            Err(_) if load <= 0.0 => None,
+            borne => Some(borne?),
         };
-        let kappa = params.pressure_coefficient;
-        let [of_strength, by_pressure] =
-            state.map_or([0.0; 2], |state| [self.factor() * state.friction_force, kappa * state.hertz_load]);
-        let force = of_strength + by_pressure;
-        answer.curve = if failure.is_some() { f64::NAN } else { force / load };
-        if load <= 0.0 {
-            // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
-            (answer.friction_force, answer.friction) = (force, infinite());
-            answer.curve = if failure.is_some() { f64::NAN } else { f64::INFINITY };
-        }
-        answer.contacts = state.map_or(0.0, |state| state.contacting);
-        answer.is_few = state.is_none_or(|state| state.warnings & WARNING_FEW != 0);
-        // Specimens are those of the median.
-        let part = if force > 0.0 { answer.friction_force / force } else { 1.0 };
-        if params.is_of_many() && answer.contacts < 1.0 && load >= 0.0 {
-            answer.specimen_force = part * (self.factor() * surfaces.one_summit_at_load(load) + by_pressure);
-        } else if let Some(state) = state {
-            answer.specimen_force = part * (force + state.friction_bias * of_strength);
-            answer.specimen_scatter = state.friction_scatter * of_strength / force;
-        }
+        answer.contacts = match self.is_of_pressures() {
+            true => f64::NAN,
+            false => borne.map_or(0.0, |borne| borne.contacting),
+        };
+        let force = borne
+            .map_or(0.0, |borne| self.factor() * borne.friction_force + params.pressure_coefficient * borne.hertz_load);
+        answer.curve = match failure {
+            Some(_) => f64::NAN,
+            None if load > 0.0 => force / load,
+            None => force,
+        };
         Ok(())
     }
 
@@ -619,17 +726,24 @@ impl Estimate {
         Ok(Curve { params, surfaces: found, failure: None })
     }
 
-    /// Gives parameters the strength of the median at the reference, or that of the only point.
+    /// Gives parameters the strength of the median at the reference, or that of the only point. Where few summits touch there, their
+    /// specimens have the friction that was measured, on the mean.
     fn strengthen(&self, params: &mut Params, surfaces: &Surfaces) -> Result<(), Error> {
-        if let [point] = &self.described.points[..] {
+        let points = &self.described.points[..];
+        let at = self.at_measured(self.strength.load)?;
+        let is_few = at.iter().any(OfLaw::has_specimens);
+        if let ([point], false) = (points, is_few) {
             params.calibration_error = point.error;
             return params.strengthen(surfaces, point.load, point.force);
         }
-        let load = self.strength.load;
-        let at = Self::at(self.laws_there.as_ref().unwrap_or(&self.laws), load, self.is_film())?;
-        let mixture = self.mixture(&at, 0.0);
-        params.strengthen(surfaces, load, exp(mixture.quantile(0.5)))?;
-        params.calibration_error = mixture.moments().1.sqrt().min(1.0);
+        let mut load = self.strength.load;
+        let mixture = Mixture(self.nodes_at(&at, 0.0));
+        let mut force = exp(mixture.quantile(0.5));
+        if is_few {
+            (load, force) = Law::alone(surfaces, self.laws[0].specimens).calibrated(params, load, force)?;
+        }
+        params.strengthen(surfaces, load, force)?;
+        params.calibration_error = if let [point] = points { point.error } else { mixture.moments().1.sqrt().min(1.0) };
         Ok(())
     }
 
@@ -668,6 +782,11 @@ impl Estimate {
         self.described.is_of_pressures
     }
 
+    /// On how many specimens friction was measured; 0 where the text does not say.
+    pub fn measured_specimens(&self) -> f64 {
+        self.described.specimens.unwrap_or(0.0)
+    }
+
     /// The unit of loads and of forces.
     fn unit(&self) -> &'static str {
         match self.is_of_pressures() {
@@ -680,9 +799,10 @@ impl Estimate {
     fn next_point(&self, loads: &[f64]) -> Result<Option<(f64, f64)>, Error> {
         let error = self.described.params.error_of_point();
         let at = loads.iter().map(|&load| self.at_asked(load)).collect::<Result<Vec<_>, _>>()?;
-        let decades: Vec<f64> = loads.iter().map(|&load| self.decades(load)).collect();
+        let decades: Vec<f64> = at.iter().zip(loads).map(|(at, &load)| self.decades(at, load)).collect();
         let n = loads.len();
-        let mixtures: Vec<Mixture> = at.iter().zip(&decades).map(|(at, &decades)| self.mixture(at, decades)).collect();
+        let mixtures: Vec<Mixture> =
+            at.iter().zip(&decades).map(|(at, &decades)| Mixture(self.nodes_at(at, decades))).collect();
         let means: Vec<f64> = mixtures.iter().map(|mixture| mixture.moments().0).collect();
         let mut covariance = vec![0.0; n * n];
         for (k, node) in self.nodes.iter().enumerate() {
@@ -740,21 +860,54 @@ fn infinite() -> Band {
     Band { value: f64::INFINITY, low: f64::INFINITY, high: f64::INFINITY }
 }
 
+impl Band {
+    fn map(self, of: impl Fn(f64) -> f64) -> Self {
+        let [value, low, high] = [self.value, self.low, self.high].map(of);
+        Self { value, low, high }
+    }
+}
+
+const UNKNOWN: Band = Band { value: f64::NAN, low: f64::NAN, high: f64::NAN };
+
+/// A number, or 0 where it is that of nothing.
+fn some(number: f64) -> f64 {
+    if number > exp(0.5 * NOTHING) {
+        number
+    } else {
+        0.0
+    }
+}
+
+/// The covariance of means over so many specimens, where their logarithms at two loads are these.
+fn covariance(one: &[f64], other: &[f64], count: f64) -> f64 {
+    let n = one.len().min(other.len()) as f64;
+    if n == 0.0 {
+        return 0.0;
+    }
+    let [a, b] = [one, other].map(|all| all.iter().sum::<f64>() / n);
+    one.iter().zip(other).map(|(x, y)| (x - a) * (y - b)).sum::<f64>() / n / count
+}
+
 impl Node {
-    /// What it makes of a load.
-    fn seen(&self, at: &[OfLaw], decades: f64) -> Seen {
-        let of = &at[self.law];
-        let terms = of.terms(&self.work);
-        let Reference { force, hertz, gains: from } = self.reference;
+    /// ln F of what bears a load so, and the part of it that the strength makes.
+    fn log_force(&self, terms: &Terms, decades: f64) -> (f64, f64) {
+        let Reference { force, hertz, .. } = self.reference;
         let of_strength = (1.0 - self.pressed) * exp(terms.force(self.size) - force);
         let all = of_strength + self.pressed * exp(terms.hertz - hertz);
-        let part = of_strength / all;
-        let gains = of.gains(|terms| terms.force(self.size));
-        Seen {
-            mean: self.log_force + log(all) + self.more.1 * decades,
-            gains: std::array::from_fn(|i| part * (gains[i] - from[i])),
-            decades,
-        }
+        (self.log_force + log(all) + self.more.1 * decades, of_strength / all)
+    }
+
+    /// What it makes of a load, of the mean of specimens.
+    fn seen(&self, at: &[OfLaw], decades: f64) -> Seen {
+        let of = &at[self.law];
+        let (mean, part) = self.log_force(&of.terms(&self.work), decades);
+        let (gains, from) = (of.gains(|terms| terms.force(self.size)), self.reference.gains);
+        Seen { mean, gains: std::array::from_fn(|i| part * (gains[i] - from[i])), decades }
+    }
+
+    /// ln F of single specimens; none where many summits touch.
+    fn specimens(&self, at: &[OfLaw], decades: f64) -> Vec<f64> {
+        at[self.law].specimens(&self.work).map(|terms| self.log_force(&terms, decades).0).collect()
     }
 }
 

@@ -49,12 +49,14 @@ impl Kernel {
 pub struct Solved {
     seen: Vec<Seen>,
     kernel: Kernel,
-    /// The variances of their errors.
+    /// The covariance of their errors, row by row.
     noise: Vec<f64>,
     /// Cholesky's factor of the covariance of what is measured, row by row.
     factor: Vec<f64>,
     /// The inverse of that covariance times what is measured less the means.
     pull: Vec<f64>,
+    /// The same for each specimen that may be the one that was measured, with its probability; none where it was not one.
+    devices: Vec<(f64, Vec<f64>)>,
     /// ln of the probability of the points.
     pub log_probability: f64,
     /// What is measured less the means, squared, over that covariance.
@@ -67,9 +69,8 @@ impl Solved {
         let mut factor = vec![0.0; n * n];
         for i in 0..n {
             for k in 0..=i {
-                let own = if i == k { noise[i] } else { 0.0 };
                 let before: f64 = (0..k).map(|j| factor[i * n + j] * factor[k * n + j]).sum();
-                let rest = kernel.covariance(&seen[i], &seen[k]) + own - before;
+                let rest = kernel.covariance(&seen[i], &seen[k]) + noise[i * n + k] - before;
                 factor[i * n + k] = if i == k { rest.max(f64::MIN_POSITIVE).sqrt() } else { rest / factor[k * n + k] };
             }
         }
@@ -77,7 +78,56 @@ impl Solved {
         let pull = solve(&factor, &off);
         let misfit: f64 = pull.iter().zip(&off).map(|(a, b)| a * b).sum();
         let log_root: f64 = (0..n).map(|i| log(factor[i * n + i])).sum();
-        Self { log_probability: -0.5 * misfit - log_root, noise: noise.to_vec(), seen, kernel, factor, pull, misfit }
+        let (noise, devices) = (noise.to_vec(), Vec::new());
+        Self { log_probability: -0.5 * misfit - log_root, noise, seen, kernel, factor, pull, devices, misfit }
+    }
+
+    /// The same of points that were measured on one specimen: `means` has what y would be at the points on each that it may be.
+    pub fn on_one_of(mut self, means: impl Iterator<Item = Vec<f64>>, measured: &[f64]) -> Self {
+        let log_root = -self.log_probability - 0.5 * self.misfit;
+        let of_one = |means: Vec<f64>| {
+            let off: Vec<f64> = measured.iter().zip(&means).map(|(y, mean)| y - mean).collect();
+            let pull = solve(&self.factor, &off);
+            (pull.iter().zip(&off).map(|(a, b)| a * b).sum::<f64>(), pull)
+        };
+        let mut devices: Vec<_> = means.map(of_one).collect();
+        let least = devices.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
+        let all: f64 = devices.iter().map(|one| exp(0.5 * (least - one.0))).sum();
+        self.misfit = least - 2.0 * log(all / devices.len() as f64);
+        self.log_probability = -0.5 * self.misfit - log_root;
+        self.pull.fill(0.0);
+        for (weight, pull) in &mut devices {
+            *weight = exp(0.5 * (least - *weight)) / all;
+            self.pull.iter_mut().zip(pull).for_each(|(sum, pull)| *sum += *weight * *pull);
+        }
+        self.devices = devices;
+        self
+    }
+
+    /// Whether the points are of one specimen.
+    pub fn has_devices(&self) -> bool {
+        !self.devices.is_empty()
+    }
+
+    /// Means of y at a load, with their probabilities: `at` has it of the mean of all specimens, `specimens` of single ones, of which each is
+    /// the one that was measured, or another.
+    pub fn means(&self, at: &Seen, specimens: &[f64], is_another: bool) -> Vec<(f64, f64)> {
+        let with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
+        let pulled = |pull: &[f64]| with.iter().zip(pull).map(|(a, b)| a * b).sum::<f64>();
+        let [n, of_devices] = [specimens.len(), self.devices.len()];
+        // Another one for each: any order that leaves no specimen where it is.
+        let other = |i: usize| if is_another { (37 * i + 11) % of_devices } else { i };
+        match (n, of_devices) {
+            (0, 0) => vec![(1.0, at.mean + pulled(&self.pull))],
+            (_, 0) => specimens.iter().map(|mean| (1.0 / n as f64, mean + pulled(&self.pull))).collect(),
+            (0, _) => self.devices.iter().map(|(weight, pull)| (*weight, at.mean + pulled(pull))).collect(),
+            _ => (0..n)
+                .map(|i| {
+                    let (weight, pull) = &self.devices[other(i)];
+                    (*weight, specimens[i] + pulled(pull))
+                })
+                .collect(),
+        }
     }
 
     /// How much of each point is taken for y at a load.
@@ -101,7 +151,9 @@ impl Solved {
         }
         let left = 1.0 - shares.iter().sum::<f64>();
         parts[INPUTS] = self.kernel.strength * left * left;
-        parts[INPUTS + 1] = shares.iter().zip(&self.noise).map(|(share, noise)| share * share * noise).sum();
+        let rows = shares.iter().zip(self.noise.chunks(shares.len().max(1)));
+        let of_row = |row: &[f64]| row.iter().zip(&shares).map(|(noise, share)| noise * share).sum::<f64>();
+        parts[INPUTS + 1] = rows.map(|(share, row)| share * of_row(row)).sum();
         let mut leaving = self.kernel.leaving(at, at);
         for (share, seen) in shares.iter().zip(&self.seen) {
             let others: f64 =
@@ -156,6 +208,19 @@ const SHARPEST: f64 = 1e-12;
 const UNLIKELY: f64 = 1e-7;
 
 impl Mixture {
+    /// Adds normals of one deviation, with their weights and means: of many those that are next to each other as one.
+    pub fn add(&mut self, mut means: Vec<(f64, f64)>, weight: f64, deviation: f64, most: usize) {
+        if means.len() > most {
+            means.sort_by(|one, other| one.1.total_cmp(&other.1));
+        }
+        let each = means.len().div_ceil(most);
+        self.0.extend(means.chunks(each).map(|alike| {
+            let all: f64 = alike.iter().map(|one| one.0).sum();
+            let mean = alike.iter().map(|one| one.0 * one.1).sum::<f64>() / all;
+            Normal { weight: weight * all, mean, deviation }
+        }));
+    }
+
     fn likely(&self) -> impl Iterator<Item = &Normal> {
         self.0.iter().filter(|one| one.weight > UNLIKELY)
     }

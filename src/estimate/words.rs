@@ -1,9 +1,8 @@
 //! An estimate for people: the number, its band, what it rests on, what would narrow it.
 
 use super::cases::{hardness_factor, slope_factor, work_factor};
-use super::posterior::{Mixture, Normal};
 use super::priors::{MAYBE_LUBRICATED, USUAL_WORK};
-use super::{Answer, Estimate, Rests, Shares, LARGE};
+use super::{Answer, Estimate, Rests, Shares, Whose, LARGE};
 use crate::error::{CalibrationFailure, Error};
 use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
@@ -36,9 +35,8 @@ const SMALL: f64 = 0.01;
 const LIKE_A_COEFFICIENT: RangeInclusive<f64> = 1e-3..=2.0;
 /// Coefficients that were measured at loads which are less apart are looked at from this ratio on.
 const APART: f64 = 3.0;
-/// With less than one expected contact, the mean friction of specimens over that of a summit that bears the load alone is at most this
-/// (python/tests/test_pads.py).
-const MOST_OVER_ONE_SUMMIT: f64 = 2.0;
+/// With fewer contacts it is told that an answer is of one specimen.
+const FEW: f64 = 20.0;
 /// More points are told by their number.
 const MOST_POINTS_TOLD: usize = 3;
 
@@ -115,7 +113,7 @@ fn write_ground(
 }
 
 fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
-    let Answer { load, friction, friction_force: force, curve, .. } = *answer;
+    let Answer { load, friction, force, curve, .. } = *answer;
     let [at, mu, low, high] = [load, friction.value, friction.low, friction.high].map(Figures);
     let unit = estimate.unit();
     if friction.value == 0.0 {
@@ -123,22 +121,22 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
     }
     if load <= 0.0 {
         write!(out, "mu({at} {unit}) has no limit: ")?;
-        return match answer.specimen_force > 0.0 {
-            _ if force > 0.0 && !answer.is_few => {
-                writeln!(out, "adhesion gives a friction force of {} {unit}", Figures(force))
-            }
-            true => {
-                let [least, most] = [1.0, MOST_OVER_ONE_SUMMIT].map(|times| Figures(times * answer.specimen_force));
-                writeln!(
-                    out,
-                    "a specimen adheres by its tallest summits, with a friction force of {least} to {most} {unit} for this strength"
-                )
-            }
-            false if answer.is_few && estimate.curve.params.work_of_adhesion > 0.0 => {
-                writeln!(out, "the tallest summits adhere, how many depends on the nominal area")
-            }
-            false => writeln!(out, "it grows as the load goes to 0, where friction is 0"),
-        };
+        let adheres = estimate.curve.params.work_of_adhesion > 0.0;
+        if force.value == 0.0 && adheres && estimate.is_of_pressures() {
+            return writeln!(out, "the tallest summits adhere, how many depends on the nominal area");
+        }
+        if force.value == 0.0 {
+            return writeln!(out, "it grows as the load goes to 0, where friction is 0");
+        }
+        let specimen = if is_few(answer) { " one specimen" } else { "" };
+        let [value, low, high] = [force.value, force.low, force.high].map(Figures);
+        write!(out, "adhesion gives{specimen} a friction force of {value} {unit}")?;
+        let percent = Percent(estimate.described.coverage);
+        if force.low < force.high {
+            write!(out, ", {percent} % band {low} to {high}")?;
+        }
+        let may_be_none = estimate.laws.iter().any(|law| law.works.iter().any(|work| work.work == 0.0));
+        return writeln!(out, "{}", if may_be_none { ", if there is any" } else { "" });
     }
     let percent = Percent(estimate.described.coverage);
     match (estimate.rests(), estimate.is_measured()) {
@@ -153,7 +151,8 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
     let curve = Figures(curve);
     if !curve.0.is_nan() && curve.to_string() != mu.to_string() {
         let off = Percent(((curve.0 / mu.0 - 1.0) * 1e3).round() * 1e-3);
-        writeln!(out, "a solver's curve has {curve} at {at} {unit}, {off} % off this")?;
+        let of = if answer.whose == Whose::Many { "" } else { ": it is of the mean of many specimens" };
+        writeln!(out, "a solver's curve has {curve} at {at} {unit}, {off} % off this{of}")?;
     }
     Ok(())
 }
@@ -191,6 +190,7 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
         (of(|shares| shares.slope), "the slope of the surface"),
         (of(|shares| shares.measurement), "the errors of the measured points"),
         (of(|shares| shares.model), "how real interfaces leave the law between loads"),
+        (of(|shares| shares.specimen), "which summits a specimen happens to have"),
     ];
     let mut sorted = shares;
     sorted.sort_by(|one, other| other.0.total_cmp(&one.0));
@@ -252,40 +252,27 @@ fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write)
     Ok(())
 }
 
-/// What single specimens have where few summits touch, of which a band is that of the mean.
-fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
-    if !answer.is_few || answer.load <= 0.0 || answer.contacts.is_nan() {
-        return Ok(());
-    }
-    let Answer { friction, specimen_scatter: scatter, .. } = *answer;
-    let (friction_coefficient, low, high) = (friction.value, friction.low, friction.high);
-    let mean = answer.specimen_force / answer.load;
-    // A band has the strength, all else that is not known, and which specimen it is.
-    let of_specimen = |end: f64| {
-        (log(end / friction_coefficient).powi(2) + (reach(estimate.described.coverage) * scatter).powi(2)).sqrt()
-    };
-    let [least, most] = match scatter.is_nan() {
-        true => [mean * low / friction_coefficient, MOST_OVER_ONE_SUMMIT * mean * high / friction_coefficient],
-        false => [mean * exp(-of_specimen(low)), mean * exp(of_specimen(high))],
-    };
-    let [at, contacts, mean_shown, least, most] = [answer.load, answer.contacts, mean, least, most].map(Figures);
-    write!(out, "few contacts: {contacts} summits touch at {at} {}: ", estimate.unit())?;
-    if mean.is_nan() {
-        writeln!(out, "single specimens differ, by how much is not known: take a heavier load or a larger nominal area")
-    } else if scatter.is_nan() {
-        writeln!(out, "one specimen stands on one or two, with {least} to {most}: the number above is not its friction")
-    } else {
-        let scatter = Figures(100.0 * scatter);
-        writeln!(
-            out,
-            "single specimens have {mean_shown} on average, with a standard deviation of {scatter} %: band of one {least} to {most}"
-        )
-    }
+fn is_few(answer: &Answer) -> bool {
+    answer.whose != Whose::Many && answer.contacts < FEW
 }
 
-/// Within so many standard deviations either way a normal distribution has this probability.
-fn reach(probability: f64) -> f64 {
-    Mixture(vec![Normal { weight: 1.0, mean: 0.0, deviation: 1.0 }]).quantile(0.5 + 0.5 * probability)
+/// Of which specimen an answer is where they differ.
+fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
+    let Answer { load, another, whose, .. } = *answer;
+    let [at, contacts] = [load, answer.contacts].map(Figures);
+    let unit = estimate.unit();
+    let [value, low, high] = [another.value, another.low, another.high].map(|force| Figures(force / load));
+    match whose {
+        _ if load <= 0.0 || answer.friction.value == 0.0 => Ok(()),
+        Whose::Measured => writeln!(
+            out,
+            "few contacts: {contacts} summits touch at {at} {unit}: this is of the specimen that was measured; another one has {value}, {low} to {high}"
+        ),
+        Whose::Any if is_few(answer) => {
+            writeln!(out, "few contacts: {contacts} summits touch at {at} {unit}: this is of one specimen, whichever it is")
+        }
+        _ => Ok(()),
+    }
 }
 
 fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write) -> Result {
@@ -352,15 +339,24 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write
         let errors = Figures(apart_at_one_load(points).max(estimate.growth));
         writeln!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it")?;
     }
-    for answer in at_points.iter().filter(|answer| answer.is_few && answer.contacts > 0.0) {
-        if !estimate.is_of_pressures() {
-            let [load, contacts] = [answer.load, answer.contacts].map(Figures);
-            writeln!(
-                out,
-                "check: {contacts} summits touch at the measured {load} N: the point is of one specimen, and is taken for the mean of \
-                 all; measure where 20 or more touch, at a heavier load or on a larger area"
-            )?;
-        }
+    match estimate.described.specimens {
+        Some(1.0) => writeln!(out, "rests on: measured on 1 specimen, whose summits are few or many")?,
+        Some(count) => writeln!(
+            out,
+            "rests on: measured on {} specimens: the scatter between them over its root is in the band",
+            Figures(count)
+        )?,
+        None => {}
+    }
+    let is_asked = |answer: &&Answer| answer.contacts < FEW && estimate.described.specimens.is_none();
+    for answer in at_points.iter().filter(is_asked).take(1) {
+        let [load, contacts] = [answer.load, answer.contacts].map(Figures);
+        let taken = if estimate.described.is_of_law { "a model has" } else { "specimens have on the mean" };
+        writeln!(
+            out,
+            "check: {contacts} summits touch at the measured {load} N: on how many specimens was it measured? Give specimens = 1 if on one; it \
+             is taken for what {taken}"
+        )?;
     }
     Ok(())
 }

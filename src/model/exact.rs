@@ -5,6 +5,7 @@ use super::{Model, Surfaces};
 use crate::error::Error;
 use crate::numerics::elementary::log;
 use crate::numerics::float_bits::{finite, TAMEST};
+use crate::numerics::quadrature;
 use crate::population::{Statistics, Sums};
 
 /// Displacements, as force over radius of a contact that sticks, in G* b: from the larger on all contacts slip, below the
@@ -78,10 +79,6 @@ pub struct State {
     pub hertz_load: f64,
     /// -d(load)/d(gap) when the load begins to fall [force/length]: summits that have yielded spring back elastically.
     pub unloading_stiffness: f64,
-    /// What an estimate tells of single specimens: the standard deviation of their friction force over its mean, and by what part the
-    /// mean exceeds the friction force; NaN where `Model::few` does not know them.
-    pub(crate) friction_scatter: f64,
-    pub(crate) friction_bias: f64,
 }
 
 /// What surfaces bear at a load, in the caller's units, as in a [`State`].
@@ -96,6 +93,8 @@ pub(crate) struct Borne {
     pub normal_stiffness: f64,
     pub contact_radius_sum: f64,
     pub unloading_stiffness: f64,
+    /// Number of summits in contact.
+    pub contacting: f64,
 }
 
 impl Model {
@@ -168,15 +167,6 @@ impl Model {
 }
 
 impl Surfaces {
-    /// The exact state at a load, but for the gap, which is NaN.
-    ///
-    /// # Errors
-    /// As [`Model::state_at_load`].
-    pub(crate) fn state_at_load(&self, load: f64) -> Result<State, Error> {
-        let (separation, sums) = self.equilibrium_at(load, || None)?;
-        self.state(load, separation, &sums)
-    }
-
     /// What the sums over the summits make of a load, in the caller's units.
     ///
     /// # Errors
@@ -200,6 +190,7 @@ impl Surfaces {
             normal_stiffness,
             contact_radius_sum,
             unloading_stiffness: self.unloading_stiffness(contact_radius_sum, normal_stiffness),
+            contacting: sums.contacting * self.units.count,
         })
     }
 
@@ -227,7 +218,7 @@ impl Surfaces {
     }
 
     /// -d(load)/d(gap) of unloading: 2 E* sum a/psi where summits have yielded; elastic contacts unload as they were loaded.
-    fn unloading_stiffness(&self, contact_radius_sum: f64, normal_stiffness: f64) -> f64 {
+    pub(crate) fn unloading_stiffness(&self, contact_radius_sum: f64, normal_stiffness: f64) -> f64 {
         match self.groups.yields {
             true => 2.0 * self.params.composite_modulus * contact_radius_sum,
             false => normal_stiffness.max(0.0),
@@ -261,27 +252,22 @@ impl Surfaces {
         self.measures_of(sums.load() * self.units.load, separation, &sums)
     }
 
-    /// The friction force [force] of a summit that carries a load >= 0 alone, at the separation that the surfaces have at this load: of
-    /// less than one contact, what a specimen stands on.
-    pub(crate) fn one_summit_at_load(&self, load: f64) -> f64 {
-        // Far off all tall summits have the same radius.
-        let separation = self.equilibrium_at(load, || None).map_or(FARTHEST_SEPARATION, |(separation, _)| separation);
+    /// What neighbours add to the gap at a separation, in sigma: the integral of 1 - psi from there on, to some 1e-3 of it.
+    pub(crate) fn widening(&self, separation: f64) -> f64 {
+        // Beyond it hardly a summit touches.
+        const FARTHEST: f64 = 8.0;
         let population = self.branch.population();
-        let of_one = load / self.units.load * self.units.count;
-        let mut summit = population.one_summit(separation, 0.0, 0.0, None);
-        let mut bears = |overlap: f64| population.load_of_one(&mut summit, overlap, None).load > of_one;
-        // What does not overlap bears none.
-        let (mut loose, mut pressed) = (0.0, 1.0);
-        while !bears(pressed) && pressed < FARTHEST_SEPARATION {
-            pressed *= 2.0;
+        let of = |(at, weight): (f64, f64)| weight * population.at_separation(at).given_way;
+        match self.params.nominal_area > 0.0 {
+            true => quadrature::nodes_of_part(0.3, separation, FARTHEST.max(separation + 2.0)).map(of).sum(),
+            false => 0.0,
         }
-        // Halved until no number is between, at overlaps that are far smaller than a standard deviation too.
-        for _ in 0..200 {
-            let middle = 0.5 * (loose + pressed);
-            *(if bears(middle) { &mut pressed } else { &mut loose }) = middle;
-        }
-        population.contact_at(&mut summit, pressed).map_or(0.0, |one| one.friction) * self.units.force
-            / self.units.count
+    }
+
+    /// The gap at a separation in sigma, with what neighbours add.
+    pub(crate) fn gap_of(&self, separation: f64, widening: f64) -> f64 {
+        let origin = self.branch.population().heights().origin();
+        (separation + widening + origin) * self.units.length + self.params.summit_mean_height
     }
 
     /// Minus gaps beyond this are out of range.
@@ -323,60 +309,14 @@ impl Surfaces {
 
     fn state(&self, load: f64, separation: f64, sums: &Sums) -> Result<State, Error> {
         let contacts = self.contacts(separation, sums, sums.contacting * self.units.count)?;
-        let mut state = self.state_of(load, separation, sums, &contacts);
-        if self.units.count != 1.0 && sums.contacting > 0.0 {
-            [state.friction_scatter, state.friction_bias] = self.few(separation, sums, &contacts);
-        }
-        Ok(state)
-    }
-
-    /// Scatter and bias of contacts under a constant load, carried by whatever summits there are: the standard deviation of their
-    /// friction force over its mean, and by what part the mean exceeds the sum over the mean surface. NaN where Monte Carlo does
-    /// not bear it out.
-    ///
-    /// Both are of first order in 1/n, from Poisson's statistics of summits: load and friction fluctuate at a separation, and the
-    /// separation follows the load. Of the bias that is the whole second order of the fluctuations. With fewer contacts Monte Carlo
-    /// gives less.
-    fn few(&self, separation: f64, sums: &Sums, contacts: &Statistics) -> [f64; 2] {
-        // With fewer contacts, or with more adhesion over the load, nothing was compared; next to an abrupt end of heights a few more are
-        // needed: there P P''/P'^2 is 0.6, in a tail about 1.
-        const FEWEST_COMPARED: f64 = 1.0;
-        const MOST_ADHESIVE: f64 = 3.0;
-        const FEWEST_AT_END: f64 = 3.0;
-        const LEAST_BEND_AT_END: f64 = 0.8;
-        // The bias of one contact is that of so many more.
-        const MORE: f64 = 0.25;
-        // The second differences of load and friction, over this part of the separation in which the load decays.
-        const DECAY_STEP: f64 = 0.05;
-        let n = sums.contacting * self.units.count;
-        let (load, hertz, by_separation) = (sums.load(), sums.hertz_load, sums.load_slope);
-        let step = DECAY_STEP * hertz / -by_separation;
-        if !(n >= FEWEST_COMPARED && hertz <= MOST_ADHESIVE * load && step > 0.0 && step.is_finite()) {
-            return [f64::NAN; 2];
-        }
-        let [loose, pressed] = [step, -step].map(|step| self.branch.population().at_separation(separation + step));
-        let second = |of: fn(&Sums) -> f64| (of(&loose) - of(&pressed)) / (2.0 * step);
-        let bend = second(|sums| sums.load_slope) / by_separation;
-        if n < FEWEST_AT_END && load * bend / by_separation < LEAST_BEND_AT_END {
-            return [f64::NAN; 2];
-        }
-        // Over the slopes by separation.
-        let [squares, by_load, by_friction] = contacts.products.map(|product| product / by_separation);
-        let slope = sums.friction_slope / by_separation;
-        let bent = second(|sums| sums.friction_slope) / by_separation;
-        let bias = by_friction - slope * by_load + 0.5 * squares * (bent - slope * bend);
-        let of_one = bias / sums.friction * sums.contacting;
-        [(contacts.friction_variance * n).sqrt() / (n + contacts.hertz_spread - 1.0), of_one / (n + MORE)]
+        Ok(self.state_of(load, separation, sums, &contacts))
     }
 
     /// The contacts behind the sums, and the largest of so many.
     fn contacts(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
         sums.known(separation)?;
         match number > 0.0 {
-            true => {
-                let slope = if sums.load_slope < 0.0 { sums.friction_slope / sums.load_slope } else { 0.0 };
-                self.branch.population().statistics(separation, number, slope)
-            }
+            true => self.branch.population().statistics(separation, number),
             false => Ok(Statistics::default()),
         }
     }
@@ -427,8 +367,6 @@ impl Surfaces {
             contact_radius_sum,
             hertz_load: sums.hertz_load * units.load,
             unloading_stiffness: self.unloading_stiffness(contact_radius_sum, normal_stiffness),
-            friction_scatter: 0.0,
-            friction_bias: 0.0,
         };
         state.warnings = self.measures(&state).warnings();
         state

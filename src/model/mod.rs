@@ -90,7 +90,7 @@ pub(crate) struct Units {
     /// 8 G^.
     stiffness_per_radius: f64,
     /// N b^2.
-    area: f64,
+    pub area: f64,
     /// sigma.
     pub length: f64,
     /// N.

@@ -99,7 +99,7 @@ impl Population {
         let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let has_fold = |g: f64| self.lambda_cubed * g > FOLD_LAMBDA_CUBED;
         let (log_least, width) = (log(least), log(most / least));
-        if self.most_pull == 0.0 || !(width <= WIDEST) || has_fold(least) != has_fold(most) {
+        if self.most_pull == 0.0 || !(0.0..=WIDEST).contains(&width) || has_fold(least) != has_fold(most) {
             return None;
         }
         let radii = if width > 0.0 { 3 + (width / LoadTable::FINENESS) as usize } else { 0 };

@@ -12,9 +12,6 @@ use crate::numerics::elementary::{exp, log};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 
-/// A slope of friction by load, as large as next to pull-off, of which squares are still numbers.
-const LARGEST_FRICTION_SLOPE: f64 = 1e40;
-
 /// Contact radii, in b, and their share of the regimes of slip.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Statistics {
@@ -30,13 +27,6 @@ pub struct Statistics {
     pub elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub flowing: f64,
-    /// Mean of (f - F' p)^2 over the contacts, of their friction f and load p, over the square of their mean friction: the
-    /// variance of the friction force under a constant load, times the number of contacts, to first order.
-    pub friction_variance: f64,
-    /// Mean square over the square of the mean of the loads of Hertz' contacts of the same radii.
-    pub hertz_spread: f64,
-    /// Sums over the contacts, as those of `Sums`, of the load times itself and times its slope and that of friction by overlap.
-    pub products: [f64; 3],
 }
 
 /// Counts contacts, and keeps every contact radius that it sees with its height.
@@ -45,11 +35,6 @@ struct Counting<'a> {
     count: f64,
     /// Sums in place of means and fractions.
     sums: Statistics,
-    /// F', the slope of friction by load.
-    slope: f64,
-    friction: f64,
-    /// The sums of Hertz' loads and of their squares.
-    hertz: [f64; 2],
     seen: Vec<(f64, f64)>,
 }
 
@@ -66,15 +51,6 @@ impl Visitor for Counting<'_> {
         sums.by_regime[regime] += fraction;
         sums.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
         sums.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
-        let excess = summit.friction - self.slope * summit.load;
-        sums.friction_variance += fraction * excess * excess;
-        self.friction += fraction * summit.friction;
-        self.hertz[0] += fraction * summit.hertz_load;
-        self.hertz[1] += fraction * summit.hertz_load * summit.hertz_load;
-        let factors = [summit.load, summit.load_by_overlap, summit.friction_by_overlap];
-        for (sum, factor) in sums.products.iter_mut().zip(factors) {
-            *sum += fraction * summit.load * factor;
-        }
         self.seen.push((z, summit.radius));
     }
 
@@ -88,24 +64,16 @@ impl Population {
     ///
     /// # Errors
     /// [`Error::NotConverged`] if they cannot be counted in as many panels as there may be.
-    pub fn statistics(&self, separation: f64, number: f64, slope: f64) -> Result<Statistics, Error> {
+    pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let population = &*self.as_at(separation);
         let edge = population.edge(separation);
-        let mut counting = Counting {
-            population,
-            count: 0.0,
-            sums: Statistics::default(),
-            slope: slope.clamp(-LARGEST_FRICTION_SLOPE, LARGEST_FRICTION_SLOPE),
-            friction: 0.0,
-            hertz: [0.0; 2],
-            seen: Vec::new(),
-        };
+        let mut counting = Counting { population, count: 0.0, sums: Statistics::default(), seen: Vec::new() };
         if self.yields == self.kinks_of_contact {
             population.visit(separation, &edge, &mut counting)?;
         } else {
             population.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
         }
-        let Counting { count, sums, friction, hertz, seen, .. } = counting;
+        let Counting { count, sums, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -126,13 +94,6 @@ impl Population {
             by_regime: sums.by_regime.map(|fraction| fraction / count),
             elastic: sums.elastic / count,
             flowing: sums.flowing / count,
-            // Squares of the lightest contacts are no numbers.
-            friction_variance: match friction * friction > f64::MIN_POSITIVE {
-                true => sums.friction_variance / friction * (count / friction),
-                false => 0.0,
-            },
-            hertz_spread: hertz[1] / hertz[0] * (count / hertz[0]),
-            products: sums.products,
         })
     }
 
@@ -169,9 +130,8 @@ mod tests {
     use crate::params::{HeightFamily, Params};
     use crate::population::Population;
 
-    /// The contacts at a separation, at equal steps of height from the first: their fraction of all summits, the contact, and
-    /// its friction.
-    fn contacts(population: &Population, separation: f64) -> Vec<(f64, Contact, f64)> {
+    /// The contacts at a separation, at equal steps of height from the first: their fraction of all summits, and the contact.
+    fn contacts(population: &Population, separation: f64) -> Vec<(f64, Contact)> {
         const STEPS: u32 = 20_000;
         let lowest = population.edge(separation).point.z.max(population.lower_cut);
         let step = (population.highest - lowest) / f64::from(STEPS);
@@ -179,27 +139,23 @@ mod tests {
             let z = lowest + (f64::from(i) + 0.5) * step;
             let guess = population.law.guess(z - separation, population.radius.factor(z));
             let contact = population.at_height(separation, z, guess).contact;
-            (step * population.heights.log_density(z).exp(), contact, population.slip.friction(&contact).force)
+            (step * population.heights.log_density(z).exp(), contact)
         };
         (0..STEPS).map(at).collect()
     }
 
     #[test]
-    fn means_and_variances_are_those_of_a_sum_over_heights() {
+    fn means_are_those_of_a_sum_over_heights() {
         for (groups, radii) in [(HERTZ, [0.0, 1.0]), (WEAK, [0.0, 1.0]), (WEAK, [0.4, 0.7])] {
             let params = Params { hardness: 0.15, ..surface(groups, HeightFamily::Weibull { shape: 3.0 }, radii) };
             let population = of(&params);
             for separation in [-0.5, 1.5] {
-                let slope = 0.01;
-                let found = population.statistics(separation, 1.0, slope).expect("statistics");
+                let found = population.statistics(separation, 1.0).expect("statistics");
                 let contacts = contacts(&population, separation);
-                let sum = |of: &dyn Fn(&Contact, f64) -> f64| -> f64 {
-                    contacts.iter().map(|(fraction, contact, friction)| fraction * of(contact, *friction)).sum()
+                let sum = |of: &dyn Fn(&Contact) -> f64| -> f64 {
+                    contacts.iter().map(|(fraction, contact)| fraction * of(contact)).sum()
                 };
-                let count = sum(&|_, _| 1.0);
-                let mean_friction = sum(&|_, friction| friction) / count;
-                let excess = |load: f64, friction: f64| (friction - slope * load).powi(2);
-                let variance = sum(&|contact, friction| excess(contact.load, friction)) / count;
+                let count = sum(&|_| 1.0);
                 let [first, _] = population.yields;
                 let near = |what: &str, found: f64, expected: f64| {
                     assert!(
@@ -207,10 +163,9 @@ mod tests {
                         "{what} at {separation}: {found}, not {expected}"
                     );
                 };
-                near("mean radius", found.mean_radius, sum(&|contact, _| contact.radius) / count);
-                near("variance", found.friction_variance, variance / (mean_friction * mean_friction));
+                near("mean radius", found.mean_radius, sum(&|contact| contact.radius) / count);
                 if radii[0] == 0.0 {
-                    let elastic = sum(&|contact, _| if contact.overlap <= first { 1.0 } else { 0.0 }) / count;
+                    let elastic = sum(&|contact| if contact.overlap <= first { 1.0 } else { 0.0 }) / count;
                     near("elastic", found.elastic, elastic);
                 }
             }

@@ -82,7 +82,7 @@ impl Model {
             self.validate_specimens_load(load)?;
         }
         let mut found = Vec::with_capacity(asked.count * loads.len());
-        self.stand(asked, loads, true, &mut |standing, pull_off_force| {
+        self.stand((asked, MOST_DRAWN), loads, true, &mut |standing, pull_off_force| {
             found.push(standing.map_or(Held::apart(pull_off_force), |standing| {
                 let gap = match asked.sphere_radius == 0.0 {
                     true => self.gap_at(standing.separation),
@@ -97,10 +97,10 @@ impl Model {
 
 impl Surfaces {
     /// Hands over how specimens stand under loads, each with all loads, in the order of these, and the pull-off force of each; not at all
-    /// where it is apart. What is not `exact` is so to 1e-6.
+    /// where it is apart. So many summits may be drawn at most. What is not `exact` is so to 1e-6.
     pub(crate) fn stand(
         &self,
-        asked: Specimens,
+        (asked, most_drawn): (Specimens, f64),
         loads: &[f64],
         is_exact: bool,
         take: &mut dyn FnMut(Option<Standing>, f64),
@@ -128,7 +128,7 @@ impl Surfaces {
         let from = typical.pressed(-population.range_of_adhesion(), heaviest)?;
         let from = typical.unloaded(from, heaviest)?.unwrap_or(0.0);
         let drawn = typical.drawn().max(loads.len()) as f64 * (asked.first as f64 + asked.count as f64);
-        if drawn > MOST_DRAWN {
+        if drawn > most_drawn {
             return Err(too_many(drawn));
         }
         let (range, sharper) = (population.range_of_adhesion(), sphere.map_or(0.0, |sphere| sphere.sharper));
@@ -162,6 +162,35 @@ impl Surfaces {
         Ok(())
     }
 
+    /// A rough sphere under a load; `None` for a plane.
+    fn sphere(&self, radius: f64, load: f64) -> Result<Option<Sphere>, Error> {
+        let refused = |value: f64, allowed| Err(Error::out_of_range("sphere_radius", value, allowed));
+        let Params { height_std, asperity_count, nominal_area, summit_radius, composite_modulus, .. } = *self.params();
+        if radius == 0.0 {
+            return Ok(None);
+        }
+        if !finite(radius) || radius < 0.0 {
+            return Err(Error::invalid("sphere_radius", radius, "must be finite and >= 0; 0 is a plane"));
+        }
+        if nominal_area == 0.0 {
+            return Err(Error::Missing {
+                name: "nominal_area",
+                says: "must be set, since a sphere needs the summits per area",
+            });
+        }
+        let number = 2.0 * PI * radius * height_std * asperity_count / nominal_area;
+        if number < FEWEST_ON_SPHERE {
+            return refused(radius, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill, a specimen of one \
+                                    summit of this radius");
+        }
+        let touched = pow(0.75 * load * radius / composite_modulus, 2.0 / 3.0);
+        if touched > radius * height_std {
+            return refused(radius, "under this load the sphere itself flattens, beyond Hertz' radius of (R height_std)^(1/2): take a flat \
+                                    specimen of the area pi (a^2 + 1.5 R height_std), with a of Hertz");
+        }
+        Ok(Some(Sphere { number, sharper: summit_radius / radius }))
+    }
+
     fn standing(&self, one: &mut Specimen, approach: f64) -> Result<Standing, Error> {
         let contacts = one.contacts(approach)?;
         // Summits on a sphere have neighbours on one side.
@@ -178,12 +207,19 @@ impl Surfaces {
 }
 
 impl Standing {
-    fn held(&self, units: &Units, gap: f64, pull_off_force: f64) -> Held {
+    /// The real area [length^2], and the load of Hertz' contacts of the same radii [force].
+    pub(crate) fn area_and_hertz(&self, units: &Units) -> [f64; 2] {
+        let Contacts { area, hertz_load, .. } = self.contacts;
+        [area * units.area, hertz_load * units.load].map(|all| all / units.count)
+    }
+
+    pub(crate) fn held(&self, units: &Units, gap: f64, pull_off_force: f64) -> Held {
         let Self { contacts, sums, .. } = self;
         Held {
             friction_force: contacts.friction * units.force / units.count,
             tangential_stiffness: contacts.radius / sums.psi() * units.stiffness / units.count,
-            normal_stiffness: contacts.stiffness / sums.approach_of_planes() * (units.load / units.count) / units.length,
+            normal_stiffness: contacts.stiffness / sums.approach_of_planes() * (units.load / units.count)
+                / units.length,
             gap,
             contacts: contacts.number,
             pull_off_force,

@@ -237,7 +237,8 @@ impl<'a> Specimen<'a> {
         for _ in 0..u32::from(self.table.is_some()) * 2 {
             let here = self.loads_by(approach, None)?;
             let step = (here.load - load) / (here.falls - here.rises);
-            if !(here.falls > here.rises) || !(step.abs() <= FARTHEST * self.population.range_of_adhesion()) {
+            let is_near = step.abs() <= FARTHEST * self.population.range_of_adhesion();
+            if here.falls <= here.rises || !is_near {
                 break;
             }
             approach -= step;

@@ -21,6 +21,9 @@
 #define ASPERITY_STRENGTH_TABLE 1
 #define ASPERITY_STRENGTH_GIVEN 2
 #define ASPERITY_STRENGTH_MEASURED 3
+#define ASPERITY_SPECIMEN_MANY_CONTACTS 0
+#define ASPERITY_SPECIMEN_ANY 1
+#define ASPERITY_SPECIMEN_MEASURED 2
 #define ASPERITY_HEIGHTS_GAUSSIAN 0
 #define ASPERITY_HEIGHTS_WEIBULL 1
 #define ASPERITY_HEIGHTS_JOHNSON 2
@@ -63,36 +66,48 @@ typedef struct asperity_estimate {
   double low; /* 24, 8 */
   double high; /* 32, 8 */
   double friction_force; /* 40, 8 */
-  double curve_coefficient; /* 48, 8 */
-  double constant_odds; /* 56, 8 */
-  double contacts; /* 64, 8 */
-  double specimen_force; /* 72, 8 */
-  double specimen_scatter; /* 80, 8 */
-  double strength_share; /* 88, 8 */
-  double size_share; /* 96, 8 */
-  double pressure_share; /* 104, 8 */
-  double adhesion_share; /* 112, 8 */
-  double hardness_share; /* 120, 8 */
-  double slope_share; /* 128, 8 */
-  double measurement_share; /* 136, 8 */
-  double model_share; /* 144, 8 */
-  double tangential_stiffness; /* 152, 8 */
-  double tangential_stiffness_low; /* 160, 8 */
-  double tangential_stiffness_high; /* 168, 8 */
-  double normal_stiffness; /* 176, 8 */
-  double normal_stiffness_low; /* 184, 8 */
-  double normal_stiffness_high; /* 192, 8 */
-  double contact_radius_sum; /* 200, 8 */
-  double contact_radius_sum_low; /* 208, 8 */
-  double contact_radius_sum_high; /* 216, 8 */
-  double unloading_stiffness; /* 224, 8 */
-  double unloading_stiffness_low; /* 232, 8 */
-  double unloading_stiffness_high; /* 240, 8 */
-  double error_growth; /* 248, 8 */
-  uint64_t warnings; /* 256, 8 */
-  int32_t strength_source; /* 264, 4 */
-  int32_t is_of_pressures; /* 268, 4 */
-} asperity_estimate; /* 272 */
+  double friction_force_low; /* 48, 8 */
+  double friction_force_high; /* 56, 8 */
+  double curve_coefficient; /* 64, 8 */
+  double constant_odds; /* 72, 8 */
+  double contacts; /* 80, 8 */
+  double another_force; /* 88, 8 */
+  double another_force_low; /* 96, 8 */
+  double another_force_high; /* 104, 8 */
+  double strength_share; /* 112, 8 */
+  double size_share; /* 120, 8 */
+  double pressure_share; /* 128, 8 */
+  double adhesion_share; /* 136, 8 */
+  double hardness_share; /* 144, 8 */
+  double slope_share; /* 152, 8 */
+  double measurement_share; /* 160, 8 */
+  double model_share; /* 168, 8 */
+  double specimen_share; /* 176, 8 */
+  double tangential_stiffness; /* 184, 8 */
+  double tangential_stiffness_low; /* 192, 8 */
+  double tangential_stiffness_high; /* 200, 8 */
+  double normal_stiffness; /* 208, 8 */
+  double normal_stiffness_low; /* 216, 8 */
+  double normal_stiffness_high; /* 224, 8 */
+  double contact_radius_sum; /* 232, 8 */
+  double contact_radius_sum_low; /* 240, 8 */
+  double contact_radius_sum_high; /* 248, 8 */
+  double unloading_stiffness; /* 256, 8 */
+  double unloading_stiffness_low; /* 264, 8 */
+  double unloading_stiffness_high; /* 272, 8 */
+  double gap; /* 280, 8 */
+  double gap_low; /* 288, 8 */
+  double gap_high; /* 296, 8 */
+  double pull_off_force; /* 304, 8 */
+  double pull_off_force_low; /* 312, 8 */
+  double pull_off_force_high; /* 320, 8 */
+  double error_growth; /* 328, 8 */
+  uint64_t warnings; /* 336, 8 */
+  int32_t strength_source; /* 344, 4 */
+  int32_t is_of_pressures; /* 348, 4 */
+  int32_t specimen; /* 352, 4 */
+  int32_t measured_specimens; /* 356, 4 */
+} asperity_estimate; /* 360 */
 
 typedef struct asperity_params {
   uint64_t struct_size; /* 0, 8 */

@@ -25,6 +25,9 @@ ASPERITY_STRENGTH_DEFAULT = 0
 ASPERITY_STRENGTH_TABLE = 1
 ASPERITY_STRENGTH_GIVEN = 2
 ASPERITY_STRENGTH_MEASURED = 3
+ASPERITY_SPECIMEN_MANY_CONTACTS = 0
+ASPERITY_SPECIMEN_ANY = 1
+ASPERITY_SPECIMEN_MEASURED = 2
 ASPERITY_HEIGHTS_GAUSSIAN = 0
 ASPERITY_HEIGHTS_WEIBULL = 1
 ASPERITY_HEIGHTS_JOHNSON = 2
@@ -73,11 +76,14 @@ class asperity_estimate(Structure):
         ("low", c_double),
         ("high", c_double),
         ("friction_force", c_double),
+        ("friction_force_low", c_double),
+        ("friction_force_high", c_double),
         ("curve_coefficient", c_double),
         ("constant_odds", c_double),
         ("contacts", c_double),
-        ("specimen_force", c_double),
-        ("specimen_scatter", c_double),
+        ("another_force", c_double),
+        ("another_force_low", c_double),
+        ("another_force_high", c_double),
         ("strength_share", c_double),
         ("size_share", c_double),
         ("pressure_share", c_double),
@@ -86,6 +92,7 @@ class asperity_estimate(Structure):
         ("slope_share", c_double),
         ("measurement_share", c_double),
         ("model_share", c_double),
+        ("specimen_share", c_double),
         ("tangential_stiffness", c_double),
         ("tangential_stiffness_low", c_double),
         ("tangential_stiffness_high", c_double),
@@ -98,10 +105,18 @@ class asperity_estimate(Structure):
         ("unloading_stiffness", c_double),
         ("unloading_stiffness_low", c_double),
         ("unloading_stiffness_high", c_double),
+        ("gap", c_double),
+        ("gap_low", c_double),
+        ("gap_high", c_double),
+        ("pull_off_force", c_double),
+        ("pull_off_force_low", c_double),
+        ("pull_off_force_high", c_double),
         ("error_growth", c_double),
         ("warnings", c_uint64),
         ("strength_source", c_int32),
         ("is_of_pressures", c_int32),
+        ("specimen", c_int32),
+        ("measured_specimens", c_int32),
     ]
 
 

@@ -25,7 +25,7 @@ _LITERAL = re.compile(r"true|false|[-+]?(inf|nan|\.?\d.*)")
 # What an option is, where that is not a number alone: its unit, or what stands for its words.
 _METAVARS = {name: SI[dimension] for name, dimension in DIMENSIONS.items() if dimension in SI and not name.startswith("table_")} | {
     "pair": "PAIR", "interface": "NAME", "calibration_friction_coefficient": "MU", "measured": "N MU ERROR", "coverage": "P", "interface_kind": "KIND",
-    "first": "BODY", "second": "BODY", "summits": "KIND", "process": "NAME", **dict.fromkeys(WORDS, "WORD"),
+    "specimens": "COUNT", "first": "BODY", "second": "BODY", "summits": "KIND", "process": "NAME", **dict.fromkeys(WORDS, "WORD"),
 }  # fmt: skip
 # What may be more than one number.
 _SEVERAL = {"measured", "table_height", "table_density", *KEYS["roughness"]} - {"summits", "process"}
@@ -37,6 +37,7 @@ _HELP = {
     "size_effect": "0 of a film to 1 of clean crystals, where it is known",
     "model_error": "how far real interfaces leave the law, over what is usual",
     "measured": "load, friction coefficient and, if known, its relative error; may be given several times",
+    "specimens": "on how many it was measured: give it where fewer than 20 summits touch",
     "coverage": "probability of the band (0.95)",
     "Ra": "mean deviation of the profile; here and below two numbers if both surfaces are rough",
     "Rq": "standard deviation of the profile",

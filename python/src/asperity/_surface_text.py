@@ -68,6 +68,7 @@ class Surface(Joint, Roughness, total=False):
     """All that surface files have beside the pair, the nominal area and the coverage."""
 
     interface_kind: Literal["film", "clean", "dry metal", "rock"]
+    specimens: int
     size_effect: float
     model_error: float
     known_to: KnownTo

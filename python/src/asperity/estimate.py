@@ -32,7 +32,12 @@ _SOURCES = {
     _header.ASPERITY_STRENGTH_GIVEN: "given",
     _header.ASPERITY_STRENGTH_MEASURED: "measured",
 }
-_SHARES = ("strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement", "model")
+_SPECIMENS = {
+    _header.ASPERITY_SPECIMEN_MANY_CONTACTS: "many contacts",
+    _header.ASPERITY_SPECIMEN_ANY: "any",
+    _header.ASPERITY_SPECIMEN_MEASURED: "measured",
+}
+_SHARES = ("strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement", "model", "specimen")
 # Of more loads the text has the first and the last.
 _WRITTEN = 8
 # A line over these loads in a figure; around one load it reaches so far either way.
@@ -45,6 +50,30 @@ class Band(NamedTuple):
     value: Any
     low: Any
     high: Any
+
+
+class OneSpecimen(NamedTuple):
+    """What an estimate tells of one specimen, with bands, like the loads: the same as of many where many summits touch.
+
+    Attributes:
+        of: whose the numbers of each load are, like the loads: "many contacts" (specimens hardly differ), "any" (one, whichever it is) or
+            "measured" (the one that was measured, with `specimens=1`).
+        friction: F/P; infinite from the pull-off load to 0.
+        another: F/P of another specimen than the measured one; that of `friction` where none was.
+        force: F [N], also without a load.
+        stiffness, normal_stiffness: K_t and -dP/d(gap) [N/m].
+        gap: between the mean planes [m]; NaN if the surfaces are apart.
+        pull_off: the largest pull that a specimen withstands [N]; NaN at loads at which many summits touch: ask at 0.
+    """
+
+    of: Any
+    friction: Band
+    another: Band
+    force: Band
+    stiffness: Band
+    normal_stiffness: Band
+    gap: Band
+    pull_off: Band
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -60,20 +89,16 @@ class Estimate:
         high: upper end; None with it.
         coverage: the probability that the coefficient lies between `low` and `high`; None with them.
         force: F [N], like `value`.
-        contacts: how many summits touch, by the mean of the model, like `value`. Below 20 one specimen is not like the mean: see the next
-            two. NaN, like them, if loads are pressures.
-        specimen_force: mean friction force of single specimens with the strength of `value` [N], like it: it is not known better than
-            `value` is, from `low` to `high`. For less than one contact that of one summit alone: specimens have it once or twice. NaN
-            where it is not known. `low` and `high` are without the scatter of specimens; what is printed has the band of one specimen.
-        specimen_scatter: its standard deviation from specimen to specimen over this mean, like `value`; NaN for less than one contact, or
-            where it is not known.
+        contacts: how many summits touch, by the mean of the model, like `value`; NaN if loads are pressures. Below 20 `value` is that of one
+            specimen, and its scatter is in the band.
+        specimens: what one specimen has, with bands: friction, stiffness, gap and pull-off.
         curve: F/P of `Model(estimate.params)`, like `value`: the same to the digits that are printed, or the text says how far off it is. NaN
             where no strength gives the measured friction.
         constant_odds: how probable it is that F/P is within 10 % of the measured mean, like `value`: above 0.8 a constant does.
-        stiffness, normal_stiffness, unloading_stiffness, contact_radius_sum: K_t and -dP/d(gap) [N/m], of loading and when the load
-            begins to fall, and the sum of the radii of all contacts [m], each a `Band` of `value`, `low` and `high`; the constriction
-            conductance is 2 k times the last. 0 for loads <= 0.
-        shares: "strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement" and "model" to the share of the variance of
+        stiffness, normal_stiffness, unloading_stiffness, contact_radius_sum, gap: K_t and -dP/d(gap) [N/m], of loading and when the load
+            begins to fall, the sum of the radii of all contacts [m] and the gap between the mean planes [m], each a `Band` of `value`,
+            `low` and `high`; the constriction conductance is 2 k times the fourth.
+        shares: "strength", "size", "pressure", "adhesion", "hardness", "slope", "measurement", "model" and "specimen" to the share of the variance of
             ln(F/P) that each causes, like `value`: what would narrow the band.
         strength: what the strength of the interface rests on: "default", "table" (of interfaces), "given" or "measured".
         error_growth: by how much the errors of the measured points grew, since they contradict each other; 1 if they do not.
@@ -87,14 +112,14 @@ class Estimate:
     coverage: float | None
     force: Any
     contacts: Any
-    specimen_force: Any
-    specimen_scatter: Any
+    specimens: OneSpecimen
     curve: Any
     constant_odds: Any
     stiffness: Band
     normal_stiffness: Band
     unloading_stiffness: Band
     contact_radius_sum: Band
+    gap: Band
     shares: dict[str, Any]
     strength: str
     error_growth: float
@@ -198,21 +223,28 @@ def estimate(surface: str, load: Any, coverage: float = 0.95, unit: str = "") ->
         return Band(column(name), column(f"{name}_low"), column(f"{name}_high"))
 
     known = bool((table["low"] == table["high"]).all())
+    coefficient = Band(*(column(name) for name in ("friction_coefficient", "low", "high")))
+    stiffness, normal, gap, another = band("tangential_stiffness"), band("normal_stiffness"), band("gap"), band("another_force")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        another = Band(*(checks.shaped(load, np.asarray(end) / loads, "another") for end in another))
+    of = np.array([_SPECIMENS[code] for code in table["specimen"]]).reshape(loads.shape)
+    whose = str(of) if of.ndim == 0 else of
+    one = OneSpecimen(whose, coefficient, another, band("friction_force"), stiffness, normal, gap, band("pull_off_force"))
     return Estimate(
-        column("friction_coefficient"),
-        None if known else column("low"),
-        None if known else column("high"),
+        coefficient.value,
+        None if known else coefficient.low,
+        None if known else coefficient.high,
         None if known else coverage,
         column("friction_force"),
         column("contacts"),
-        column("specimen_force"),
-        column("specimen_scatter"),
+        one,
         column("curve_coefficient"),
         column("constant_odds"),
-        band("tangential_stiffness"),
-        band("normal_stiffness"),
+        stiffness,
+        normal,
         band("unloading_stiffness"),
         band("contact_radius_sum"),
+        gap,
         {name: column(f"{name}_share") for name in _SHARES},
         _SOURCES[found[0].strength_source],
         found[0].error_growth,

@@ -63,7 +63,8 @@ def friction(
             "lapped", "honed", "ground", "turned", "bored", "milled"); a `process` alone; `Sq` with `Sdq`; `m0` and `m2`; or
             `height_std`, `summit_radius` and `summit_density`. Two rough surfaces are two numbers for each. `measured`, a
             measured point (load, coefficient) or (load, coefficient, relative error), or several of them; or
-            `calibration_load` with `calibration_friction_coefficient`. `interface`, a name in
+            `calibration_load` with `calibration_friction_coefficient`. `specimens`, on how many it was measured: say it where fewer than 20
+            summits touch. `interface`, a name in
             `asperity.materials.INTERFACES`; `interface_kind`, "film", "clean", "dry metal" or "rock". `measured_on`, the roughness of the
             specimen that was measured, where it is not this one, as {"Ra": 1.6e-6, "RSm": 80e-6}: its strength in Pa is taken. And what is to replace the numbers of the pair or a default:
             `work_of_adhesion`, `slip_stress_1`, `kurtosis`, ...

@@ -54,7 +54,7 @@ _NARROW, _WAVES = 3.0, 8.0
 # Counted summits of broader spectra stand on each other, and have too little area.
 _BROAD = 6.0
 # Summits whose families of heights give friction that differs by more than this factor are not described by any of them.
-_FAMILY = 1.5
+_FAMILY = 1.4
 # So many standard errors of skew or kurtosis are no chance.
 _SIGNIFICANT = 3.0
 # More than this either way, at 95 %, is no number.
@@ -292,9 +292,9 @@ class _Case:
             raise without_line(error, keywords) from None
 
     def friction_of(self, rough: dict[str, Any]) -> float:
-        """NaN where the library has none."""
+        """That of a model, the mean of many specimens; NaN where the library has none."""
         try:
-            return float(self.at(self.load, rough))
+            return float(self.at(self.load, rough).curve)
         except ValueError:
             return math.nan
 
