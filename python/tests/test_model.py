@@ -9,6 +9,7 @@ import math
 import pickle
 import re
 import tracemalloc
+import warnings
 from typing import Any, Callable
 
 import numpy as np
@@ -257,6 +258,11 @@ def test_a_joint_that_was_tightened_springs_back(params: Params) -> None:
     assert twin.friction_at_load(3.0) == joint.friction_at_load(3.0) == joint.unloaded(10.0).friction_at_load(3.0)
     assert copied.step(3.0, [1.0, 0.0]).force[0] == contact.step(3.0, [1.0, 0.0]).force[0] > 0
     assert Model(joint.params).friction_at_load(3.0) == first.friction_at_load(3.0)
+    assert repr(joint) == f"Model({first.params!r}).unloaded(10)"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ValidityWarning)  # of few summits
+        curve = Model(first.params.calibrated(load=10.0, friction_coefficient=1.0)).unloaded(10.0).curve([0.1, 1.0, 5.0])
+    assert np.all(curve.low < curve.friction_coefficient) and np.all(curve.friction_coefficient < curve.high)
 
 
 @pytest.mark.parametrize("load", [0.0, -1.0, np.nan, np.inf, 1e300])

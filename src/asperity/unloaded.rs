@@ -180,6 +180,19 @@ mod tests {
         }
     }
 
+    /// I. Etsion, Y. Kligerman and Y. Kadin, Int. J. Solids Struct. 42 (2005) 3716, by finite elements: what is left of the overlap without load.
+    #[test]
+    fn what_stays_of_the_overlap_is_near_that_of_finite_elements() {
+        let law = law(0.0);
+        for ratio in [1.5, 3.0, 10.0, 30.0, 60.0, 100.0, 150.0] {
+            let overlap = ratio * law.first_yield;
+            let stays = 1.0 - law.spring(overlap, 1.0).0 / overlap;
+            let published = (1.0 - f64::powf(ratio, -0.28)) * (1.0 - f64::powf(ratio, -0.69));
+            println!("{ratio}: {stays} {published}");
+            assert!((stays - published).abs() < 0.11, "{ratio}: {stays}, not {published}");
+        }
+    }
+
     /// In units of E* b^2 and b: dP/du = 2 E* a, and P = 4/3 E* a^3/R with the radius that the largest load left.
     #[test]
     fn what_is_left_is_a_hertz_contact_of_its_own_radius() {

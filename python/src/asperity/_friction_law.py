@@ -415,7 +415,10 @@ class FrictionLaw:
 
     def __repr__(self) -> str:
         name = type(self).__name__
-        return f"<closed {name}>" if self._handle is None else f"{name}({self._handle.params!r})"
+        if self._handle is None:
+            return f"<closed {name}>"
+        unloaded = f".unloaded({self._handle.largest_load:g})" if self._handle.largest_load else ""
+        return f"{name}({self._handle.params!r}){unloaded}"
 
     def _open(self) -> Handle:
         handle = self._handle

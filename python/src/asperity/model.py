@@ -86,14 +86,16 @@ class Model(FrictionLaw):
         band = None
         if spread is not None or strength_of(self).deviation > 0:
             band = uncertainty(params, spread, load, coverage=coverage, samples=samples, seed=seed, executor=executor)
+        # The band is that of first loading, about what a larger load has left.
+        first = FrictionLaw(params).friction_force_at_load(load) if self._open().largest_load else force
         self.warn(float(load[0]), float(load[-1]))
         return Curve(
             params,
             load,
             self.friction_at_load(load),
             force,
-            None if band is None else band.low,
-            None if band is None else band.high,
+            None if band is None else band.low * (force / first),
+            None if band is None else band.high * (force / first),
             None if band is None else coverage,
             self.check(float(load[0]), float(load[-1])),
             (AS_GIVEN, ALL_ELSE) if band is None else band.rests_on,
