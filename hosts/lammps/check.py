@@ -15,9 +15,9 @@ import surface  # of hosts/
 import verdict
 
 LAW_LIMIT, ENERGY_LIMIT, RANK_LIMIT = 1e-6, 5e-3, 1e-6
-# Limits of microslip, over the friction force, the work, the force and the friction force. The plugin lets forces of grain and summits
-# differ by 1e-6, which moves summits that are 30 times as stiff as the grain by 3e-5 of it.
-CURVE_LIMIT, WORK_LIMIT, TURN_LIMIT, STEP_LIMIT = 0.02, 0.15, 1e-3, 1e-3
+# Limits of microslip, over the friction force, the work, the force and the friction force. The plugin takes the last correction of the
+# summits' displacement from the tangent, which leaves 1e-3 at most; ranks may ask the library at other steps.
+CURVE_LIMIT, WORK_LIMIT, TURN_LIMIT, STEP_LIMIT, MICROSLIP_RANK_LIMIT = 0.02, 0.15, 1e-3, 1e-3, 1e-5
 # What grains that bounce may gain of energy, beyond the least before: elastic energy of the springs comes and goes.
 GAIN_LIMIT = 1e-3
 REAL_MODULUS, POISSON = 1.7531556e9, 0.38
@@ -278,7 +278,8 @@ def main(folder):
     slipping = {ranks: tables(folder / f"microslip{ranks}.log") for ranks in (1, 2)}
     energy = np.max([energy, *(energy_gap(rows, springs=False) for rows in slipping[1] + slipping[2])])
     ranks = np.max([disagreement(runs[1][0], runs[2][0]), disagreement(runs[1][0], runs[4][0]),
-                    disagreement(runs[1][1], runs[2][1])] + [disagreement(*pair) for pair in zip(slipping[1], slipping[2])])
+                    disagreement(runs[1][1], runs[2][1])])
+    slipping_ranks = np.max([disagreement(*pair) for pair in zip(slipping[1], slipping[2])])
     law = np.max([law_error(model, contacts(folder, n)) for n in (1, 2)])
     held = np.min([np.min(column(rows, "v_held") / column(rows, "v_load")) for n in (1, 2) for rows in runs[n]])
     continued, = tables(folder / "continued.log")
@@ -296,12 +297,14 @@ def main(folder):
     print(f"  the runs continued from restart files have {'the same digits' if same else 'OTHER digits'}")
     print(f"  microslip: within {curve:.4f} F of Masing's loops (limit {CURVE_LIMIT}), work of a cycle within {work:.3f} "
           f"(limit {WORK_LIMIT}), steps within {steps:.1e} F of the library's (limit {STEP_LIMIT:.0e}); a force that turns with "
-          f"its grains is within {turn:.1e} (limit {TURN_LIMIT:.0e})")
+          f"its grains is within {turn:.1e} (limit {TURN_LIMIT:.0e}); ranks differ by {slipping_ranks:.1e} "
+          f"(limit {MICROSLIP_RANK_LIMIT:.0e})")
     print(f"  a gas of grains with microslip: {taken:.0%} of its energy taken, {gained:.1e} gained (limit {GAIN_LIMIT:.0e})")
     passed = slide <= LAW_LIMIT and law <= LAW_LIMIT and energy <= ENERGY_LIMIT and ranks <= RANK_LIMIT
     passed = passed and taken > 0.2 and gained <= GAIN_LIMIT
     passed = passed and held >= LEAST_HELD and same
     passed = passed and curve <= CURVE_LIMIT and work <= WORK_LIMIT and turn <= TURN_LIMIT and steps <= STEP_LIMIT
+    passed = passed and slipping_ranks <= MICROSLIP_RANK_LIMIT
     return passed, f"one, two and four ranks differ by {ranks:.1e} (limit {RANK_LIMIT:.0e})"
 
 

@@ -44,8 +44,9 @@ const double fewest_summits = 20, fewest_waves = 8;
 // What a contact remembers: the force of its tangential spring on the first body, and the stiffness that it had, below 0 if it
 // slipped; 0: nothing.
 // With microslip in place of the force a direction in the tangent plane; behind the stiffness on which side the other
-// direction is, the force in both, how stiff the summits were (xx, xy, yy), and what the library keeps of them.
-enum { SPRING, STIFFNESS = 3, SIDE, FORCE, TANGENT = 7, SUMMITS = 10 };
+// direction is, the force in both, how stiff the summits were (xx, xy, yy), what of their displacement the library was not asked about
+// yet, and what the library keeps of them.
+enum { SPRING, STIFFNESS = 3, SIDE, FORCE, TANGENT = 7, KEPT = 10, SUMMITS = 12 };
 
 // The same contact seen from the other body.
 inline void turn_round(double *history, int numbers) {

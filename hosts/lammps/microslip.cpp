@@ -3,7 +3,9 @@
 // With the displacement D of the step, of which d goes into the summits and the rest into the grain, of stiffness G:
 //   T(d) = T_before + G (D - d)
 // T, of the library, is the sum of many parts that stick or slip, and Newton's method finds d. It begins with what the tangent of
-// the step before says, or where a contact is unloaded with that of sticking: most steps then take two calls.
+// the step before says, or where a contact is unloaded with that of sticking. Its last correction is not asked for but kept for
+// the next step: most steps then take one call. A contact that slides far has the limit in the direction of T_before + G D, and its
+// summits forget all else: that needs none until it slows down.
 // d is in the softened grain's lengths: the summits of the real one move by softening_ times as much.
 #include "law.h"
 
@@ -11,10 +13,15 @@ namespace asperity_lammps {
 
 namespace {
 
-// The largest residual, relative to the limit, and the most calls. Parts slip one after the other as d grows, so that iterations
-// approach from one side, from one piece of T to the next.
-const double tolerance = 1e-6;
+// What the force of sticking summits by the last correction may be, over the limit, where it turns back, and where it goes on;
+// what that of a contact that slides far is at least; and the most calls. Parts slip one after the other as d grows, so that
+// iterations approach from one side, from one piece of T to the next.
+const double tolerance = 1e-3, onward_tolerance = 0.01, far_away = 10;
 const int most_calls = 40;
+
+double size_of(const double *v) { return std::sqrt(v[0] * v[0] + v[1] * v[1]); }
+
+double product(const double *v, const double *w) { return v[0] * w[0] + v[1] * w[1]; }
 
 // The solution of a symmetric system, (xx xy, xy yy) x = (b0, b1).
 void solve(double xx, double xy, double yy, const double *b, double *x) {
@@ -54,13 +61,18 @@ Frame frame_of(const Contact &c, bool remembers) {
 
 enum { BATCH = Law::BATCH, MOST = Law::MOST_REMEMBERED };
 
-// A state ends with two stiffnesses, which grow with the area of the contact; all else are displacements.
-double of_area(int number, int numbers, double area) { return number < numbers - 2 ? 1 : area; }
+// A state to or from a history: it ends with two stiffnesses, which grow with the area of the contact; all else are displacements.
+void copy_state(const double *from, int numbers, double scale, double *to) {
+    std::copy_n(from, numbers, to);
+    for (int m = numbers - 2; m < numbers; m++) to[m] *= scale;
+}
 
 // What is solved for a contact: forces and displacements in the directions of its frame.
 struct Step {
     Frame frame;
     double moved[2], part[2];           // D, and d
+    double kept[2];                     // of the displacements before, what the library was not asked about yet
+    double asked[2];                    // what it is asked about
     double earlier[2], force[2];        // T before and now
     double tangent[3];                  // dT/dd: xx, xy, yy
     double correction[2], left_over;    // of the iteration before
@@ -74,24 +86,25 @@ void begin(const Contact &c, const Forces &r, double kept, double dt, double gra
     std::copy_n(c.history + TANGENT, 3, step.tangent);
     double taken[2];
     for (int axis = 0; axis < 2; axis++) {
+        step.kept[axis] = kept > 0 ? c.history[KEPT + axis] : 0;
         step.moved[axis] = -dt * step.frame.along(slip, axis);
         step.earlier[axis] = kept > 0 ? kept * c.history[FORCE + axis] : 0;
         step.force[axis] = 0;
         taken[axis] = grain * step.moved[axis];
     }
-    const bool onwards = step.moved[0] * step.earlier[0] + step.moved[1] * step.earlier[1] > 0;
-    if (onwards) solve(grain + step.tangent[0], step.tangent[1], grain + step.tangent[2], taken, step.part);
+    if (product(step.moved, step.earlier) > 0) solve(grain + step.tangent[0], step.tangent[1], grain + step.tangent[2], taken, step.part);
     else for (int axis = 0; axis < 2; axis++) step.part[axis] = taken[axis] / (grain + summits);
 }
 
-// Displaces the summits of some contacts of a batch, all with the states `before`, by the parts of their steps.
+// Displaces the summits of some contacts of a batch, all with the states `before`, by what is asked.
 void displace(const asperity_model *model, const double *softening, int numbers, int count, const int *which, const double *area,
               const Forces *r, const double *before, Step *step, double *after) {
-    double pressure[BATCH], increment[2 * BATCH], from[BATCH * MOST], to[BATCH * MOST] = {}, stress[2 * BATCH], slope[4 * BATCH];
+    double pressure[BATCH], increment[2 * BATCH], from[BATCH * MOST], to[BATCH * MOST], stress[2 * BATCH], slope[4 * BATCH];
+    if (count < 1) return;
     for (int w = 0; w < count; w++) {
         const int k = which[w];
         pressure[w] = r[k].pressure;
-        for (int axis = 0; axis < 2; axis++) increment[2 * w + axis] = softening[k] * step[k].part[axis];
+        for (int axis = 0; axis < 2; axis++) increment[2 * w + axis] = softening[k] * step[k].asked[axis];
         std::copy_n(before + k * numbers, numbers, from + w * numbers);
     }
     // It fails for what is not finite only, and then gives NaN, as the positions of the grains are.
@@ -107,13 +120,12 @@ void displace(const asperity_model *model, const double *softening, int numbers,
     }
 }
 
-// After a call that gave the force and the tangent: true if both bodies carry the same, else with a better part.
-bool balanced(double grain, double allowed, bool first, Step &step) {
+// After a call that gave the force and the tangent: a better part, and true if the force of that is known well enough.
+bool balanced(double grain, double summits, double limit, bool first, Step &step) {
     double missing[2];
     for (int axis = 0; axis < 2; axis++)
         missing[axis] = step.earlier[axis] + grain * (step.moved[axis] - step.part[axis]) - step.force[axis];
-    const double size = std::hypot(missing[0], missing[1]);
-    if (size <= allowed) return true;
+    const double size = size_of(missing);
     if (!first && size >= step.left_over) {    // too far, over several pieces: half as far
         for (int axis = 0; axis < 2; axis++) step.part[axis] -= step.correction[axis] *= 0.5;
         return false;
@@ -121,13 +133,34 @@ bool balanced(double grain, double allowed, bool first, Step &step) {
     step.left_over = size;
     solve(grain + step.tangent[0], step.tangent[1], grain + step.tangent[2], missing, step.correction);
     for (int axis = 0; axis < 2; axis++) step.part[axis] += step.correction[axis];
-    return false;
+    const double allowed = product(step.correction, step.asked) < 0 ? tolerance : onward_tolerance;
+    return summits * size_of(step.correction) <= allowed * limit;
+}
+
+// True for a contact that slides so far that its force, and all that its summits remember, is that of sliding.
+bool slides(double grain, double summits, double limit, Step &step) {
+    double trial[2];
+    for (int axis = 0; axis < 2; axis++) trial[axis] = step.earlier[axis] + grain * step.moved[axis];
+    const double size = size_of(trial);
+    if (!((size - limit) * summits > far_away * limit * grain)) return false;
+    for (int axis = 0; axis < 2; axis++) {
+        step.kept[axis] = step.part[axis] = trial[axis] * (1 - limit / size) / grain;
+        step.tangent[axis] = step.tangent[axis + 1] = 0;
+    }
+    return true;
+}
+
+// The force is that of the grain's spring.
+void carry(double grain, double limit, Step &step) {
+    for (int axis = 0; axis < 2; axis++) step.force[axis] = step.earlier[axis] + grain * (step.moved[axis] - step.part[axis]);
+    const double size = size_of(step.force);
+    for (double &force : step.force) force *= size > limit ? limit / size : 1;
 }
 
 void finish(const Contact &c, const Step &step, double dt, Forces &r) {
     const double *force = step.force;
     for (int a = 0; a < 3; a++) r.spring[a] = force[0] * step.frame.one[a] + force[1] * step.frame.other[a];
-    r.slips = std::hypot(force[0], force[1]) >= r.limit * (1 - 1e-9) || slipped_before(c.history, dt);
+    r.slips = size_of(force) >= r.limit * (1 - 1e-9) || slipped_before(c.history, dt);
     r.friction_work = 0;
     for (int axis = 0; axis < 2; axis++) {
         const double had = c.history[STIFFNESS] == 0 ? 0 : c.history[FORCE + axis];
@@ -139,39 +172,60 @@ void finish(const Contact &c, const Step &step, double dt, Forces &r) {
     c.history[SIDE] = step.frame.side;
     std::copy_n(force, 2, c.history + FORCE);
     std::copy_n(step.tangent, 3, c.history + TANGENT);
+    std::copy_n(step.kept, 2, c.history + KEPT);
 }
 
 }    // namespace
 
 void Law::microslip(int count, const Contact *contact, double dt, const Bodies &bodies, Forces *result) const {
     Step step[BATCH];
-    double before[BATCH * MOST] = {}, after[BATCH * MOST] = {};
+    double before[BATCH * MOST], after[BATCH * MOST];
+    const double *grain = bodies.grain, *summits = bodies.summits, *area = bodies.area;
     const int numbers = remembered_;
-    int waiting[BATCH], open = 0;
+    const auto ask = [&](int many, const int *which, double *to) {
+        displace(model_.get(), bodies.softening, numbers, many, which, area, result, before, step, to);
+    };
+    int asked[BATCH], waiting[BATCH], many = 0, open = 0;
     for (int k = 0; k < count; k++) {
         const Contact &c = contact[k];
-        const double had = std::abs(c.history[STIFFNESS]), now = result[k].stiffness;
+        Step &s = step[k];
+        const double had = std::abs(c.history[STIFFNESS]), now = result[k].stiffness, limit = result[k].limit;
         // What is unloaded loses the force of the part of the grain that opens: see spring(). The summits know of theirs.
         const double kept = had == 0 ? 0 : now < had ? now / had : 1;
-        begin(c, result[k], kept, dt, bodies.grain[k], bodies.summits[k], step[k]);
-        if (result[k].limit <= 0) continue;    // without load there is neither friction nor memory
-        waiting[open++] = k;
-        if (kept > 0)
-            for (int m = 0; m < numbers; m++) before[k * numbers + m] = c.history[SUMMITS + m] / of_area(m, numbers, bodies.area[k]);
+        begin(c, result[k], kept, dt, grain[k], summits[k], s);
+        // Without load there is neither friction nor memory.
+        if (limit <= 0 && dt > 0) std::fill_n(c.history + SUMMITS, numbers, 0.0);
+        if (limit <= 0 || slides(grain[k], summits[k], limit, s)) continue;
+        asked[many++] = k;
+        if (kept > 0) copy_state(c.history + SUMMITS, numbers, 1 / area[k], before + k * numbers);
+        else std::fill_n(before + k * numbers, numbers, 0.0);
+        // What turns back after all that was kept, or after sliding, has a turn in its path.
+        const double had_kept = summits[k] * size_of(s.kept);
+        if (had_kept > limit || (had_kept > tolerance * limit && product(s.kept, s.part) < 0)) waiting[open++] = k;
+        std::copy_n(s.kept, 2, s.asked);
     }
+    if (open > 0) ask(open, waiting, before);
+    for (int w = 0; w < open; w++) std::fill_n(step[waiting[w]].kept, 2, 0.0);
+    std::copy_n(asked, open = many, waiting);
     for (int call = 0; call < most_calls && open > 0; call++) {
-        displace(model_.get(), bodies.softening, numbers, open, waiting, bodies.area, result, before, step, after);
+        for (int w = 0; w < open; w++)
+            for (int axis = 0; axis < 2; axis++) step[waiting[w]].asked[axis] = step[waiting[w]].kept[axis] + step[waiting[w]].part[axis];
+        ask(open, waiting, after);
         int left = 0;
         for (int w = 0; w < open; w++) {
             const int k = waiting[w];
-            if (!balanced(bodies.grain[k], tolerance * result[k].limit, call == 0, step[k])) waiting[left++] = k;
+            if (!balanced(grain[k], summits[k], result[k].limit, call == 0, step[k])) waiting[left++] = k;
         }
         open = left;
     }
+    for (int w = 0; w < many; w++) {
+        const int k = asked[w];
+        std::copy_n(step[k].correction, 2, step[k].kept);
+        if (dt > 0) copy_state(after + k * numbers, numbers, area[k], contact[k].history + SUMMITS);
+    }
     for (int k = 0; k < count; k++) {
+        if (result[k].limit > 0) carry(grain[k], result[k].limit, step[k]);
         finish(contact[k], step[k], dt, result[k]);
-        if (dt > 0)
-            for (int m = 0; m < numbers; m++) contact[k].history[SUMMITS + m] = of_area(m, numbers, bodies.area[k]) * after[k * numbers + m];
     }
 }
 

@@ -11,10 +11,9 @@ from asperity import Model, Params
 
 NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 PAGES = sorted(Path(__file__).parents[2].glob("hosts/*/README.md"))
-# What is kept of a contact beside the library's numbers: SUMMITS of lammps/law.h, and held_pair of mujoco/microslip.h.
-BESIDE = 10
-# Text of a page around the number that the library decides, and what it is beside that of the library.
-STATES = {"abaqus": (r"DEPVAR=(\d+)", 0), "lammps": (r"A contact has (\d+) numbers", BESIDE), "mujoco": (r"State is (\d+) doubles", BESIDE)}
+# Text of a page around the number that the library decides, and what is kept of a contact beside that of the library: held_pair of
+# mujoco/microslip.h, and SUMMITS of lammps/law.h.
+STATES = {"abaqus": (r"DEPVAR=(\d+)", 0), "lammps": (r"A contact has (\d+) numbers", 12), "mujoco": (r"State is (\d+) doubles", 10)}
 
 
 def literals(folder: Path) -> set[float]:

@@ -16,12 +16,12 @@ const NARROWEST_CELL: f64 = 1e-290;
 /// Within a cell displacements are taken as linear if so asked, so that what is held is not smeared out when this happens in every
 /// step; as far as that would add energy, as constant.
 #[inline(always)]
-pub fn lay<V: Four>(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [PerEdge; 2] {
+pub fn lay<V: Four>(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]) {
     let before = *state;
     let place = before[LAST] / before[REACH];
     let stretch = reach / before[REACH];
     let (centers, slopes) = if is_linear { slopes(&before, place) } else { (NO_LEVEL, [NO_LEVEL; 2]) };
-    let (mut edges, mut bend) = ([NO_EDGE; 2], [NO_EDGE; 2]);
+    let mut bend = [NO_EDGE; 2];
     let mut bends = [NO_LEVEL; 2];
     let (mut cell, mut at) = (0, 0.0);
     // The energy of constants, that with slopes less that of constants, and that of what slopes add alone, twice over.
@@ -80,7 +80,6 @@ pub fn lay<V: Four>(reach: f64, is_linear: bool, state: &mut [f64; STATE]) -> [P
         }
     }
     state[REACH] = reach;
-    edges
 }
 
 /// Takes away what lies above a place; the displacement there.
@@ -201,7 +200,7 @@ mod tests {
             };
             let (held, before) = (energy(&state), force(&state));
             let reach = state[LAST] * if i % 3 == 0 { 1.0 } else { between(1.0, 1.5) };
-            lay::<Portable>(reach, true, &mut state);
+            lay::<Portable>(reach, true, &mut state, &mut [NO_EDGE; 2]);
             let after = force(&state);
             assert!(energy(&state) <= held * (1.0 + 1e-14) && state[REACH] == reach, "{i}: {held}, {}", energy(&state));
             for axis in 0..2 {

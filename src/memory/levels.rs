@@ -2,7 +2,7 @@
 
 use super::cells::{fall, lay, LEAST_OF_REACH};
 use super::{at_most, energy, energy_by, within, within_cells, MicroslipStep, PerEdge, PerLevel};
-use super::{CELL_WIDTHS, EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, ROOTS, STATE};
+use super::{CELL_WIDTHS, EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_LEVEL, REACH, ROOTS, STATE};
 use crate::numerics::elementary::hypot;
 use crate::numerics::four::Four;
 
@@ -19,7 +19,7 @@ pub struct Sloped {
 }
 
 /// Levels under one load.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Levels {
     /// The strength of all, at least 0.
     pub strength: Sloped,
@@ -59,24 +59,6 @@ pub struct Cut {
     lost: f64,
 }
 
-impl Default for Levels {
-    fn default() -> Self {
-        let none = Sloped::default();
-        Self {
-            strength: none,
-            stiffness: none,
-            shares: NO_LEVEL,
-            share_slopes: NO_LEVEL,
-            width: NO_LEVEL,
-            followed: NO_LEVEL,
-            mixed: NO_LEVEL,
-            edges: [NO_EDGE; 2],
-            following: NO_EDGE,
-            gained: NO_EDGE,
-        }
-    }
-}
-
 impl Levels {
     /// Lets levels go and come, from the stiffness of the last step to this one. The state becomes what it is before the
     /// increment; a step of this increment is to follow, with the limits for this cut.
@@ -108,7 +90,7 @@ impl Levels {
             state[LAST] = now;
         }
         if is_laid_anew {
-            self.edges = lay::<V>(now, !falls, state);
+            lay::<V>(now, !falls, state, &mut self.edges);
         } else if DETAILS && cut.reaches_farther {
             for axis in 0..2 {
                 for j in (0..LEVELS).step_by(4) {
@@ -226,12 +208,17 @@ impl Levels {
         // Nothing by `map` or a closure, which are not compiled for the caller's instructions.
         let (dx, dy) = (V::splat(increment[0]), V::splat(increment[1]));
         let (none, one) = (V::splat(0.0), V::splat(1.0));
-        let before = if DETAILS && cut.falls { *state } else { [0.0; STATE] };
+        // The squares of the forces before where the limit may be less than they.
+        let mut had = NO_LEVEL;
         let [mut fx, mut fy, mut xx, mut farthest, mut mixed] = [none; 5];
         for j in (0..LEVELS).step_by(4) {
             let (followed, width) = (V::read(&self.followed, j), V::read(&self.width, j) * scale);
-            let x = V::read(state, j) + dx * followed;
-            let y = V::read(state, LEVELS + j) + dy * followed;
+            let (mut x, mut y) = (V::read(state, j), V::read(state, LEVELS + j));
+            if DETAILS && cut.falls {
+                let (tx, ty) = (x * width, y * width);
+                (tx * tx + ty * ty).write(&mut had, j);
+            }
+            (x, y) = (x + dx * followed, y + dy * followed);
             x.write(state, j);
             y.write(state, LEVELS + j);
             let (tx, ty, limit) = (x * width, y * width, V::read(&self.shares, j) * strength);
@@ -297,8 +284,7 @@ impl Levels {
                 // The limit grows as the stiffness does while a level slips; where it falls, slip begins at the force that there was.
                 let mut begins = limit * V::splat(cut.grown);
                 if cut.falls {
-                    let (x, y) = (V::read(&before, j) * width, V::read(&before, LEVELS + j) * width);
-                    let had = x * x + y * y;
+                    let had = V::read(&had, j);
                     begins = had.if_greater(square, square, had).if_greater(limit_square, had, limit_square).root();
                 }
                 let resists = V::splat(0.5) * (limit + begins);

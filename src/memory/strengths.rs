@@ -45,16 +45,11 @@ impl Strengths {
     fn of_nodes(nodes: [[f32; 2]; LEVEL_NODES]) -> Self {
         /// Up to 1, whole numbers of these have few enough digits.
         const UNIT: f64 = 1.0 / (1_u32 << f32::MANTISSA_DIGITS) as f64;
+        let (mut above, mut below) = (NO_EDGE, 1.0);
         let numbers = nodes.map(|node| node.map(f64::from));
-        let mut below = 1.0;
+        at_edges::<Portable, false>(&numbers, &numbers, [1.0, 0.0], &mut above, &mut { NO_EDGE });
         let shares = std::array::from_fn(|j| {
-            let v = INVERSE_EDGES[j + 1] - 1.0;
-            let above = if v > 0.0 {
-                interpolated::<Portable>(&numbers, Four::splat(EDGES[j + 1]), Four::splat(v))[0].numbers()[0]
-            } else {
-                0.0
-            };
-            let above = (above / UNIT).round() * UNIT;
+            let above = (above[j + 1] / UNIT).round() * UNIT;
             let share = below - above;
             below = above;
             share as f32
@@ -149,28 +144,38 @@ pub fn of_equal_contacts() -> Strengths {
 pub fn shares_of_cut<V: Four, const SLOPES: bool>(
     nodes: &[[f64; 2]; LEVEL_NODES],
     node_slopes: &[[f64; 2]; LEVEL_NODES],
-    [place, place_slope]: [f64; 2],
+    cut: [f64; 2],
     shares: &mut PerLevel,
     slopes: &mut PerLevel,
 ) {
-    // From the first edge, below which nothing is.
     let (mut above, mut above_slopes) = (NO_EDGE, NO_EDGE);
+    at_edges::<V, SLOPES>(nodes, node_slopes, cut, &mut above, &mut above_slopes);
     above[0] = 1.0;
-    let (none, inverse, by_load) = (V::splat(0.0), V::splat(1.0 / place), V::splat(place_slope / place));
-    for j in (0..LEVELS).step_by(4) {
-        let (s, v) =
-            (V::read(&EDGES, j + 1) * inverse, V::splat(place) * V::read(&INVERSE_EDGES, j + 1) - V::splat(1.0));
-        let [value, limit] = interpolated(nodes, s, v);
-        v.if_greater(none, value, none).write(&mut above, j + 1);
-        if SLOPES {
-            let [value, _] = interpolated(node_slopes, s, v);
-            v.if_greater(none, value + limit * s * by_load, none).write(&mut above_slopes, j + 1);
-        }
-    }
     for j in (0..LEVELS).step_by(4) {
         (V::read(&above, j) - V::read(&above, j + 1)).write(shares, j);
         if SLOPES {
             (V::read(&above_slopes, j) - V::read(&above_slopes, j + 1)).write(slopes, j);
+        }
+    }
+}
+
+/// H and its slope by load at the edges but for the first.
+#[inline(always)]
+fn at_edges<V: Four, const SLOPES: bool>(
+    nodes: &[[f64; 2]; LEVEL_NODES],
+    node_slopes: &[[f64; 2]; LEVEL_NODES],
+    [place, place_slope]: [f64; 2],
+    above: &mut PerEdge,
+    slopes: &mut PerEdge,
+) {
+    let (none, inverse, by_load) = (V::splat(0.0), V::splat(1.0 / place), V::splat(place_slope / place));
+    for j in (1..=LEVELS).step_by(4) {
+        let (s, v) = (V::read(&EDGES, j) * inverse, V::splat(place) * V::read(&INVERSE_EDGES, j) - V::splat(1.0));
+        let [value, limit] = interpolated(nodes, s, v);
+        v.if_greater(none, value, none).write(above, j);
+        if SLOPES {
+            let [value, _] = interpolated(node_slopes, s, v);
+            v.if_greater(none, value + limit * s * by_load, none).write(slopes, j);
         }
     }
 }
