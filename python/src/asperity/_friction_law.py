@@ -63,15 +63,14 @@ class FrictionLaw:
                 from; adhesion, of which unloading is not modelled.
         """
         handle, load = self._open(), checks.real("largest_load", largest_load, self._unit())
-        if not load > 0 or load < handle.largest_load:
-            least = f"at least {handle.largest_load:g}, which the model is unloaded from" if handle.largest_load else "> 0"
-            raise Error(f"largest_load = {load:g}: must be {least}", Status.OUT_OF_RANGE)
-        return self._of(handle.params, load)
+        if load == 0:
+            raise Error("largest_load = 0: must be > 0", Status.OUT_OF_RANGE)
+        return self._of(handle.params, load, handle)
 
     @classmethod
-    def _of(cls, params: Params, largest_load: float) -> Self:
+    def _of(cls, params: Params, largest_load: float, before: Handle | None = None) -> Self:
         found = cls.__new__(cls)
-        found._handle = Handle(params, largest_load)
+        found._handle = Handle(params, largest_load, before)
         return found
 
     @overload

@@ -21,16 +21,14 @@ class Handle:
     """A model of the library, the parameters it was made from and the largest load that it is unloaded from, 0 at first loading; freed
     once, with the last reference."""
 
-    def __init__(self, params: Params, largest_load: float = 0.0) -> None:
+    def __init__(self, params: Params, largest_load: float = 0.0, before: Handle | None = None) -> None:
         self.params, self.largest_load = params, largest_load
         self.warned = Warnings(0)
         self.pointer = ctypes.POINTER(_header.asperity_model)()
-        check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
-        if largest_load != 0:
-            loaded, self.pointer = self.pointer, ctypes.POINTER(_header.asperity_model)()
-            try:
-                check(LIBRARY.asperity_unloaded(loaded, largest_load, ctypes.byref(self.pointer)))
-            finally:
-                LIBRARY.asperity_free(loaded)
+        if largest_load == 0:
+            check(LIBRARY.asperity_create(ctypes.byref(params._as_struct()), ctypes.byref(self.pointer)))
+        else:
+            before = before or Handle(params)
+            check(LIBRARY.asperity_unloaded(before.pointer, largest_load, ctypes.byref(self.pointer)))
         # At exit a daemon thread may still be inside a call: the system takes the memory then.
         weakref.finalize(self, LIBRARY.asperity_free, self.pointer).atexit = False  # type: ignore[misc, unused-ignore]
