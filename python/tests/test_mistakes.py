@@ -122,6 +122,7 @@ RIGHT: dict[str, tuple[Callable[[], Any], Callable[[], dict[str, Any]]]] = {
     "Model.tangential": (model, lambda: {"load": 1.0, "displacement": 0.1}),
     "Fit.predict": (fitted, lambda: {"load": LOADS}),
     "Fit.reach": (fitted, lambda: {"coverage": 0.95}),
+    "Model.unloaded": (model, lambda: {"largest_load": 1.0}),
     **{
         f"Model.{name}": (model, lambda: {"load": 1.0})
         for name in ("friction_at_load", "friction_force_at_load", "tangential_stiffness_at_load", "state_at_load")
@@ -207,6 +208,7 @@ MISTAKES: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("Model.table", {"dtype": "float16"}, Error, "dtype = float16: must be float64 or float32"),
     ("Model.friction_at_load", {"load": math.nan}, Error, "load = NaN: must be finite"),
     ("Model.state_at_load", {"load": math.inf}, Error, "load = inf: must be finite"),
+    ("Model.unloaded", {"largest_load": math.nan}, Error, "largest_load = NaN: must be finite"),
     ("Fit.predict", {"load": 1.0}, Error, "load: must be a one-dimensional array of one or more real numbers"),
     ("Fit.reach", {"coverage": 1.0}, Error, "coverage = 1.0: must be between 0 and 1"),
 ]
