@@ -4,7 +4,9 @@
 //! Amontons', contacts are elastic and nothing adheres. It shares with the library's step the load and the stiffness against
 //! separation, and nothing else.
 
+use crate::common::splitmix::SplitMix;
 use crate::common::surfaces::{dimensionless, johnson, model, table};
+use crate::microslip::assert_told;
 use asperity::{Model, Params, SlipConstants, MICROSLIP_LENGTH};
 
 const FRICTION: f64 = 0.3;
@@ -156,7 +158,7 @@ impl<'a> Both<'a> {
 }
 
 /// What is checked of each surface, with F and F/K at a middling load.
-fn each_surface(check: impl Fn(&str, &Params, &Model, &Curve, f64)) {
+fn each_surface(mut check: impl FnMut(&str, &Params, &Model, &Curve, f64)) {
     for params in surfaces() {
         let model = model(&params);
         let sigma = params.height_std;
@@ -215,6 +217,34 @@ fn cycles_of_displacement_and_load_take_the_work_that_they_should() {
             assert!(both.dissipated / unit < found + 0.02, "{name}: told {}", both.dissipated / unit);
         }
     });
+}
+
+/// Legs to random loads and displacements in the plane, each straight in separation and displacement.
+#[test]
+fn forces_on_random_paths_are_as_near_as_the_page_says() {
+    for (least, row) in [(0.5, "a half"), (0.1, "a tenth"), (0.02, "a fiftieth"), (1.0 / 280.0, "a 280th")] {
+        // In ten steps or more a leg, over the friction force of the present load and of the heaviest; in one step, over the latter.
+        let mut most = [0.0_f64; 3];
+        each_surface(|_, params, model, curve, load| {
+            let mut random = SplitMix(7);
+            for steps in [1, 10, 40] {
+                for _ in 0..15 {
+                    let mut both = Both::at_rest(params, model, curve, load);
+                    let length = length_at(model, load);
+                    for _ in 0..6 {
+                        let now = load * random.log_between(least, 1.0);
+                        let by = [0, 1].map(|_| random.between(-2.0, 2.0) * random.log_between(0.01, 1.0) * length);
+                        both.go(now, by, steps);
+                        let error = both.error() / FRICTION;
+                        let whole = if steps == 1 { 2 } else { 1 };
+                        most[whole] = most[whole].max(error / load);
+                        most[0] = most[0].max(if steps == 1 { 0.0 } else { error / now });
+                    }
+                }
+            }
+        });
+        assert_told(row, &most);
+    }
 }
 
 /// Vibration between a load and seven tenths of it, of a contact that is held displaced.
