@@ -159,8 +159,8 @@ module asperity
                                                     ! apart
     real(c_double) :: gap_low                       ! Lower end of its band
     real(c_double) :: gap_high                      ! Upper end
-    real(c_double) :: pull_off_force                ! The largest pull that a specimen withstands [N]; NaN if 128
-                                                    ! summits or more touch
+    real(c_double) :: pull_off_force                ! The largest pull that a specimen withstands [N]; NaN if so many
+                                                    ! summits touch that specimens are alike
     real(c_double) :: pull_off_force_low            ! Lower end of its band
     real(c_double) :: pull_off_force_high           ! Upper end
     real(c_double) :: error_growth                  ! By how much the errors of the measured points grew, since they

@@ -225,7 +225,8 @@ typedef struct asperity_estimate {
   /** Gap between the mean planes of the surfaces [m]; NaN if they are apart. */ double gap;
   /** Lower end of its band. */ double gap_low;
   /** Upper end. */ double gap_high;
-  /** The largest pull that a specimen withstands [N]; NaN if 128 summits or more touch. */ double pull_off_force;
+  /** The largest pull that a specimen withstands [N]; NaN if so many summits touch that specimens are alike. */
+  double pull_off_force;
   /** Lower end of its band. */ double pull_off_force_low;
   /** Upper end. */ double pull_off_force_high;
   /** By how much the errors of the measured points grew, since they contradict each other; 1 if they do not. */

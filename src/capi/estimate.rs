@@ -104,7 +104,7 @@ pub struct asperity_estimate {
     pub gap_low: f64,
     /// Upper end.
     pub gap_high: f64,
-    /// The largest pull that a specimen withstands [N]; NaN if 128 summits or more touch.
+    /// The largest pull that a specimen withstands [N]; NaN if so many summits touch that specimens are alike.
     pub pull_off_force: f64,
     /// Lower end of its band.
     pub pull_off_force_low: f64,

@@ -58,8 +58,9 @@ pub struct Law {
     middle: usize,
     /// The same with an input one standard deviation off, and the sign of that.
     changed: [Option<(Surfaces, f64)>; INPUTS],
-    /// How many specimens are drawn.
+    /// How many specimens are drawn, and with how many contacts they are alike.
     pub specimens: usize,
+    pub alike: f64,
 }
 
 /// What one law makes of a load.
@@ -80,9 +81,10 @@ pub struct OfLaw {
 /// Specimens that stand for all, more where one was measured; and those that tell what an input changes.
 const SPECIMENS: [usize; 2] = [128, 256];
 const COMPARED: usize = 16;
-/// With fewer contacts specimens are drawn; with more, those of so many come nearer to the mean, and are it at the second number.
+/// With fewer contacts specimens are drawn; with more, those of so many come nearer to the mean, and are it from `Law::alike` on: later
+/// where one was measured.
 const DRAWN: f64 = 20.0;
-pub const ALL_ALIKE: f64 = 128.0;
+const ALIKE: [f64; 2] = [64.0, 256.0];
 /// Summits that may be drawn for all specimens.
 const MOST_DRAWN: f64 = 2e5;
 /// The logarithm of nothing.
@@ -211,7 +213,7 @@ fn unit_strength(surfaces: &Surfaces) -> f64 {
 
 impl Law {
     /// Surfaces of which nothing is in doubt.
-    pub fn alone(surfaces: &Surfaces, specimens: usize) -> Self {
+    pub fn alone(surfaces: &Surfaces, of: &Self) -> Self {
         let works =
             vec![Work { probability: 1.0, work: surfaces.params().work_of_adhesion, models: [0; 2], part: 0.0 }];
         Self {
@@ -220,7 +222,8 @@ impl Law {
             models: vec![surfaces.clone()],
             middle: 0,
             changed: [const { None }; INPUTS],
-            specimens,
+            specimens: of.specimens,
+            alike: of.alike,
         }
     }
 
@@ -258,7 +261,7 @@ impl Law {
     pub fn at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
         let mean = self.mean_at(load, is_film);
         let contacts = mean.as_ref().map_or(0.0, |mean| mean.models[self.middle].contacts);
-        if contacts >= ALL_ALIKE || self.middle().params().asperity_count <= 1.0 {
+        if contacts >= self.alike || self.middle().params().asperity_count <= 1.0 {
             return mean;
         }
         let near = |load: f64| self.drawn_at(load, is_film);
@@ -267,7 +270,7 @@ impl Law {
         };
         // As many more summits touch, specimens are nearer to the mean.
         let there = load * DRAWN / contacts;
-        let left = log(ALL_ALIKE / contacts) / log(ALL_ALIKE / DRAWN);
+        let left = log(self.alike / contacts) / log(self.alike / DRAWN);
         let part = (DRAWN / contacts).sqrt() * left * left * (3.0 - 2.0 * left);
         let Ok((of, to)) = near(there).and_then(|of| Ok((of, self.mean_at(there, is_film)?))) else { return mean };
         let mut found = mean_there.clone();
@@ -450,8 +453,9 @@ fn law(
             Surfaces::new(&other).ok().map(|surfaces| (surfaces, sign))
         });
     }
-    let specimens = SPECIMENS[usize::from(described.specimens.is_some())];
-    Ok(Law { probability, works, models, middle, changed, specimens })
+    let is_told = usize::from(described.specimens.is_some());
+    let (specimens, alike) = (SPECIMENS[is_told], ALIKE[is_told]);
+    Ok(Law { probability, works, models, middle, changed, specimens, alike })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.

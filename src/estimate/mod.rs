@@ -15,7 +15,7 @@ mod words;
 
 use crate::asperity::slip::SlipConstants;
 use crate::by_name::{describe, Described};
-use crate::error::{Error, LOAD};
+use crate::error::{CalibrationFailure, Error, LOAD};
 use crate::model::calibration::MeasuredPoint;
 use crate::model::Surfaces;
 use crate::numerics::elementary::{exp, log};
@@ -370,7 +370,7 @@ impl Estimate {
                     let force = terms.force(size);
                     let gains = reference[at_law].gains(|terms| terms.force(size));
                     for (at_pressure, (pressed, of_pressure, log_force)) in
-                        self.pressures(force, terms.hertz)?.into_iter().enumerate()
+                        self.pressures(force, terms.hertz).into_iter().enumerate()
                     {
                         for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
                             let scale = error * times;
@@ -402,11 +402,21 @@ impl Estimate {
                 }
             }
         }
+        if let ([point, ..], []) = (&self.described.points[..], &nodes[..]) {
+            let mut params = self.described.params.clone();
+            params.strengthen(self.laws[0].middle(), point.load, point.force)?;
+            return Err(Error::Uncalibrated {
+                load: point.load,
+                friction_force: point.force,
+                reason: CalibrationFailure::Pressure,
+                number: point.force,
+            });
+        }
         Ok(nodes)
     }
 
     /// The parts of the force at the reference that pressure coefficients make, their probabilities, and ln of that force.
-    fn pressures(&self, force: f64, hertz: f64) -> Result<Vec<(f64, f64, f64)>, Error> {
+    fn pressures(&self, force: f64, hertz: f64) -> Vec<(f64, f64, f64)> {
         let given = self.described.params.pressure_coefficient;
         let log_force = match self.strength.is_stress {
             true => log(exp(self.strength.mean + force) + given * exp(hertz)),
@@ -416,17 +426,11 @@ impl Estimate {
         if !self.described.pressure_is_free || self.strength.is_stress {
             let by_pressure = given * of_hertz;
             return match (by_pressure < 1.0, self.strength.is_measured) {
-                (true, _) => Ok(vec![(by_pressure, 1.0, log_force)]),
+                (true, _) => vec![(by_pressure, 1.0, log_force)],
                 // Strength comes on top of what is given.
-                (false, false) => {
-                    Ok(vec![(by_pressure / (1.0 + by_pressure), 1.0, log_force + log(1.0 + by_pressure))])
-                }
-                (false, true) => {
-                    let point = &self.described.points[0];
-                    let mut params = self.described.params.clone();
-                    params.strengthen(self.laws[0].middle(), point.load, point.force)?;
-                    Ok(vec![(1.0 - f64::EPSILON, 1.0, log_force)])
-                }
+                (false, false) => vec![(by_pressure / (1.0 + by_pressure), 1.0, log_force + log(1.0 + by_pressure))],
+                // Pressure alone makes more than was measured: it is not so.
+                (false, true) => Vec::new(),
             };
         }
         let class = self.described.class;
@@ -437,7 +441,7 @@ impl Estimate {
         let kappas: Vec<f64> = (0..PRESSURES).map(|i| most * (f64::from(i) + 0.5) / f64::from(PRESSURES)).collect();
         let all: f64 = kappas.iter().map(|&kappa| weight(kappa)).sum();
         let pressing = kappas.into_iter().map(|kappa| (kappa * of_hertz, 0.5 * weight(kappa) / all, log_force));
-        Ok(std::iter::once((0.0, 0.5, log_force)).chain(pressing).collect())
+        std::iter::once((0.0, 0.5, log_force)).chain(pressing).collect()
     }
 
     /// Decades of load from the reference, each with what adhesion adds to the load of a specimen.
@@ -547,7 +551,7 @@ impl Estimate {
     fn add_bands(&self, at: &[OfLaw], answer: &mut Answer) {
         let is_few = at.iter().any(OfLaw::has_specimens);
         let is_device = self.nodes.iter().any(|node| node.solved.has_devices()) && self.laws_there.is_none();
-        answer.whose = match is_few || is_device && answer.contacts < cases::ALL_ALIKE {
+        answer.whose = match is_few || is_device && answer.contacts < self.laws[0].alike {
             true if is_device => Whose::Measured,
             true => Whose::Any,
             false => Whose::Many,
@@ -740,7 +744,7 @@ impl Estimate {
         let mixture = Mixture(self.nodes_at(&at, 0.0));
         let mut force = exp(mixture.quantile(0.5));
         if is_few {
-            (load, force) = Law::alone(surfaces, self.laws[0].specimens).calibrated(params, load, force)?;
+            (load, force) = Law::alone(surfaces, &self.laws[0]).calibrated(params, load, force)?;
         }
         params.strengthen(surfaces, load, force)?;
         params.calibration_error = if let [point] = points { point.error } else { mixture.moments().1.sqrt().min(1.0) };

@@ -337,6 +337,20 @@ fn one_measured_specimen_tells_of_itself_and_of_others() {
     assert!(model.friction_at_load(load) < 0.75 * mean, "{}", model.friction_at_load(load));
 }
 
+/// Where adhesion would press so hard that a pressure coefficient alone makes more than was measured, there is none.
+#[test]
+fn a_pressure_coefficient_tells_of_adhesion() {
+    let of = |coefficient: f64| {
+        format!(
+            "pair = \"Si/Si\"\nnominal_area = 2.05e-5\npressure_coefficient = {coefficient}\nmeasured = [9.807e-4, 0.35]\n[roughness]\n\
+             Sq = 1e-9\nSdq = 0.02\n"
+        )
+    };
+    let (found, answers) = estimate(&of(0.05), &[1e-2]);
+    assert!(found.nodes.iter().all(|node| node.work.work == 0.0) && answers[0].shares.adhesion < 1e-9, "{answers:?}");
+    assert!(refused(&of(0.4)).contains("which pressure_coefficient alone gives at this load"));
+}
+
 /// An answer has no step where summits become few, or one, or none touches, down to no load; gap, stiffness and pull-off likewise.
 #[test]
 fn answers_are_continuous_from_many_contacts_to_none() {

@@ -196,6 +196,8 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("when-to-use.md", "defaults"): defaults.table,
     ("validation.md", "calibrated"): calibrated.verdicts,
     ("validation.md", "estimates"): estimates.table,
+    ("validation.md", "choices"): estimates.choices,
+    ("../README.md", "scores"): estimates.lines,
     ("validation.md", "measurements"): measured.verdicts,
     ("validation.md", "errors"): errors,
     ("validation.md", "beads"): beads.table,
