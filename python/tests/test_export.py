@@ -270,6 +270,22 @@ def test_stiffness_per_area_has_the_bands_of_the_estimate(surface: Path, kind: s
         assert constants == pytest.approx({at: value / AREA / unit for at, value in expected.items()}, rel=1e-6)
 
 
+def test_a_joint_that_was_tightened_has_the_tables_of_unloading(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """With a surface that yields, at half of the largest pressure; a range beyond it is refused."""
+    params = Params.from_toml(surface).replace(work_of_adhesion=0.0).elastic_plastic(2e9)
+    params.to_toml(surface)
+    options = ["--range", "1:50", "--pressure-unit", "1e6", "--unloaded-from"]
+    rows = dict(exported(surface, "csv", *options, "100"))
+    with Model(params) as first, first.unloaded(100e6 * params.nominal_area) as joint:
+        for pressure, mu in rows.items():
+            assert mu == pytest.approx(joint.friction_at_load(pressure * 1e6 * params.nominal_area), rel=1e-6)
+            assert mu > first.friction_at_load(pressure * 1e6 * params.nominal_area)
+    for wrong in ("20", "-1", "nan", "inf"):
+        with pytest.raises(SystemExit):
+            exported(surface, "csv", *options, wrong)
+        assert "must not be below the highest pressure of --range 1:50" in capsys.readouterr().err
+
+
 def test_calculix_has_the_coefficient_of_the_pressure_that_is_asked_for(surface: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Whatever the range; how far the coefficient is off at its ends is told."""
     at = ["--friction-at", "58", "--pressure-unit", "1e6"]

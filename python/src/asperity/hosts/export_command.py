@@ -25,6 +25,7 @@ from .pressure_table import (
     overclosure_table,
     pressure_table,
     stiffness_at_pressure,
+    unloaded_from,
 )
 
 # Far from the small numbers that a model uses, and short enough that all IDs have five digits, which older LS-DYNA allow.
@@ -61,6 +62,12 @@ def add(commands: Any) -> None:
         "--stiffness",
         action="store_true",
         help="also elastic slip and stiffness per area, with bands: abaqus (and pressure against overclosure), ansys; calculix always",
+    )
+    command.add_argument(
+        "--unloaded-from",
+        type=float,
+        metavar="P",
+        help="largest pressure that the contact has borne, in units of --pressure-unit: the tables are those of a joint that was tightened",
     )
     command.add_argument(
         "--conductivity",
@@ -109,6 +116,9 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
             parser.error(f"--{name}: only --format {', '.join(formats[:-1])} and {formats[-1]} have it")
     if options.friction_at is not None and options.format != "calculix":
         parser.error(f"--friction-at {options.friction_at:g}: only --format calculix has one coefficient for all pressures")
+    largest = 0.0 if options.unloaded_from is None else unit * options.unloaded_from
+    if options.unloaded_from is not None and not highest <= largest < math.inf:
+        parser.error(f"--unloaded-from {options.unloaded_from:g}: must not be below the highest pressure of --range {options.range}")
     middle = math.sqrt(lowest * highest) if options.friction_at is None else unit * options.friction_at
     if not lowest <= middle <= highest:
         parser.error(f"--friction-at {options.friction_at:g}: must be a pressure of --range {options.range}")
@@ -117,7 +127,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     table_id = _TABLE_ID if options.table_id is None else options.table_id
     if not 1 <= table_id <= 99_999_999:
         parser.error(f"--table-id {table_id}: must be 1 to 99999999")
-    with Model(Params.from_toml(options.surface)) as model:
+    with unloaded_from(Model(Params.from_toml(options.surface)), largest) as model:
         if not highest < model.params.composite_modulus:
             parser.error(
                 f"--range {options.range}: {highest:.4g} Pa is more than the modulus of the bodies; it is in units of --pressure-unit, "
@@ -141,7 +151,7 @@ def _run(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     lengths = f", lengths in {options.length_unit:g} m" if contact != Contact() else ""
     title = (
         f"Friction coefficient of {Path(options.surface).name} against pressure in "
-        f"{'Pa' if unit == 1 else f'{unit:g} Pa'}{lengths}, asperity {_header.ASPERITY_VERSION}, tolerance {options.tolerance:g}"
+        f"{'Pa' if unit == 1 else f'{unit:g} Pa'}{f', unloaded from {options.unloaded_from:g}' if largest else ''}{lengths}, asperity {_header.ASPERITY_VERSION}, tolerance {options.tolerance:g}"
     )
     text = written(
         options.format,

@@ -67,6 +67,11 @@ def _area(model: Model) -> float:
     return area
 
 
+def unloaded_from(model: Model, pressure: float) -> Model:
+    """The model after a largest pressure; itself after none."""
+    return model.unloaded(pressure * _area(model)) if pressure else model
+
+
 def friction_at_pressure(model: Model) -> Law:
     """The friction coefficient of a model whose loads are pressures on its nominal area."""
     area = _area(model)
