@@ -43,7 +43,7 @@ pub struct Levels {
 }
 
 /// Where the stiffness cuts the cells.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Cut {
     /// The stiffness over the reach of the cells, from 0.4 to 1.
     pub place: f64,
@@ -73,15 +73,8 @@ impl Levels {
         let (reach, last) = (state[REACH], state[LAST]);
         let falls = now < last;
         let is_laid_anew = now > reach || now < LEAST_OF_REACH * reach;
-        let mut cut = Cut {
-            place: 1.0,
-            slope: 0.0,
-            reaches_farther: is_laid_anew || (last == now && reach == now),
-            falls,
-            grown: 1.0,
-            displacement: [0.0; 2],
-            lost: 0.0,
-        };
+        let mut cut =
+            Cut { reaches_farther: is_laid_anew || (last == now && reach == now), falls, grown: 1.0, ..Cut::default() };
         let loses = DETAILS && (falls || is_laid_anew);
         let before = if loses { energy_by::<V>(state) } else { 0.0 };
         if falls {
@@ -112,9 +105,9 @@ impl Levels {
         for j in (0..LEVELS).step_by(4) {
             (within_cells(j, V::splat(cut.place)) * V::splat(reach)).write(&mut self.width, j);
             V::splat(1.0).write(&mut self.followed, j);
-            V::splat(0.0).write(&mut self.mixed, j);
         }
         if DETAILS {
+            self.mixed.fill(0.0);
             for j in (0..EDGES.len()).step_by(4) {
                 V::splat(1.0).write(&mut self.following, j);
                 V::splat(0.0).write(&mut self.gained, j);
