@@ -340,7 +340,7 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write
         writeln!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it")?;
     }
     match estimate.described.specimens {
-        Some(1.0) => writeln!(out, "rests on: measured on 1 specimen, whose summits are few or many")?,
+        Some(1.0) => writeln!(out, "rests on: measured on 1 specimen")?,
         Some(count) => writeln!(
             out,
             "rests on: measured on {} specimens: the scatter between them over its root is in the band",

@@ -92,7 +92,7 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
             surfaces.push(file);
         }
     }
-    assert_eq!(surfaces.len(), 5);
+    assert_eq!(surfaces.len(), 6);
     let ground = surfaces[0].as_str();
     refuses(
         "start.c",
@@ -101,7 +101,7 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     );
     let slider = maps.split("```c\n").nth(1).expect("the slider");
     let (slider, rest) = slider.split_once("```").expect("its end");
-    prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
+    prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[5]]);
 }
 
 #[test]
