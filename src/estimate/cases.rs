@@ -86,7 +86,7 @@ const COMPARED: usize = 16;
 const DRAWN: f64 = 20.0;
 const ALIKE: [f64; 2] = [64.0, 256.0];
 /// Summits that may be drawn for all specimens.
-const MOST_DRAWN: f64 = 2e5;
+const MOST_DRAWN: f64 = 4e4;
 /// The logarithm of nothing.
 pub const NOTHING: f64 = -690.0;
 
@@ -201,7 +201,10 @@ impl OfLaw {
     /// What a quantity changes by with each input.
     pub fn gains(&self, of: impl Fn(&Terms) -> f64) -> [f64; INPUTS] {
         let middle = of(&self.unchanged);
-        self.changed.each_ref().map(|changed| changed.as_ref().map_or(0.0, |(terms, sign)| sign * (of(terms) - middle)))
+        // Where specimens are apart with an input changed, or without, there is no telling.
+        let gain = |(terms, sign): &(Terms, f64)| sign * (of(terms) - middle);
+        let known = |gain: &f64| gain.abs() < 0.1 * NOTHING.abs();
+        self.changed.each_ref().map(|changed| changed.as_ref().map(gain).filter(known).unwrap_or(0.0))
     }
 }
 

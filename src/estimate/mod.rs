@@ -486,7 +486,7 @@ impl Estimate {
                 what[place] = (what[place].0 + weight, what[place].1 + weight * mean);
             }
             let deviation = parts.iter().sum::<f64>().sqrt();
-            mixture.add(means, weight, deviation, MOST_NORMALS.div_ceil(self.nodes.len()));
+            mixture.add(means, weight, deviation, MOST_NORMALS / self.nodes.len().max(1) + 1);
         }
         let (mean, variance) = mixture.moments();
         if variance < CERTAIN {
@@ -627,11 +627,12 @@ impl Estimate {
             found.extend(pulls.iter().map(|pull| (*pull, weight / pulls.len() as f64)));
         }
         found.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let all: f64 = found.iter().map(|one| one.1).sum();
         let at = |probability: f64| {
             let mut below = 0.0;
             let reached = |&&(_, weight): &&(f64, f64)| {
                 below += weight;
-                below >= probability
+                below >= probability * all
             };
             found.iter().find(reached).map_or(f64::NAN, |(pull, _)| *pull)
         };

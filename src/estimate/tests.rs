@@ -382,6 +382,17 @@ fn answers_are_continuous_from_many_contacts_to_none() {
     let shown = written(&adhesive, &[2e-5, 3e-7, 0.0]);
     assert!(shown.contains("adhesion gives one specimen a friction force of "), "{shown}");
     assert_eq!(shown.matches("few contacts: ").count(), 2, "{shown}");
+    // One law has many contacts where the other has few; surfaces that stick so that many summits hold them take no longer.
+    let gold =
+        "pair = \"Au/Au\"\nnominal_area = 5e-5\ncontact_law = \"maugis\"\n[roughness]\nSq = 2.4e-9\nSdq = 0.0093\n";
+    assert!(written(gold, &[0.0]).contains("the tallest summits adhere, how many"));
+    let weak = gold.replace("contact_law", "work_of_adhesion = 1e-4\ncontact_law").replace("5e-5", "7e-4");
+    assert!(answer(&weak, -1e-9).force.high.is_finite());
+    let two = "pair = \"Al/Al\"\nnominal_area = 3.5e-6\nmodel_error = 0\n[roughness]\nSq = 5.4e-9\nSdq = 0.0067\n";
+    for load in [1e-6, 1e-5, 1e-4, 1e-3] {
+        let pull = answer(two, load).pull_off;
+        assert!(pull.value.is_nan() || pull.value <= pull.high, "{pull:?} at {load}");
+    }
     // What may not adhere says so; metal that yields does not.
     let shown = written(&format!("{SILICON}{SMOOTH}"), &[0.0]);
     assert!(shown.contains(", if there is any"), "{shown}");

@@ -122,7 +122,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
     if load <= 0.0 {
         write!(out, "mu({at} {unit}) has no limit: ")?;
         let adheres = estimate.curve.params.work_of_adhesion > 0.0;
-        if force.value == 0.0 && adheres && estimate.is_of_pressures() {
+        if force.value == 0.0 && adheres {
             return writeln!(out, "the tallest summits adhere, how many depends on the nominal area");
         }
         if force.value == 0.0 {

@@ -122,12 +122,15 @@ impl Surfaces {
         let (lowest, highest) = population.extent();
         let heights = Heights::new(population.heights(), lowest, highest);
         let sphere = self.sphere(asked.sphere_radius, heaviest * of_one)?;
-        let specimen = |table, index| Specimen::new((population, table), &heights, (count, sphere), asked.seed, index);
+        let alike = asked.first as f64 + asked.count as f64;
+        let specimen = |table, index| {
+            Specimen::new((population, table), &heights, (count, sphere), (alike, most_drawn), asked.seed, index)
+        };
         // One that is like the others says where to begin and how many summits are drawn, with all ranges before this one.
         let mut typical = specimen(None, u64::MAX);
         let from = typical.pressed(-population.range_of_adhesion(), heaviest)?;
         let from = typical.unloaded(from, heaviest)?.unwrap_or(0.0);
-        let drawn = typical.drawn().max(loads.len()) as f64 * (asked.first as f64 + asked.count as f64);
+        let drawn = typical.drawn().max(loads.len()) as f64 * alike;
         if drawn > most_drawn {
             return Err(too_many(drawn));
         }

@@ -68,24 +68,40 @@ pub struct Specimen<'a> {
     index: u64,
     count: f64,
     sphere: Option<Sphere>,
+    alike: f64,
+    most_drawn: f64,
     hazard: f64,
     tallest: f64,
     summits: Vec<OneSummit>,
 }
 
 impl<'a> Specimen<'a> {
-    /// Of so many summits on a plane, or on a sphere.
+    /// Of so many summits on a plane, or on a sphere, one of some that are alike, for which so many summits may be drawn.
     pub fn new(
         (population, table): (&'a Population, Option<&'a LoadTable>),
         heights: &'a Heights,
         (count, sphere): (f64, Option<Sphere>),
+        (alike, most_drawn): (f64, f64),
         seed: u64,
         index: u64,
     ) -> Self {
         let one_more = uniform(bits(seed, index, u64::MAX)) < count - count.floor();
         let count = if sphere.is_some() { f64::INFINITY } else { count.floor() + f64::from(u8::from(one_more)) };
         let (hazard, tallest, summits) = (0.0, 0.0, Vec::new());
-        let mut specimen = Self { population, table, heights, seed, index, count, sphere, hazard, tallest, summits };
+        let mut specimen = Self {
+            population,
+            table,
+            heights,
+            seed,
+            index,
+            count,
+            sphere,
+            alike,
+            most_drawn,
+            hazard,
+            tallest,
+            summits,
+        };
         specimen.draw();
         specimen
     }
@@ -135,8 +151,9 @@ impl<'a> Specimen<'a> {
         let farthest = approach + self.population.range_of_adhesion();
         while (self.summits.len() as f64) < self.count && self.summits.last().is_some_and(|last| last.depth < farthest)
         {
-            if self.summits.len() as f64 >= MOST_DRAWN {
-                return Err(too_many(self.summits.len() as f64));
+            let drawn = self.summits.len() as f64 * self.alike;
+            if drawn >= self.most_drawn {
+                return Err(too_many(drawn));
             }
             self.draw();
         }
