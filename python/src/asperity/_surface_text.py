@@ -144,8 +144,8 @@ def _table(name: str, given: Any) -> str:
 
 def _points(given: Any, load: str) -> str:
     """Measured points, without those of which a number is masked."""
-    if isinstance(given, numbers.Real):
-        return repr(float(given))  # which the library refuses
+    if isinstance(given, numbers.Real) or hasattr(given, "__array__") and np.ndim(given) == 0:
+        return repr(checks.real("measured", given))  # which the library refuses
     if not (isinstance(given, (list, tuple)) or hasattr(given, "__array__")):
         raise TypeError(f"measured = {given!r}: must be (load, coefficient), (load, coefficient, error) or a list of these")
     if not isinstance(given, (list, tuple)):
@@ -161,6 +161,8 @@ def _points(given: Any, load: str) -> str:
 
 def _point(given: Any, load: str) -> str | None:
     """The numbers of a point; None where one of them is masked."""
+    if np.ndim(given) == 0:
+        raise TypeError(f"measured: {given!r}: must be (load, coefficient) or (load, coefficient, error)")
     units = [load, *[""] * (len(given) - 1)]
     parts = [None if one is None else checks.known("measured", one, unit) for one, unit in zip(given, units)]
     known = [part[0].tolist() for part in parts if part is not None and not part[1].any()]
