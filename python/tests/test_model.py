@@ -263,6 +263,7 @@ def test_a_joint_that_was_tightened_springs_back(params: Params) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # of few summits
         curve = Model(first.params.calibrated(load=10.0, friction_coefficient=1.0)).unloaded(10.0).curve([0.1, 1.0, 5.0])
+    assert curve.low is not None and curve.high is not None
     assert np.all(curve.low < curve.friction_coefficient) and np.all(curve.friction_coefficient < curve.high)
 
 

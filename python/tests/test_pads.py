@@ -66,7 +66,7 @@ def test_an_estimate_of_few_contacts_is_that_of_specimens(pair: str) -> None:
 
 def test_a_measured_specimen_is_not_another() -> None:
     """A device with one contact, measured once: it keeps what was measured, and others scatter about it."""
-    device = {"Sq": 12e-9, "Sdq": 0.2, "nominal_area": 6e-11, "measured": (1e-5, 0.27)}
+    device: dict[str, Any] = {"Sq": 12e-9, "Sdq": 0.2, "nominal_area": 6e-11, "measured": (1e-5, 0.27)}
     with pytest.warns(match="few|contacts"):
         found = friction("Si/Si", **device, specimens=1, load=[1e-5, 1e-6])
     one = found.specimens
@@ -76,7 +76,7 @@ def test_a_measured_specimen_is_not_another() -> None:
         assert "Give specimens = 1 if on one" in friction("Si/Si", **device, load=1e-5).text
     for wrong in (0, 1.5, "one", -1):
         with pytest.raises(Error, match="specimens"):
-            friction("Si/Si", **device, specimens=wrong, load=1e-5)
+            friction("Si/Si", **device | {"specimens": wrong}, load=1e-5)
     with pytest.raises(Error, match="specimens: measured must be set"):
         friction("Si/Si", **{key: device[key] for key in ("Sq", "Sdq", "nominal_area")}, specimens=1, load=1e-5)
     with pytest.raises(Error, match="a specimen needs its number of summits"):
