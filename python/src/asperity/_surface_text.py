@@ -144,14 +144,16 @@ def _table(name: str, given: Any) -> str:
 
 def _points(given: Any, load: str) -> str:
     """Measured points, without those of which a number is masked."""
-    if isinstance(given, numbers.Real) or hasattr(given, "__array__") and np.ndim(given) == 0:
-        return repr(checks.real("measured", given))  # which the library refuses
+    if isinstance(given, numbers.Real):
+        return repr(float(given))  # which the library refuses
     if not (isinstance(given, (list, tuple)) or hasattr(given, "__array__")):
         raise TypeError(f"measured = {given!r}: must be (load, coefficient), (load, coefficient, error) or a list of these")
     if not isinstance(given, (list, tuple)):
         found, masked = checks.known("measured", given)
+        if found.ndim == 0:
+            return repr(checks.real("measured", given))
         given = np.ma.masked_array(found, masked).tolist(None)
-    alone = not any(isinstance(one, (list, tuple)) or np.ndim(one) for one in given)
+    alone = not any(map(_is_row, given))
     points = [_point(one, load) for one in ([given] if alone else given)]
     left = [one for one in points if one is not None]
     if points and not left:
@@ -161,12 +163,20 @@ def _points(given: Any, load: str) -> str:
 
 def _point(given: Any, load: str) -> str | None:
     """The numbers of a point; None where one of them is masked."""
-    if np.ndim(given) == 0:
+    if not _is_row(given):
         raise TypeError(f"measured: {given!r}: must be (load, coefficient) or (load, coefficient, error)")
     units = [load, *[""] * (len(given) - 1)]
     parts = [None if one is None else checks.known("measured", one, unit) for one, unit in zip(given, units)]
     known = [part[0].tolist() for part in parts if part is not None and not part[1].any()]
     return str(known) if len(known) == len(given) else None
+
+
+def _is_row(given: Any) -> bool:
+    """Whether there are several numbers; what no array can be made of is told by `known`."""
+    try:
+        return isinstance(given, (list, tuple)) or np.ndim(given) > 0
+    except Exception:  # whatever a library raises
+        return False
 
 
 def quoted(word: str) -> str:
