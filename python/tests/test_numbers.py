@@ -352,7 +352,8 @@ def test_points_of_which_a_number_is_masked_are_left_out() -> None:
     assert found.value == asperity.friction(**STEEL, measured=np.stack([load, mu], axis=1)[:3]).value
     with pytest.raises(Error, match="measured: all points are masked"):
         asperity.friction(**STEEL, measured=np.ma.masked_array(points, True))
-    for nothing, error in ((np.ma.masked, Error), (np.array(5.0), Error), (REGISTRY.Quantity(5.0, "N"), TypeError), ([points[0], 5.0], TypeError)):
+    for nothing, error in ((np.ma.masked, Error), (np.array(5.0), Error), (REGISTRY.Quantity(5.0, "N"), TypeError), ([points[0], 5.0], TypeError),
+                           ([points[0], [Unreadable(), 0.2]], TypeError)):
         with pytest.raises(error, match="^measured"):
             asperity.friction(**STEEL, measured=nothing)
 
