@@ -749,11 +749,9 @@ public:
     ///
     /// Throws as the constructor, and Error (ASPERITY_INVALID_LOAD, ASPERITY_SEPARATED).
     Model unloaded(double largest_load) const {
-        Model made;
         asperity_model *model = nullptr;
         check(asperity_unloaded(open(), largest_load, &model));
-        made.handle_.reset(model);
-        return made;
+        return Model(model);
     }
 
     /// Gives the model other parameters, all or nothing: when it throws, the model is as before.
@@ -1168,7 +1166,7 @@ private:
         }
     }
 
-    Model() = default;
+    explicit Model(asperity_model *model) noexcept : handle_(model) {}
 
     std::unique_ptr<asperity_model, Free> handle_;
 };
