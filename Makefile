@@ -117,6 +117,7 @@ figures: library
 	    $$python python/examples/sampling_bias.py docs/figures/sampling_bias.svg 24
 	$(MAKE) --no-print-directory demo FIGURE=docs/friction_curve.svg
 	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
+	hosts/changes/run.sh && cp $(TARGET)/hosts/changes/changes-*.svg docs/figures/
 
 header:
 	ASPERITY_WRITE_HEADER=1 $(CARGO) test --locked --test install header::committed
