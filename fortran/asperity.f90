@@ -58,6 +58,8 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_JOHNSON = 2
   ! Heights of a measured density: table_height, table_density and table_length
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_TABULATED = 3
+  ! Summit heights and radii of a surface that is not Gaussian, by its heights and slopes at 13 normal scores, -3 to 3
+  integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_AT_SCORES = 4
   ! Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_MAUGIS = 0
   ! Summits that yield, after Zhao, Maietta and Chang (2000): needs hardness > 0 and work_of_adhesion = 0

@@ -331,6 +331,9 @@ enum class Heights : std::int32_t {
     johnson = ASPERITY_HEIGHTS_JOHNSON,
     /// Heights of a measured density: `table_height`, `table_density` and `table_length`.
     tabulated = ASPERITY_HEIGHTS_TABULATED,
+    /// Summit heights and radii of a surface that is not Gaussian, by its heights and slopes at 13 normal scores, -3 to
+    /// 3.
+    at_scores = ASPERITY_HEIGHTS_AT_SCORES,
 };
 
 /// Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default.

@@ -26,6 +26,7 @@ export const CONSTANTS = /** @type {const} */ ({
   "HEIGHTS_WEIBULL": 1,
   "HEIGHTS_JOHNSON": 2,
   "HEIGHTS_TABULATED": 3,
+  "HEIGHTS_AT_SCORES": 4,
   "CONTACT_MAUGIS": 0,
   "CONTACT_ELASTIC_PLASTIC": 1,
   "SLIP_PARTIAL": 0,
@@ -260,7 +261,7 @@ export const LAYOUTS = {
 
 /** The words of parameters that are one of several constants. @type {Record<string, Record<string, number>>} */
 export const WORDS = {
-  height_distribution: { "gaussian": 0, "weibull": 1, "johnson": 2, "tabulated": 3 },
+  height_distribution: { "gaussian": 0, "weibull": 1, "johnson": 2, "tabulated": 3, "at-scores": 4 },
   contact_law: { "maugis": 0, "elastic-plastic": 1 },
   slip_onset: { "partial": 0, "whole": 1 },
 };
@@ -389,7 +390,7 @@ export const FUNCTIONS = {
  * @property {number} [height_std] sigma [length], > 0: standard deviation of the summit heights. No default.
  * @property {number} [summit_radius] R [length], > 0: mean radius of curvature of the summits. No default.
  * @property {number} [asperity_count] N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default.
- * @property {"gaussian" | "weibull" | "johnson" | "tabulated"} [height_distribution] Family of the summit heights, one of "gaussian", "weibull", "johnson", "tabulated"; Gaussian by default.
+ * @property {"gaussian" | "weibull" | "johnson" | "tabulated" | "at-scores"} [height_distribution] Family of the summit heights, one of "gaussian", "weibull", "johnson", "tabulated", "at-scores"; Gaussian by default.
  * @property {boolean} [attraction] true: summits out of contact attract (the default, as in the paper); false: they do not.
  * @property {number} [weibull_shape] omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for "weibull".
  * @property {number} [radius_amplitude] epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.

@@ -9,9 +9,11 @@ pub const GAUSSIAN: i32 = 0;
 pub const WEIBULL: i32 = 1;
 pub const JOHNSON: i32 = 2;
 pub const TABULATED: i32 = 3;
+pub const AT_SCORES: i32 = 4;
 
 /// What is said of a number that is none of them.
-pub const NO_FAMILY: &str = "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3)";
+pub const NO_FAMILY: &str =
+    "must be one of ASPERITY_HEIGHTS_: GAUSSIAN (0), WEIBULL (1), JOHNSON (2), TABULATED (3), AT_SCORES (4)";
 
 /// The shape of Weibull heights without skew (Table 1 of the paper).
 const DEFAULT_SHAPE: f64 = 3.602;
@@ -49,6 +51,7 @@ impl Draft {
                 (draft.height_distribution, draft.skew, draft.kurtosis) = (JOHNSON, skew, kurtosis);
             }
             HeightFamily::Tabulated { .. } => draft.height_distribution = TABULATED,
+            HeightFamily::AtScores { .. } => draft.height_distribution = AT_SCORES,
         }
         draft
     }
@@ -62,14 +65,20 @@ impl Draft {
             GAUSSIAN => HeightFamily::Gaussian,
             WEIBULL => HeightFamily::Weibull { shape: self.weibull_shape },
             JOHNSON => HeightFamily::Johnson { skew: self.skew, kurtosis: self.kurtosis },
-            TABULATED => match self.params.heights {
-                HeightFamily::Tabulated { .. } => self.params.heights.clone(),
-                _ => return Err(tabulated::check_length(0).err().unwrap_or(Error::Unset { name: "table_height" })),
+            TABULATED | AT_SCORES => match self.table(self.height_distribution) {
+                Some(table) => table,
+                None => return Err(tabulated::check_length(0).err().unwrap_or(Error::Unset { name: "table_height" })),
             },
             other => return Err(Error::invalid("height_distribution", other, NO_FAMILY)),
         };
         self.check_shape()?;
         Ok(Params { heights, ..self.params })
+    }
+
+    /// The heights of a table, read as one family of them or the other.
+    fn table(&self, family: i32) -> Option<HeightFamily> {
+        let (height, values) = self.params.heights.table()?;
+        Some(HeightFamily::of_table(family == AT_SCORES, height.clone(), values.clone()))
     }
 
     /// Refuses a skew or a kurtosis that the heights do not read.

@@ -1,12 +1,13 @@
 //! Numbers by their names, given together: what they make of parameters, in which order.
 
-use super::draft::{Draft, JOHNSON, WEIBULL};
+use super::draft::{Draft, AT_SCORES, JOHNSON, WEIBULL};
 use super::fields::FIELDS;
 use super::keys::{meant, LISTED};
 use crate::error::Error;
 use crate::materials::names::{Instead, Unknown};
 use crate::materials::{Bodies, Interface};
 use crate::numerics::float_bits::nan;
+use crate::params::shapes::Heights;
 use crate::params::spectrum::SpectralMoments;
 use crate::params::{positive, Params};
 use std::borrow::Cow;
@@ -42,12 +43,15 @@ pub struct Numbers {
     pub interface: Option<&'static Interface>,
     /// Whether moments stand for McCool's summits.
     pub has_mccool_summits: bool,
+    /// Heights and slopes of the surface at normal scores, in place of moments.
+    pub at_scores: Option<[Heights; 2]>,
+    pub lay: Option<f64>,
 }
 
 impl Default for Numbers {
     fn default() -> Self {
         let values = [None; FIELDS.len() + ARGUMENTS.len()];
-        Self { values, bodies: None, interface: None, has_mccool_summits: false }
+        Self { values, bodies: None, interface: None, has_mccool_summits: false, at_scores: None, lay: None }
     }
 }
 
@@ -107,11 +111,16 @@ impl Numbers {
         // After `nominal_area`, which they need.
         if let Some(moments) = self.moments()? {
             let area = draft.params.nominal_area;
-            match self.has_mccool_summits {
-                true => draft.params.set_mccool_summits(moments, area)?,
-                false => draft.params.set_spectral_moments(moments, area)?,
+            match (self.has_mccool_summits, &self.at_scores) {
+                (true, _) => draft.params.set_mccool_summits(moments, area)?,
+                (false, None) => draft.params.set_spectral_moments(moments, area)?,
+                (false, Some(table)) => {
+                    draft.params.set_heights_at_scores(table, moments.bandwidth(), area)?;
+                    draft.height_distribution = AT_SCORES;
+                }
             }
         }
+        self.lay.map_or(Ok(()), |lay| draft.params.set_lay(lay))?;
         if let Some(density) = self.get("summit_density") {
             self.set_density(draft, density)?;
         }

@@ -6,7 +6,9 @@
 
 use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
+use crate::distribution::at_scores::AtScores;
 use crate::estimate::known::{machined_slope, Process, PROCESSES};
+use crate::params::shapes::{self, Heights};
 use crate::params::spectrum::SpectralMoments;
 use crate::params::{positive, STEEPEST_SURFACE};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
@@ -24,15 +26,21 @@ const STEEPEST_GIVEN: f64 = 2.0;
 const HEIGHT_RANGE: RangeInclusive<f64> = 1e-10..=1e-4;
 const WIDTH_RANGE: RangeInclusive<f64> = 1e-8..=WIDEST;
 
+/// Heights and root mean square slopes at normal scores.
+const HEIGHTS: &str = "heights_at_scores";
+const SLOPES: &str = "slopes_at_scores";
+
 /// What a text says of the roughness.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Roughness {
     /// m4 is 0 where nothing is said of it.
     pub moments: SpectralMoments,
     /// Summits per area, where they were counted beside their curvature.
     pub density: Option<f64>,
-    /// Skew and kurtosis of the heights.
-    pub shape: Option<[f64; 2]>,
+    /// Heights and slopes of a surface that is not Gaussian, at normal scores.
+    pub at_scores: Option<[Heights; 2]>,
+    /// The slope across the lay over that along it.
+    pub lay: Option<f64>,
     pub machined: Option<Machined>,
 }
 
@@ -72,7 +80,7 @@ const MOMENTS: Kind = Kind {
 };
 const AREAL: Kind = Kind {
     height: "Sq",
-    names: &["Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku"],
+    names: &["Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Spq", "Svq", "Smq", HEIGHTS, SLOPES, "Sdq_top"],
     slopes: &["Sdq"],
     curvatures: &["Ssc", "Sds"],
     otherwise: "the slope of the map; if it is not known, give Rq with RSm or process in place of Sq",
@@ -80,7 +88,7 @@ const AREAL: Kind = Kind {
 };
 const PROFILE: Kind = Kind {
     height: "Rq",
-    names: &["Rq", "RSm", "Rdq", "process"],
+    names: &["Rq", "RSm", "Rdq", "RSm_along", "Rdq_along", "process"],
     slopes: &["RSm", "Rdq"],
     curvatures: &[],
     otherwise: "or Rdq, or process if neither was measured",
@@ -100,9 +108,15 @@ impl Roughness {
         given.check(kind)?;
         let count = given.surfaces()?;
         given.check_metres(count)?;
+        given.check_alone(count)?;
+        let lay = given.lay()?;
+        let at_scores = given.at_scores()?;
         let mut moments = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         for surface in 0..count {
-            let (m0, m2) = (given.height(kind, surface)?, given.slope(kind, surface)?);
+            let (m0, m2) = match &at_scores {
+                Some(table) => given.moments_of(table)?,
+                None => (given.height(kind, surface)?, given.slope(kind, surface)?),
+            };
             given.check_slope(kind, m2)?;
             let m4 = given.curvature(m2, surface)?;
             moments = SpectralMoments { m0: moments.m0 + m0, m2: moments.m2 + m2, m4: moments.m4 + m4 };
@@ -127,7 +141,7 @@ impl Roughness {
                 unusual: mean_deviations.into_iter().find(unusual).filter(|_| has_height),
             }
         });
-        Ok(Self { moments, density, shape: given.shape(count)?, machined })
+        Ok(Self { moments, density, at_scores, lay, machined })
     }
 
     /// Whether it says m4, so that no bandwidth is to be given beside it.
@@ -189,12 +203,14 @@ impl GivenRoughness<'_> {
                     format_args!("must not be given together with {}, which it replaces", kind.height),
                 ));
             }
-            (None, None) if self.process.is_none() => {
+            (None, None) if self.process.is_none() && self.at(HEIGHTS).or(self.at("Spq")).is_none() => {
                 return Err(self.refused(kind.height, format_args!("must be set, or Ra in its place")));
             }
             _ => {}
         }
-        if let Some(name) = ["Ssk", "Sku"].iter().find(|name| self.at("Ra").is_some() && has(name)) {
+        let shapes = ["Ssk", "Sku", "Spq", "Svq", "Smq", HEIGHTS];
+        let given: Vec<_> = shapes.into_iter().filter(|name| self.at(name).is_some()).collect();
+        if let (Some(name), true) = (given.first(), self.at("Ra").is_some()) {
             return Err(self.refused(
                 "Ra",
                 format_args!(
@@ -202,8 +218,18 @@ impl GivenRoughness<'_> {
                 ),
             ));
         }
+        let is_whole = |names: &[&str]| given.iter().all(|name| names.contains(name));
+        let is_measured = given.iter().any(|name| !["Ssk", "Sku"].contains(name));
+        if let (true, Some(name)) = (is_measured, given.first()) {
+            if self.at("Sq").is_some() || !(is_whole(&[HEIGHTS]) || is_whole(&["Spq", "Svq", "Smq"])) {
+                let all = "heights are given by Sq with Ssk and Sku, by Spq, Svq and Smq, or by heights_at_scores: leave the others out";
+                return Err(self.refused(name, format_args!("{all}")));
+            }
+        }
         match kind.slopes.iter().filter(|name| self.at(name).is_some()).count() {
-            0 if self.process.is_some() => Ok(()),
+            0 if self.process.is_some() || self.at(SLOPES).is_some() => Ok(()),
+            1 if self.at(SLOPES).is_some() => Err(self
+                .refused(kind.slopes[0], format_args!("must not be given together with {SLOPES}, which it replaces"))),
             0 => Err(self.refused(kind.slopes[0], format_args!("must be set, {}", kind.otherwise))),
             1 => Ok(()),
             _ => Err(self.refused("Rdq", format_args!("must not be given together with RSm, which it replaces"))),
@@ -264,7 +290,8 @@ impl GivenRoughness<'_> {
     fn surfaces(&self) -> Outcome<usize> {
         let mut first: Option<(&str, usize)> = None;
         for entry in self.entries.of(self.table).filter(|entry| {
-            KINDS.iter().any(|kind| kind.names.contains(&entry.name)) && entry.name != "process" || entry.name == "Ra"
+            let is_one = KINDS.iter().any(|kind| kind.names.contains(&entry.name)) || entry.name == "Ra";
+            is_one && !["process", HEIGHTS, SLOPES].contains(&entry.name)
         }) {
             let count = match &entry.value {
                 Value::Number(_) => 1,
@@ -322,8 +349,15 @@ impl GivenRoughness<'_> {
         Ok(if kind.height == "m0" { height } else { height * height })
     }
 
-    /// m2 of one surface.
+    /// m2 of one surface: that of a profile is measured across a lay.
     fn slope(&self, kind: &Kind, surface: usize) -> Outcome<f64> {
+        let m2 = self.slope_across(kind, surface)?;
+        let is_profile = kind.slopes.contains(&"Rdq");
+        let lay = if is_profile { self.lay()? } else { None };
+        Ok(lay.map_or(m2, |lay| 0.5 * m2 * (1.0 + 1.0 / (lay * lay))))
+    }
+
+    fn slope_across(&self, kind: &Kind, surface: usize) -> Outcome<f64> {
         let named = kind.slopes.iter().find(|name| self.at(name).is_some());
         if named.is_none() && self.process.is_some() {
             let slope = machined_slope(self.height(kind, surface)?.sqrt());
@@ -355,19 +389,91 @@ impl GivenRoughness<'_> {
         Ok(6.0 * PI * 3.0_f64.sqrt() * m2 * density.unwrap_or(0.0))
     }
 
-    /// Skew and kurtosis, where both are given, of one rough surface.
-    fn shape(&self, surfaces: usize) -> Outcome<Option<[f64; 2]>> {
-        let names = ["Ssk", "Sku", "Sds"].into_iter().filter(|name| self.at(name).is_some());
-        if let Some(name) = names.filter(|name| *name != "Sds" || self.at("Ssc").is_some()).find(|_| surfaces > 1) {
-            return Err(self.refused(name, format_args!("can be given of one rough surface alone")));
+    /// Refuses what describes one rough surface where there are two.
+    fn check_alone(&self, surfaces: usize) -> Outcome<()> {
+        let alone = ["Ssk", "Sku", "Spq", "Svq", "Smq", HEIGHTS, SLOPES, "lay", "Rdq_along", "RSm_along", "Sds"];
+        let is_given = |name: &&str| self.at(name).is_some() && (*name != "Sds" || self.at("Ssc").is_some());
+        match alone.into_iter().find(is_given).filter(|_| surfaces > 1) {
+            Some(name) => Err(self.refused(name, format_args!("can be given of one rough surface alone"))),
+            None => Ok(()),
         }
-        match (self.get("Ssk", 0), self.get("Sku", 0)) {
-            (Some(skew), Some(kurtosis)) => Ok(Some([skew, kurtosis])),
-            (None, None) => Ok(None),
-            (skew, _) => {
-                let missing = if skew.is_some() { "Sku" } else { "Ssk" };
-                Err(self.refused(missing, format_args!("must be set: Ssk and Sku go together")))
+    }
+
+    /// The ratio of the slopes across and along a lay, where it is given.
+    fn lay(&self) -> Outcome<Option<f64>> {
+        let Some(name) = ["lay", "Rdq_along", "RSm_along"].into_iter().find(|name| self.at(name).is_some()) else {
+            return Ok(None);
+        };
+        let number = self.need(name, 0)?;
+        Ok(Some(match name {
+            "lay" => number,
+            "Rdq_along" => self.need("Rdq", 0)? / number,
+            _ => number / self.need("RSm", 0)?,
+        }))
+    }
+
+    /// The heights and slopes of a surface of which more is given than a Gaussian one has.
+    fn at_scores(&self) -> Outcome<Option<[Heights; 2]>> {
+        let at = |name: &str, error| Problem::of(self.at(name).unwrap_or(self.begin), error);
+        let (height, power) = match () {
+            () if self.at(HEIGHTS).is_some() => (self.table(HEIGHTS)?, shapes::POWER_OF_HEIGHTS),
+            () if self.at("Spq").or(self.at("Svq")).or(self.at("Smq")).is_some() => {
+                let [spq, svq, smq] = [self.need("Spq", 0)?, self.need("Svq", 0)?, self.need("Smq", 0)?];
+                if smq >= 1.0 {
+                    return Err(self.refused(
+                        "Smq",
+                        format_args!("must be below 1: it is a part of the surface; is it in per cent?"),
+                    ));
+                }
+                (shapes::plateau(spq, svq, smq), shapes::POWER_OF_HEIGHTS)
             }
-        }
+            () if self.at("Ssk").or(self.at("Sku")).is_some() => {
+                let shape = ["Ssk", "Sku"].map(|name| self.get(name, 0));
+                let [Some(skew), Some(kurtosis)] = shape else {
+                    let missing = if shape[0].is_some() { "Sku" } else { "Ssk" };
+                    return Err(self.refused(missing, format_args!("must be set: Ssk and Sku go together")));
+                };
+                let height = self.need("Sq", 0)?;
+                let standard = shapes::skewed(skew, kurtosis).map_err(|error| at("Sku", error))?;
+                (standard.map(|z| height * z), shapes::POWER_OF_SKEW)
+            }
+            () => return Ok(None),
+        };
+        let slope = match (self.at(SLOPES), self.at("Sdq_top")) {
+            (Some(_), Some(_)) => {
+                return Err(self.refused("Sdq_top", format_args!("must not be given together with {SLOPES}")))
+            }
+            (Some(_), None) => self.table(SLOPES)?,
+            (None, Some(_)) => shapes::slopes_of_top(&height, self.need("Sdq", 0)?, self.need("Sdq_top", 0)?)
+                .map_err(|error| at("Sdq_top", error))?,
+            (None, None) => shapes::slopes(&height, self.need("Sdq", 0)?, power),
+        };
+        Ok(Some([height, slope]))
+    }
+
+    /// The numbers of a key at the scores.
+    fn table(&self, name: &'static str) -> Outcome<Heights> {
+        let numbers = match self.entries.find(self.table, name).map(|entry| &entry.value) {
+            Some(Value::Numbers(numbers)) => &numbers[..],
+            _ => &[],
+        };
+        numbers.try_into().map_err(|_| {
+            let count = numbers.len();
+            self.refused(
+                name,
+                format_args!(
+                    "{count} numbers for 13: one for each normal score from -3 to 3 in steps of 0.5, in brackets"
+                ),
+            )
+        })
+    }
+
+    /// m0 and m2 of a table.
+    fn moments_of(&self, [height, slope]: &[Heights; 2]) -> Outcome<(f64, f64)> {
+        let whole = AtScores::new(height, slope).map_err(|error| {
+            let name = if error.name() == Some(SLOPES) { SLOPES } else { HEIGHTS };
+            Problem::of(self.at(name).unwrap_or(self.begin), error)
+        });
+        whole.map(|(_, whole)| (whole.height * whole.height, 0.5 * whole.slope * whole.slope))
     }
 }

@@ -372,7 +372,9 @@ impl Entries<'_> {
             numbers.give_named(entry.name, entry.number()?);
         }
         if self.of(Table::MeasuredOn).any(|entry| !is_number(&entry)) {
-            let Roughness { moments, machined: found, .. } = Roughness::of(self, Table::MeasuredOn, begin, None)?;
+            let Roughness { moments, machined: found, at_scores, lay, .. } =
+                Roughness::of(self, Table::MeasuredOn, begin, None)?;
+            (numbers.at_scores, numbers.lay) = (at_scores, lay);
             machined = found;
             for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
                 numbers.give_named(name, moment);
@@ -729,7 +731,7 @@ impl GivenSurface<'_> {
             ));
         }
         let bandwidth = self.numbers.get("bandwidth");
-        let Roughness { moments, density, shape, machined } =
+        let Roughness { moments, density, at_scores, lay, machined } =
             Roughness::of(entries, Table::Roughness, begin, bandwidth)?;
         self.machined = machined;
         for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
@@ -746,11 +748,16 @@ impl GivenSurface<'_> {
         if let Some(density) = density.filter(|_| self.numbers.has_mccool_summits) {
             self.numbers.give_named("summit_density", density);
         }
-        let Some(shape) = shape else { return Ok(()) };
-        entries.exclude(SHAPES, "[roughness] Ssk")?;
-        for (name, number) in ["skew", "kurtosis"].into_iter().zip(shape) {
-            self.numbers.give_named(name, number);
+        self.numbers.lay = lay;
+        let Some(table) = at_scores else { return Ok(()) };
+        entries.exclude(SHAPES, "[roughness]")?;
+        if self.numbers.has_mccool_summits {
+            return Err(Problem::new(
+                begin,
+                format_args!("[roughness] summits: \"mccool\" is for Gaussian heights: leave the key out"),
+            ));
         }
+        self.numbers.at_scores = Some(table);
         Ok(())
     }
 

@@ -1,8 +1,8 @@
 //! Parameters as a text, of which reading makes equal ones, bit for bit.
 
-use super::draft::{Draft, GAUSSIAN, TABULATED, WEIBULL};
+use super::draft::{Draft, AT_SCORES, GAUSSIAN, TABULATED, WEIBULL};
 use super::fields::{Field, FIELDS};
-use crate::params::{HeightFamily, Params};
+use crate::params::Params;
 use std::fmt::{Display, Formatter, Result, Write};
 
 /// Whether the measurement that is kept was made on these surfaces: calibrating once more then changes nothing.
@@ -37,12 +37,9 @@ pub fn write(draft: &mut Draft, is_of_these: bool, out: &mut dyn Write) -> Resul
             writeln!(out, "{} = {}", field.name, Written(field, number))?;
         }
     }
-    match &draft.params.heights {
-        HeightFamily::Tabulated { height, density } if draft.height_distribution == TABULATED => {
-            write_numbers("table_height", height, out)?;
-            write_numbers("table_density", density, out)?;
-        }
-        _ => {}
+    if let (TABULATED | AT_SCORES, Some((height, values))) = (draft.height_distribution, draft.params.heights.table()) {
+        write_numbers("table_height", height, out)?;
+        write_numbers("table_density", values, out)?;
     }
     let (load, force) = (draft.params.calibration_load, draft.params.calibration_friction_force);
     if is_of_these {

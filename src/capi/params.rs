@@ -15,6 +15,8 @@ pub const ASPERITY_HEIGHTS_WEIBULL: i32 = 1;
 pub const ASPERITY_HEIGHTS_JOHNSON: i32 = 2;
 /// Heights of a measured density: `table_height`, `table_density` and `table_length`.
 pub const ASPERITY_HEIGHTS_TABULATED: i32 = 3;
+/// Summit heights and radii of a surface that is not Gaussian, by its heights and slopes at 13 normal scores, -3 to 3.
+pub const ASPERITY_HEIGHTS_AT_SCORES: i32 = 4;
 
 /// Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default.
 pub const ASPERITY_CONTACT_MAUGIS: i32 = 0;
@@ -168,8 +170,8 @@ impl asperity_params {
         // SAFETY: numbers and pointers, which may all be 0.
         let mut whole = Self { struct_size: SIZE, ..unsafe { std::mem::zeroed() } };
         whole.take(Draft::of(params));
-        if let HeightFamily::Tabulated { height, density } = &params.heights {
-            (whole.table_height, whole.table_density) = (height.as_ptr(), density.as_ptr());
+        if let Some((height, values)) = params.heights.table() {
+            (whole.table_height, whole.table_density) = (height.as_ptr(), values.as_ptr());
             whole.table_length = height.len() as u64;
         }
         whole
@@ -201,7 +203,7 @@ impl asperity_params {
     /// The table, where the heights are one, has the length it says.
     pub(super) unsafe fn whole_draft(self) -> Result<Draft, Failure> {
         let mut draft = self.draft()?;
-        if self.height_distribution == ASPERITY_HEIGHTS_TABULATED {
+        if self.has_table() {
             draft.params.heights = self.table()?;
         }
         Ok(draft)
@@ -214,7 +216,11 @@ impl asperity_params {
     pub(super) unsafe fn readable_table(&self) -> Option<HeightFamily> {
         let is_there = !self.table_height.is_null() && !self.table_density.is_null();
         let length = usize::try_from(self.table_length).is_ok_and(|length| tabulated::check_length(length).is_ok());
-        (self.height_distribution == ASPERITY_HEIGHTS_TABULATED && is_there && length).then(|| self.table().ok())?
+        (self.has_table() && is_there && length).then(|| self.table().ok())?
+    }
+
+    fn has_table(&self) -> bool {
+        [ASPERITY_HEIGHTS_TABULATED, ASPERITY_HEIGHTS_AT_SCORES].contains(&self.height_distribution)
     }
 
     /// The library's form.
@@ -233,7 +239,8 @@ impl asperity_params {
         not_null(self.table_density, "table_density")?;
         // SAFETY: the caller says that there are so many.
         let copy = |first| Arc::from(unsafe { std::slice::from_raw_parts(first, length) });
-        Ok(HeightFamily::Tabulated { height: copy(self.table_height), density: copy(self.table_density) })
+        let is_at_scores = self.height_distribution == ASPERITY_HEIGHTS_AT_SCORES;
+        Ok(HeightFamily::of_table(is_at_scores, copy(self.table_height), copy(self.table_density)))
     }
 }
 

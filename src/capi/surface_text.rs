@@ -36,7 +36,9 @@ impl asperity_params {
         set(&mut draft)?;
         let after = table_at(&draft.params.heights);
         let table = match replace(&mut draft.params.heights, HeightFamily::Gaussian) {
-            HeightFamily::Tabulated { height, density } if after != before => Some(Kept::new(height, density)),
+            heights if after != before => {
+                heights.table().map(|(height, values)| Kept::new(height.clone(), values.clone()))
+            }
             _ => None,
         };
         self.take(draft);
@@ -58,10 +60,7 @@ pub(super) unsafe fn bytes<'t>(text: *const c_char, length: usize) -> &'t [u8] {
 
 /// Where the table of heights is, if they are one.
 fn table_at(heights: &HeightFamily) -> Option<*const f64> {
-    match heights {
-        HeightFamily::Tabulated { height, .. } => Some(height.as_ptr()),
-        _ => None,
-    }
+    heights.table().map(|(height, _)| height.as_ptr())
 }
 
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.

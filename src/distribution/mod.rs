@@ -3,6 +3,7 @@
 //! One family is one file that implements [`HeightDistribution`], and one arm of [`heights`]. `panel` turns what a family
 //! says of its density into panels for quadrature.
 
+pub mod at_scores;
 pub mod gaussian;
 pub mod johnson;
 pub mod panel;
@@ -12,6 +13,7 @@ pub mod weibull;
 use crate::error::Error;
 use crate::numerics::elementary::exp_each;
 use crate::numerics::quadrature::POINTS;
+use at_scores::AtScores;
 use gaussian::Gaussian;
 use std::sync::Arc;
 use tabulated::Tabulated;
@@ -76,6 +78,11 @@ pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
 
     /// Fourth standardised moment.
     fn kurtosis(&self) -> f64;
+
+    /// The table of the surface where radii follow from it too.
+    fn at_scores(self: Arc<Self>) -> Option<Arc<AtScores>> {
+        None
+    }
 }
 
 /// The family of the distribution of summit heights.
@@ -102,6 +109,33 @@ pub enum HeightFamily {
         /// The density at each height, >= 0.
         density: Arc<[f64]>,
     },
+    /// The surface at the normal scores -3, -2.5 to 3 of its heights, of which those of the asperities and their radii follow.
+    AtScores {
+        /// Heights of the surface, increasing, in any unit and of any origin.
+        height: Arc<[f64]>,
+        /// Root mean square gradients where the surface is so high, > 0.
+        slope: Arc<[f64]>,
+    },
+}
+
+impl HeightFamily {
+    /// The heights of a table: at scores with slopes, or else with their density.
+    pub(crate) fn of_table(is_at_scores: bool, height: Arc<[f64]>, values: Arc<[f64]>) -> Self {
+        match is_at_scores {
+            true => Self::AtScores { height, slope: values },
+            false => Self::Tabulated { height, density: values },
+        }
+    }
+
+    /// The table of those that have one: its heights, and densities or slopes.
+    pub fn table(&self) -> Option<(&Arc<[f64]>, &Arc<[f64]>)> {
+        match self {
+            Self::Tabulated { height, density: values } | Self::AtScores { height, slope: values } => {
+                Some((height, values))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The distribution of a family, of which every number is checked.
@@ -115,6 +149,7 @@ pub fn heights(family: &HeightFamily) -> Result<Arc<dyn HeightDistribution>, Err
         &HeightFamily::Weibull { shape } => Arc::new(Weibull::new(shape)?),
         &HeightFamily::Johnson { skew, kurtosis } => johnson::heights(skew, kurtosis)?,
         HeightFamily::Tabulated { height, density } => Arc::new(Tabulated::new(height, density)?),
+        HeightFamily::AtScores { height, slope } => Arc::new(AtScores::new(height, slope)?.0),
     })
 }
 

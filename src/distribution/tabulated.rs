@@ -10,6 +10,7 @@ use super::HeightDistribution;
 use crate::error::Error;
 use crate::numerics::elementary::log;
 use crate::numerics::float_bits::finite;
+use crate::numerics::hermite::monotone_slope;
 use crate::numerics::quadrature::{integrate_short, POINTS};
 
 /// How many heights a table may have: each is a kink of the friction law, and the table of the law resolves no more.
@@ -249,14 +250,8 @@ fn pieces(height: &[f64], density: &[f64]) -> Vec<DensityPiece> {
         if i == 0 || i == secants.len() {
             return secants[i.saturating_sub(1)];
         }
-        let (before, after) = (secants[i - 1], secants[i]);
-        if before.signum() != after.signum() {
-            return 0.0;
-        }
-        // A harmonic mean: also 0 where one of the two is.
-        let (left, right) = (height[i] - height[i - 1], height[i + 1] - height[i]);
-        let (w1, w2) = (2.0 * right + left, right + 2.0 * left);
-        (w1 + w2) / (w1 / before + w2 / after)
+        let length = |i: usize| height[i + 1] - height[i];
+        monotone_slope((length(i - 1), secants[i - 1]), (length(i), secants[i]))
     };
     (0..secants.len())
         .map(|i| {

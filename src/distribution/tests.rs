@@ -19,6 +19,11 @@ pub fn families() -> Vec<Arc<dyn HeightDistribution>> {
         let height = [0.0, 1.0, 2.0, 2.5, 3.0, 4.0];
         families.push(HeightFamily::Tabulated { height: height.into(), density: density.into() });
     }
+    for rate in [-0.6_f64, 0.3] {
+        let height = (0..at_scores::SCORES).map(|i| (rate * at_scores::table_score(i)).exp() * rate.signum()).collect();
+        let slope = (0..at_scores::SCORES).map(|i| 1.2 + (i as f64).sin()).collect();
+        families.push(HeightFamily::AtScores { height, slope });
+    }
     families.iter().map(|family| heights(family).expect("heights")).collect()
 }
 

@@ -1,4 +1,6 @@
-//! The cubic through two points with given slopes.
+//! The cubic through two points with given slopes, and slopes with which such cubics are monotone where their points are.
+
+use super::elementary::hypot;
 
 /// A cubic in Hermite's form.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +25,54 @@ impl Cubic {
         let [a, b, c, d] = self.coefficients;
         a + t * (b + t * (c + t * d))
     }
+
+    /// This cubic times a factor, and another on the same interval times another.
+    pub fn combined(&self, times: f64, other: &Self, plus: f64) -> Self {
+        let pairs = std::array::from_fn(|i| times * self.coefficients[i] + plus * other.coefficients[i]);
+        Self { coefficients: pairs, ..*self }
+    }
+
+    /// The same, higher by an amount.
+    pub fn raised(mut self, by: f64) -> Self {
+        self.coefficients[0] += by;
+        self
+    }
+
+    /// Value, first and second derivative at an abscissa.
+    #[inline]
+    pub fn rates(&self, x: f64) -> [f64; 3] {
+        let t = (x - self.start) / self.width;
+        let [a, b, c, d] = self.coefficients;
+        let value = a + t * (b + t * (c + t * d));
+        let slope = (b + t * (2.0 * c + 3.0 * t * d)) / self.width;
+        [value, slope, (2.0 * c + 6.0 * t * d) / (self.width * self.width)]
+    }
+
+    /// How far an abscissa is from the nearest point, real or complex, at which the slope is 0.
+    pub fn distance_to_turn(&self, x: f64) -> f64 {
+        let [_, b, c, d] = self.coefficients;
+        let t = (x - self.start) / self.width;
+        // The roots of 3 d t^2 + 2 c t + b, and the one of a parabola where d is next to nothing.
+        let discriminant = c * c - 3.0 * d * b;
+        let distance = if discriminant < 0.0 {
+            hypot(t + c / (3.0 * d), discriminant.abs().sqrt() / (3.0 * d))
+        } else {
+            // Of a straight line one is no number, and left out.
+            let far = -c - discriminant.sqrt().copysign(c);
+            (t - far / (3.0 * d)).abs().min((t - b / far).abs())
+        };
+        self.width * distance
+    }
+}
+
+/// The slope at a point between two others, from the secants to both and how far they are: a harmonic mean, 0 at an extremum
+/// (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5, 1984, 300-304).
+pub fn monotone_slope((left, before): (f64, f64), (right, after): (f64, f64)) -> f64 {
+    if before.signum() != after.signum() {
+        return 0.0;
+    }
+    let (w1, w2) = (2.0 * right + left, right + 2.0 * left);
+    (w1 + w2) / (w1 / before + w2 / after)
 }
 
 #[cfg(test)]

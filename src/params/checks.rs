@@ -66,7 +66,7 @@ impl Params {
             }
         }
         let heights = distribution::heights(&self.heights)?;
-        let radius = self.checked_radius(heights.origin())?;
+        let radius = self.checked_radius(&heights)?;
         self.check_slip()?;
         if !infinite(self.max_friction_coefficient) {
             magnitude(
@@ -102,7 +102,7 @@ impl Params {
         }
     }
 
-    fn checked_radius(&self, origin: f64) -> Result<RadiusProfile, Error> {
+    fn checked_radius(&self, heights: &Arc<dyn HeightDistribution>) -> Result<RadiusProfile, Error> {
         let (amplitude, rate) = (self.radius_amplitude, self.radius_rate);
         if nan(amplitude) || !(-1.0..=1.0).contains(&amplitude) {
             return Err(Error::invalid("radius_amplitude", amplitude, "must be between -1 and 1"));
@@ -114,7 +114,7 @@ impl Params {
             let allowed = "must be between 1e-6 and 1000 where radius_amplitude is not 0";
             return Err(Error::out_of_range("radius_rate", rate, allowed));
         }
-        Ok(RadiusProfile { amplitude, rate, origin })
+        Ok(RadiusProfile { amplitude, rate, origin: heights.origin(), scores: heights.clone().at_scores() })
     }
 
     /// What is remembered of a measurement.

@@ -5,10 +5,12 @@
 
 mod checks;
 mod numbers;
+pub(crate) mod shapes;
 pub(crate) mod spectrum;
 mod unit_slips;
 
 use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
+use crate::distribution::at_scores::AtScores;
 use crate::distribution::weibull::Weibull;
 pub use crate::distribution::HeightFamily;
 use crate::error::Error;
@@ -21,6 +23,7 @@ use numbers::{magnitude, not_negative, poisson_ratio};
 pub(crate) use spectrum::LEAST_BANDWIDTH;
 use spectrum::{SpectralMoments, Summits};
 use std::f64::consts::PI;
+use std::sync::Arc;
 use unit_slips::BROADEST;
 
 /// The law of one summit in contact.
@@ -125,6 +128,9 @@ pub(crate) const OF_OTHER_MATERIALS: f64 = 1.0;
 /// The bandwidth of summits of a Gaussian surface is 0.897 + (eta sigma R/0.02036)^2.
 const NARROWEST_BANDWIDTH: f64 = 0.8968;
 const BANDWIDTH_PRODUCT: f64 = 0.02036;
+
+/// The ratios of slopes that a lay may have: boundary elements were made up to 12.
+const LAYS: std::ops::RangeInclusive<f64> = 0.05..=20.0;
 
 /// The radius_rate of radii that vary with height.
 pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
@@ -319,6 +325,46 @@ impl Params {
         not_negative("m4", moments.m4, "must be finite and >= 0; 0 means not known")?;
         self.set_summits(SpectralMoments::asperities, moments, nominal_area)?;
         self.bandwidth = 0.0;
+        Ok(())
+    }
+
+    /// The asperities of a surface of any heights: those of the surface, above its mean plane or any other, and its root mean square
+    /// gradients, at its normal scores -3, -2.5 to 3. A bandwidth of 0 is not known. Sets what [`Params::set_spectral_moments`] does, and `heights`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`], [`Error::InvalidEntry`] or [`Error::OutOfRange`]; the parameters are then as before.
+    pub fn set_heights_at_scores(
+        &mut self,
+        [height, slope]: &[shapes::Heights; 2],
+        bandwidth: f64,
+        nominal_area: f64,
+    ) -> Result<(), Error> {
+        let (_, whole) = AtScores::new(height, slope)?;
+        let (m0, m2) = (whole.height * whole.height, whole.slope * whole.slope / 2.0);
+        let m4 = bandwidth * m2 * (m2 / m0);
+        self.set_spectral_moments(SpectralMoments { m0, m2, m4 }, nominal_area)?;
+        self.height_std = whole.deviation;
+        self.summit_mean_height = whole.mean.max(0.0);
+        self.asperity_count *= whole.count;
+        self.heights = HeightFamily::AtScores { height: Arc::from(*height), slope: Arc::from(*slope) };
+        Ok(())
+    }
+
+    /// Gives asperities of an isotropic surface a lay: the ratio of the root mean square slopes across it and along it, of either
+    /// order.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
+    pub fn set_lay(&mut self, lay: f64) -> Result<(), Error> {
+        positive("lay", lay)?;
+        if !LAYS.contains(&lay) {
+            let allowed = "must be between 1/20 and 20: the ratio of the slopes, Rdq across the lay over Rdq along it; to grooves that \
+                           are longer no lay is known";
+            return Err(Error::out_of_range("lay", lay, allowed));
+        }
+        let factor = spectrum::lay_factor(lay);
+        self.asperity_count /= factor;
+        self.summit_radius *= factor * factor;
         Ok(())
     }
 

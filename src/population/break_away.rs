@@ -70,7 +70,8 @@ pub fn deepest(law: &dyn ContactLaw, radius: &RadiusProfile, lowest: f64, highes
         if edge.rate < LEAST_RATE {
             let allowed = "must be smaller with this radius_amplitude and work_of_adhesion: radii fall so steeply with height \
                           that taller summits would part before lower ones; use a smaller radius_amplitude or radius_rate: 0 for \
-                          surfaces so smooth that adhesion outreaches their roughness, which stick all over";
+                          surfaces so smooth that adhesion outreaches their roughness, which stick all over; of heights at scores \
+                          a smaller work_of_adhesion, 0 for plateaus";
             return Err(Error::out_of_range("radius_rate", radius.rate, allowed));
         }
         deepest = deepest.min(edge.point.contact.overlap);

@@ -45,7 +45,7 @@ impl Population {
     /// A panel that begins at an extremum begins with next to no change, of either sign. `None` also where the radius is far from
     /// where friction has a kink, and where radii do not fall with height.
     fn between_extrema(&self, separation: f64, panel: &SummitPanel) -> Option<f64> {
-        if self.radius.amplitude > 0.0 {
+        if !self.radius.may_fall() {
             return None;
         }
         let [start, end] = [panel.from, panel.to].map(|end| panel.radius_change_at(&end));

@@ -21,8 +21,13 @@ impl Population {
         let (lower_end, _) = self.heights.support();
         let is_power = self.heights.power_at_lower_end().is_some();
         let lower_end = (is_power && lower_end + self.heights.origin() > LOWEST_END).then_some(lower_end);
-        let heights: Vec<f64> = self.heights.breakpoints().iter().copied().chain(lower_end).collect();
+        let breakpoints = if self.heights.is_piecewise_polynomial() { self.heights.breakpoints() } else { &[] };
+        let heights: Vec<f64> = breakpoints.iter().copied().chain(lower_end).collect();
         let mut kinks: Vec<f64> = heights.iter().flat_map(|&z| self.kinks_of_height(z)).collect();
+        if !self.heights.is_piecewise_polynomial() {
+            let edge = |&z: &f64| z - self.law.break_away(self.radius.factor(z)).overlap;
+            kinks.extend(self.heights.breakpoints().iter().map(edge));
+        }
         if !self.radius.is_constant() {
             for radius in self.slip.kinks() {
                 kinks.extend(self.separations_where(|z| {

@@ -59,6 +59,8 @@ pub struct Population {
     slip: Slip,
     heights: Arc<dyn HeightDistribution>,
     radius: RadiusProfile,
+    /// How fast radii change, as [`RadiusProfile::steepness`] has it.
+    radius_steepness: f64,
     /// Where the nominal area is known.
     crowding: Option<Crowding>,
     lambda_cubed: f64,
@@ -172,6 +174,7 @@ impl Population {
             slip,
             heights,
             nodes: radius.is_constant().then(Arc::default),
+            radius_steepness: radius.steepness(),
             radius,
             crowding: (groups.nominal_area > 0.0).then_some(Crowding {
                 nominal_area: groups.nominal_area,
@@ -231,7 +234,7 @@ impl Population {
 
     /// The heights, in sigma, on whose scale radii change.
     pub fn radius_scale(&self) -> f64 {
-        1.0 / self.radius.rate
+        1.0 / self.radius.steepness()
     }
 
     /// How far, in sigma, a summit above the flat is pulled, or one in contact holds on.
@@ -350,7 +353,7 @@ impl Population {
             let point = Point { z, g_rate, contact: self.law.at(parameter, g) };
             let step = (point.contact.overlap - (z - separation)) / point.height_share();
             let rounding = 2.0 * f64::EPSILON * (z.abs() + separation.abs());
-            if step.abs() * self.radius.rate <= LAST_STEP || step.abs() <= rounding {
+            if step.abs() * self.radius_steepness <= LAST_STEP || step.abs() <= rounding {
                 return Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point };
             }
             z += step;

@@ -6,7 +6,7 @@
 
 use super::break_away::LEAST_RATE;
 use super::{Point, Population};
-use crate::distribution::panel::SHORTEST_PANEL;
+use crate::distribution::panel::{self, SHORTEST_PANEL};
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root::MOST_STEPS;
@@ -26,6 +26,12 @@ const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// Where contacts slip in part no panel is longer than this many times the parameter, or the distance to break-away: what they
 /// resist is singular where they begin to slip as a whole.
 const ONSET_RATIO: f64 = 1.0;
+/// A panel between two heights of a table at scores counts as this part of what it is: 10 points give 1e-12 of a whole one, and 6
+/// of a quarter.
+const PART_BETWEEN_SCORES: f64 = 0.08;
+/// What grows by fewer e-folds over a panel is summed as closely by 6 points, and by 10.
+const FEW_POINTS: f64 = 1.5;
+const SOME_POINTS: f64 = 5.0;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
@@ -62,13 +68,7 @@ impl Population {
         let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
         let next = breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1);
         // Where radii change fastest.
-        let turn = -self.radius.origin;
-        let is_stop = turn > z && !self.radius.is_constant();
-        if is_stop {
-            next.min(turn)
-        } else {
-            next
-        }
+        self.radius.turn().filter(|&turn| turn > z).map_or(next, |turn| next.min(turn))
     }
 
     /// The panel from a summit, `clearance` above break-away, no longer than `reach` and not beyond the height `stop`.
@@ -103,10 +103,22 @@ impl Population {
         };
         let panel = SummitPanel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
         let panel = self.cut_at_kink(separation, panel, kink);
-        // A polynomial density is smooth up to where it ends.
-        let smooth = if self.heights.is_piecewise_polynomial() { self.radius.smooth_length(here.z) } else { reach };
+        // Between breakpoints a density is smoother than they are near.
+        let smooth = match self.heights.breakpoints() {
+            [] => reach,
+            _ => panel::smooth_reach(&*self.heights, here.z).min(self.radius.smooth_length(here.z)),
+        };
         // What contacts about to slip resist asks for all points.
-        let part = if self.has_onset() { 1.0 } else { self.part(&panel, clearance, smooth) };
+        let part = match (self.has_onset(), &self.radius.scores) {
+            (true, _) => 1.0,
+            (false, None) => self.part(&panel, clearance, smooth),
+            // The heights of a table at scores do not end, so that nothing begins as a power between them.
+            (false, Some(scores)) => match scores.change(0.5 * (panel.from.z + panel.to.z)) {
+                change if change < FEW_POINTS => PART_BETWEEN_SCORES * self.part(&panel, clearance, smooth),
+                change if change < SOME_POINTS => PART_BETWEEN_SCORES,
+                _ => 1.0,
+            },
+        };
         SummitPanel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 

@@ -1,16 +1,20 @@
-//! Radius of curvature of a summit as a function of its height, eq (3).
+//! Radius of curvature of a summit as a function of its height, eq (3), or of its normal score and the surface there.
 
+use crate::distribution::at_scores::AtScores;
 use crate::numerics::elementary::{exp, hypot};
+use std::sync::Arc;
 
-/// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one; of a table of the surface at normal scores
+/// (1 + epsilon tanh(rho u)) t/s at the score u.
+#[derive(Debug, Clone)]
 pub struct RadiusProfile {
     /// epsilon, in [-1, 1].
     pub amplitude: f64,
-    /// rho > 0, per sigma.
+    /// rho > 0, per sigma or per score.
     pub rate: f64,
     /// Where heights are measured from, above their mean.
     pub origin: f64,
+    pub scores: Option<Arc<AtScores>>,
 }
 
 /// Over one smooth piece the radius changes by no more e-folds.
@@ -23,29 +27,58 @@ const SMALLEST_FACTOR: f64 = 1e-60;
 impl RadiusProfile {
     /// Whether all summits have the same radius.
     pub fn is_constant(&self) -> bool {
-        self.amplitude == 0.0
+        self.amplitude == 0.0 && self.scores.is_none()
+    }
+
+    /// Whether some fall with height.
+    pub fn may_fall(&self) -> bool {
+        self.amplitude < 0.0 || self.scores.is_some()
+    }
+
+    /// How fast they change with height at most, per sigma, but for a factor.
+    pub fn steepness(&self) -> f64 {
+        self.scores.as_ref().map_or(self.rate, |scores| scores.steepest() * self.rate.max(1.0))
+    }
+
+    /// The height at which radii change fastest.
+    pub fn turn(&self) -> Option<f64> {
+        (self.scores.is_none() && self.amplitude != 0.0).then_some(-self.origin)
     }
 
     /// g and dg/dz at height z, without cancellation where g goes to 0 (|epsilon| = 1).
     #[inline]
     pub fn at(&self, z: f64) -> (f64, f64) {
-        if self.is_constant() {
-            return (1.0, 0.0);
+        match &self.scores {
+            None if self.amplitude == 0.0 => (1.0, 0.0),
+            None => Self::bounded(self.of_height(z + self.origin)),
+            Some(scores) => {
+                let place = scores.place(z);
+                let (ratio, (g, slope)) = (exp(place.log_ratio), self.of_height(place.score));
+                Self::bounded((g * ratio, (slope * place.rate + g * place.log_ratio_rate) * ratio))
+            }
         }
+    }
+
+    fn bounded((g, slope): (f64, f64)) -> (f64, f64) {
+        if g > SMALLEST_FACTOR {
+            (g, slope)
+        } else {
+            (SMALLEST_FACTOR, 0.0)
+        }
+    }
+
+    /// Eq (3) and its slope.
+    #[inline]
+    fn of_height(&self, z: f64) -> (f64, f64) {
         let size = self.amplitude.abs();
-        let y = self.rate * (z + self.origin) * self.amplitude.signum();
+        let y = self.rate * z * self.amplitude.signum();
         let decay = exp(-2.0 * y.abs());
         let g = if y >= 0.0 {
             1.0 + size * (1.0 - decay) / (1.0 + decay)
         } else {
             (1.0 - size) + size * 2.0 * decay / (1.0 + decay)
         };
-        let slope = self.amplitude * self.rate * 4.0 * decay / ((1.0 + decay) * (1.0 + decay));
-        if g > SMALLEST_FACTOR {
-            (g, slope)
-        } else {
-            (SMALLEST_FACTOR, 0.0)
-        }
+        (g, self.amplitude * self.rate * 4.0 * decay / ((1.0 + decay) * (1.0 + decay)))
     }
 
     /// g at height z.
@@ -61,14 +94,18 @@ impl RadiusProfile {
         }
         let pole = std::f64::consts::FRAC_PI_2 / self.rate;
         let (g, slope) = self.at(z);
-        let z = z + self.origin;
-        let smooth = if z < 0.0 { (0.65 * -z).max(1.1 * pole) } else { 1.1 * hypot(z, pole) };
+        let (place, rate) = match &self.scores {
+            Some(scores) => (scores.place(z).score, scores.place(z).rate),
+            None => (z + self.origin, 1.0),
+        };
+        let smooth = if place < 0.0 { (0.65 * -place).max(1.1 * pole) } else { 1.1 * hypot(place, pole) } / rate;
         smooth.min(MOST_RADIUS_E_FOLDS * g / slope.abs())
     }
 
     /// Heights from one up to another, near enough to each other to see how radii change.
     pub fn looks(&self, lowest: f64, highest: f64) -> impl Iterator<Item = f64> + '_ {
-        let next = |&z: &f64| Some(z + self.smooth_length(z) / LOOKS_PER_CHANGE);
+        let width = |z: f64| self.scores.as_ref().map_or(f64::INFINITY, |scores| scores.width(z));
+        let next = move |&z: &f64| Some(z + self.smooth_length(z).min(width(z)) / LOOKS_PER_CHANGE);
         std::iter::successors(Some(lowest), next).take_while(move |&z| z < highest)
     }
 }
@@ -80,7 +117,7 @@ mod tests {
     #[test]
     fn the_factor_is_eq_3_and_its_slope_that_of_a_secant() {
         for (amplitude, rate, origin) in [(0.0, 0.5, 0.0), (0.6, 0.5, 0.0), (-0.9, 2.0, 1.5), (1.0, 0.3, -2.0)] {
-            let radius = RadiusProfile { amplitude, rate, origin };
+            let radius = RadiusProfile { amplitude, rate, origin, scores: None };
             assert_eq!(radius.is_constant(), amplitude == 0.0);
             for z in [-5.0, -1.0, 0.0, 0.3, 4.0] {
                 let (g, slope) = radius.at(z);
@@ -91,7 +128,7 @@ mod tests {
             }
         }
         // Where g goes to 0 it is 2 e^(2 rho z), as far as that matters.
-        let vanishing = RadiusProfile { amplitude: 1.0, rate: 0.5, origin: 0.0 };
+        let vanishing = RadiusProfile { amplitude: 1.0, rate: 0.5, origin: 0.0, scores: None };
         for z in [-30.0, -130.0] {
             let (g, slope) = vanishing.at(z);
             assert!((g / (2.0 * f64::exp(z)) - 1.0).abs() < 1e-12 && (slope / g - 1.0).abs() < 1e-12, "{g:e} at {z}");

@@ -1,7 +1,9 @@
 //! Sums next to kinks, the edge of contact, and surfaces for unit tests.
 
 use super::*;
+use crate::distribution::at_scores::{table_score, SCORES};
 use crate::numerics::neighbours::Neighbours;
+use crate::numerics::quadrature;
 use crate::params::{ContactLawKind, HeightFamily, Params};
 
 /// The population of a surface that is valid.
@@ -112,6 +114,70 @@ fn slopes_are_secants_where_radii_fall_to_nothing() {
         for separation in separations.filter(|at| kinks.iter().all(|kink| (kink - at).abs() > 1e-3)) {
             let [load, friction] = errors_of_slopes(&population, separation, 1e-4);
             assert!(load.abs().max(friction.abs()) < 3e-8, "{params:?} at {separation}: {load:e}, {friction:e}");
+        }
+    }
+}
+
+/// Plateaus, deep pits, and tall patches.
+fn tables_at_scores() -> Vec<HeightFamily> {
+    let table = |height: fn(f64) -> f64, slope: fn(f64) -> f64| HeightFamily::AtScores {
+        height: (0..SCORES).map(|i| height(table_score(i))).collect(),
+        slope: (0..SCORES).map(|i| slope(table_score(i))).collect(),
+    };
+    vec![
+        table(|g| g, |_| 0.1),
+        table(|g| if g > 0.5 { 0.2 * (g - 0.5) } else { 1.5 * (g - 0.5) }, |g| if g > 0.5 { 0.02 } else { 0.1 }),
+        table(|g| (0.6 * g).exp(), |g| 0.1 * (0.6 * g).exp()),
+        table(|g| -(-0.6 * g).exp(), |g| 0.1 * (-0.5 * g).exp()),
+        table(|g| g + 0.45 * (2.0 * g).sin(), |g| 0.1 + 0.03 * (3.0 * g).cos()),
+    ]
+}
+
+/// The sums by many short panels in the root of the distance from the edge.
+#[test]
+fn sums_over_a_table_at_scores_are_integrals_of_its_density() {
+    let mut surfaces = Vec::new();
+    for heights in tables_at_scores() {
+        // Radii that fall steeply between plateaus and pits are refused with adhesion.
+        let adhesive = surface(WEAK, heights.clone(), [-0.61, 0.9]);
+        surfaces.extend(crate::Model::new(&adhesive).is_ok().then_some(adhesive));
+        surfaces.push(surface(HERTZ, heights.clone(), [-0.61, 0.9]));
+        surfaces.push(yielding(HERTZ, heights, [-0.61, 0.9]));
+    }
+    assert!(surfaces.len() > 11);
+    for params in surfaces {
+        let population = of(&params);
+        for separation in [-3.0, -1.0, 0.0, 0.7, 1.7, 3.0] {
+            let sums = population.at_separation(separation);
+            let edge = population.edge(separation).point.z;
+            let mut found = [0.0; 3];
+            let reach = (population.highest.min(14.0) - edge).max(1.0).sqrt();
+            let even = (0..=3000).map(|i| reach * f64::from(i) / 3e3);
+            let knots =
+                population.heights.breakpoints().iter().filter(|&&knot| knot > edge).map(|knot| (knot - edge).sqrt());
+            let mut ends: Vec<f64> = even.chain(knots.filter(|&v| v < reach)).collect();
+            ends.sort_by(f64::total_cmp);
+            for ends in ends.windows(2) {
+                for (v, weight) in quadrature::nodes(ends[0], ends[1]) {
+                    let z = edge + v * v;
+                    let point = population.at_height(
+                        separation,
+                        z,
+                        population.law.guess(z - separation, population.radius.factor(z)),
+                    );
+                    let fraction = 2.0 * v * weight * population.heights.log_density(z).exp();
+                    let friction = population.slip.friction(&point.contact).force;
+                    let values = [point.contact.load, friction, PI * point.contact.radius * point.contact.radius];
+                    found.iter_mut().zip(values).for_each(|(sum, value)| *sum += fraction * value);
+                }
+            }
+            for (sum, found) in [sums.load_contacting, sums.friction, sums.area].into_iter().zip(found) {
+                assert!((sum / found - 1.0).abs() < 1e-8, "{params:?} at {separation}: {sum:e}, not {found:e}");
+            }
+            if population.kinks().iter().all(|kink| (kink - separation).abs() > 1e-3) {
+                let [load, friction] = errors_of_slopes(&population, separation, 1e-4);
+                assert!(load.abs().max(friction.abs()) < 3e-7, "{params:?} at {separation}: {load:e}, {friction:e}");
+            }
         }
     }
 }

@@ -66,6 +66,36 @@ pub fn heights(skew: f64, kurtosis: f64) -> Result<Arc<dyn HeightDistribution>, 
     Ok(Arc::new(Johnson::new(skew, kurtosis, fit)))
 }
 
+/// The standard heights of the same at some scores.
+///
+/// # Errors
+/// The same.
+pub fn heights_at<const N: usize>(skew: f64, kurtosis: f64, scores: [f64; N]) -> Result<[f64; N], Error> {
+    check(skew, kurtosis)?;
+    let fit = fit::fit(skew, kurtosis);
+    if fit.epsilon == 0.0 {
+        return Ok(scores);
+    }
+    let curve = Johnson::new(skew, kurtosis, fit);
+    Ok(scores.map(|score| curve.height(score) + curve.origin))
+}
+
+/// The kurtosis of lognormal heights or depths of this skew.
+pub fn kurtosis_of_lognormal(skew: f64) -> f64 {
+    3.0 + fit::excess_of_lognormal(skew.clamp(-LARGEST_SKEW, LARGEST_SKEW).abs())
+}
+
+/// Refuses what no distribution has.
+///
+/// # Errors
+/// [`Error::InvalidParameter`].
+pub fn check_exists(skew: f64, kurtosis: f64) -> Result<(), Error> {
+    match check(skew, kurtosis) {
+        Err(error @ Error::InvalidParameter { .. }) => Err(error),
+        _ => Ok(()),
+    }
+}
+
 fn check(skew: f64, kurtosis: f64) -> Result<(), Error> {
     let impossible = |name, value: f64, allowed| Err(Error::InvalidParameter { name, value: value.into(), allowed });
     let out_of_range = |name, value: f64, allowed| Err(Error::OutOfRange { name, value: value.into(), allowed });
