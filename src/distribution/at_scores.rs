@@ -50,6 +50,7 @@ pub struct AtScores {
     log_square_slope: Spline,
     log_ratio: Spline,
     log_count: Spline,
+    changes: [f64; SCORES + 1],
     /// Root mean square slope of the surface.
     slope: f64,
     mode: f64,
@@ -118,6 +119,7 @@ impl AtScores {
         found.slope = whole.slope;
         [found.skew, found.kurtosis] = found.moments(|z| [z * z * z, z * z * z * z]);
         found.mode = found.highest_rise();
+        found.changes = found.each_change();
         Ok((found, whole))
     }
 
@@ -146,6 +148,7 @@ impl AtScores {
             log_ratio: combined(1.0, -1.0),
             log_count: combined(-2.0, 1.0),
             slope: 1.0,
+            changes: [0.0; SCORES + 1],
             mode: 0.0,
             skew: 0.0,
             kurtosis: 3.0,

@@ -32,6 +32,11 @@ impl Cubic {
         Self { coefficients: pairs, ..*self }
     }
 
+    /// What the value changes by over the interval, one way and back, at most.
+    pub fn change(&self) -> f64 {
+        self.coefficients[1..].iter().map(|coefficient| coefficient.abs()).sum()
+    }
+
     /// The same, higher by an amount.
     pub fn raised(mut self, by: f64) -> Self {
         self.coefficients[0] += by;
