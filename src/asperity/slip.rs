@@ -143,24 +143,35 @@ impl Slip {
         Friction { force: force + by_hertz_load * contact.hertz_load, by_radius, by_hertz_load }
     }
 
+    /// kappa E*/G*.
+    pub fn by_hertz_load(&self) -> f64 {
+        self.by_hertz_load
+    }
+
     /// The shear stress tau over G* at contact radius `a` > 0.
     pub fn stress(&self, a: f64) -> f64 {
-        self.stress_force(a).0 / (PI * a * a)
+        self.stress_and_power(a).0
+    }
+
+    /// The same, and the power of the radius that it goes with there.
+    #[inline]
+    pub fn stress_and_power(&self, a: f64) -> (f64, f64) {
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
+        if a <= radius_1 {
+            (stress_1, 0.0)
+        } else if a < radius_2 {
+            (stress_1 * exp(self.exponent * log(a / radius_1)), self.exponent)
+        } else {
+            (stress_2, 0.0)
+        }
     }
 
     /// pi a^2 tau at contact radius `a`, and its derivative.
     #[inline]
     fn stress_force(&self, a: f64) -> (f64, f64) {
-        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
-        let (stress, power) = if a <= radius_1 {
-            (stress_1, 2.0)
-        } else if a < radius_2 {
-            (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent)
-        } else {
-            (stress_2, 2.0)
-        };
+        let (stress, power) = self.stress_and_power(a);
         let force_over_a = PI * a * stress;
-        (force_over_a * a, power * force_over_a)
+        (force_over_a * a, (2.0 + power) * force_over_a)
     }
 }
 

@@ -51,8 +51,8 @@ pub struct AtScores {
     log_ratio: Spline,
     log_count: Spline,
     changes: [f64; SCORES + 1],
-    /// Root mean square slope of the surface.
-    slope: f64,
+    /// The largest slope of the table, over which ln s is.
+    steepest: f64,
     mode: f64,
     skew: f64,
     kurtosis: f64,
@@ -116,7 +116,7 @@ impl AtScores {
         found.beyond = found.beyond.map(|rate| rate * deviation);
         found.scores = scores(&found.knots, found.beyond);
         found.log_count = found.log_count.map(|cubic| cubic.raised(-log(count)));
-        found.slope = whole.slope;
+        found.steepest = steepest;
         [found.skew, found.kurtosis] = found.moments(|z| [z * z * z, z * z * z * z]);
         found.mode = found.highest_rise();
         found.changes = found.each_change();
@@ -130,7 +130,7 @@ impl AtScores {
             let density = if g > score { rate * exp(-0.5 * g * g) } else { 0.0 };
             [density, density * exp(at(&self.log_square_slope, g)[0])]
         });
-        self.slope * (square / share).sqrt()
+        self.steepest * (square / share).sqrt()
     }
 
     /// The table joined by cubics, not yet standardised.
@@ -147,7 +147,7 @@ impl AtScores {
             log_square_slope,
             log_ratio: combined(1.0, -1.0),
             log_count: combined(-2.0, 1.0),
-            slope: 1.0,
+            steepest: 1.0,
             changes: [0.0; SCORES + 1],
             mode: 0.0,
             skew: 0.0,

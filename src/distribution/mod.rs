@@ -118,6 +118,9 @@ pub enum HeightFamily {
     },
 }
 
+/// Heights, and what is known at each.
+type Table<'a> = (&'a Arc<[f64]>, &'a Arc<[f64]>);
+
 impl HeightFamily {
     /// The heights of a table: at scores with slopes, or else with their density.
     pub(crate) fn of_table(is_at_scores: bool, height: Arc<[f64]>, values: Arc<[f64]>) -> Self {
@@ -128,7 +131,7 @@ impl HeightFamily {
     }
 
     /// The table of those that have one: its heights, and densities or slopes.
-    pub fn table(&self) -> Option<(&Arc<[f64]>, &Arc<[f64]>)> {
+    pub fn table(&self) -> Option<Table<'_>> {
         match self {
             Self::Tabulated { height, density: values } | Self::AtScores { height, slope: values } => {
                 Some((height, values))

@@ -139,13 +139,14 @@ impl Model {
         if force_over_radius < SMALLEST_DISPLACEMENT {
             return Ok((stiffness * displacement, stiffness));
         }
-        let slipping = self.branch.population().microslip(separation, force_over_radius)?;
+        let merging = 1.0 - sums.lost_to_merging;
+        let slipping = self.branch.population().microslip(separation, force_over_radius / merging)?;
         if slipping.radius == 0.0 {
             return Ok((0.0, 0.0));
         }
         // Where the load is so light that the state is one of a heavier load, scaled down, this is scaled too.
         let part = sums.radius / slipping.radius;
-        let tangential = (slipping.force * part * self.units.force).min(force);
+        let tangential = (slipping.force * part * merging * self.units.force).min(force);
         Ok((tangential.copysign(displacement), slipping.sticking / slipping.radius * stiffness))
     }
 

@@ -10,11 +10,16 @@
 //! finite.
 
 use super::Sums;
+use crate::asperity::slip::Slip;
 use crate::numerics::elementary::{exp, log};
+use std::f64::consts::PI;
 
 const POWER: f64 = 1.8;
 /// The largest share of the nominal area.
 const LARGEST_SHARE: f64 = 0.5;
+/// The share at which patches of contact span the surface, as above, and the least part of it that is taken to be left.
+const PERCOLATION: f64 = 0.42;
+const LEAST_LEFT: f64 = 0.05;
 
 /// Of one summit.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +37,33 @@ impl Crowding {
         let crowding = self.of(&sums);
         let given_way = if elastic > 0.0 { crowding.0 * (-sums.load_slope / elastic).max(0.0) } else { 0.0 };
         Sums { crowding, given_way, ..sums }
+    }
+
+    /// The sums with the friction of contacts that have merged: the law of slip takes their mean radius to be greater by
+    /// (1 - A/(0.42 A_0))^(-1/2).
+    pub fn merged(self, sums: Sums, slip: &Slip) -> Sums {
+        if !(sums.area > 0.0 && sums.radius > 0.0) {
+            return sums;
+        }
+        let share = sums.area / (PERCOLATION * self.nominal_area);
+        let left = (1.0 - share).max(LEAST_LEFT);
+        let growth_rate = if left > LEAST_LEFT { 0.5 * share / left * (sums.area_slope / sums.area) } else { 0.0 };
+        let mean = sums.area / (PI * sums.radius);
+        let mean_rate = sums.area_slope / sums.area - sums.radius_slope / sums.radius;
+        let [(alone, power_alone), (merged, power)] =
+            [mean, mean / left.sqrt()].map(|radius| slip.stress_and_power(radius));
+        if alone == merged {
+            return sums;
+        }
+        let ratio = merged / alone;
+        let ratio_rate = ratio * (power * (mean_rate + growth_rate) - power_alone * mean_rate);
+        // What grows with pressure does not depend on radii.
+        let of_pressure = slip.by_hertz_load();
+        let [stress, stress_rate] =
+            [sums.friction - of_pressure * sums.hertz_load, sums.friction_slope - of_pressure * sums.hertz_load_slope];
+        let friction = sums.friction - (1.0 - ratio) * stress;
+        let friction_slope = sums.friction_slope - (1.0 - ratio) * stress_rate + ratio_rate * stress;
+        Sums { lost_to_merging: 1.0 - friction / sums.friction, friction, friction_slope, ..sums }
     }
 
     /// 1 - psi of sums, and its slope by separation.
@@ -55,6 +87,7 @@ impl Crowding {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::asperity::slip::{SlipConstants, SlipOnset};
 
     fn at(share: f64) -> (f64, f64) {
         let sums = Sums { area: 3.0 * share, area_slope: 3.0, ..Sums::default() };
@@ -73,6 +106,49 @@ mod tests {
             assert!(((1.0 - off) / least - 1.0).abs() < 1e-4 && (0.0..1e-3).contains(&slope), "{share}: {off}");
         }
         assert_eq!(at(0.0), (0.0, 0.0));
+    }
+
+    #[test]
+    fn patches_of_contact_that_merge_slip_as_larger_ones_do() {
+        let constants = SlipConstants { radius_1: 1.0, stress_1: 1.0, radius_2: 1e4, stress_2: 0.01 };
+        let crowding = Crowding { nominal_area: 1.0, stiffness_of_radius: 1.0 };
+        for (of_pressure, mean) in [(0.0, 0.1), (0.0, 30.0), (0.2, 30.0), (0.2, 9e3)] {
+            let slip = Slip::new(constants, of_pressure, SlipOnset::Partial);
+            // Contacts of one radius, more of them and larger ones where the surfaces are nearer.
+            let at = |share: f64| {
+                let radius = mean * (1.0 + share);
+                let [hertz_load, stress] = [0.3 * share, slip.stress(radius)];
+                let friction = share * stress + of_pressure * hertz_load;
+                Sums { area: share, radius: share / (PI * radius), hertz_load, friction, ..Sums::default() }
+            };
+            for share in [1e-9, 1e-3, 0.05, 0.2, 0.41, 0.7] {
+                let rate = |of: fn(&Sums) -> f64| {
+                    (of(&at(share + 1e-6 * share)) - of(&at(share * (1.0 - 1e-6)))) / (2e-6 * share)
+                };
+                let friction_slope = rate(|sums| sums.friction);
+                let sums = Sums {
+                    area_slope: 1.0,
+                    radius_slope: rate(|sums| sums.radius),
+                    hertz_load_slope: 0.3,
+                    friction_slope,
+                    ..at(share)
+                };
+                let found = crowding.merged(sums, &slip);
+                let left = f64::max(1.0 - share / 0.42, 0.05);
+                let radius = mean * (1.0 + share);
+                let expected = share * slip.stress(radius / left.sqrt()) + of_pressure * 0.3 * share;
+                assert!((found.friction / expected - 1.0).abs() < 1e-12, "{share}: {} {expected}", found.friction);
+                let merged = |share: f64| crowding.merged(at(share), &slip).friction;
+                let secant = (merged(share + 1e-6 * share) - merged(share * (1.0 - 1e-6))) / (2e-6 * share);
+                assert!(
+                    (found.friction_slope / secant - 1.0).abs() < 1e-6,
+                    "{share}: {} {secant}",
+                    found.friction_slope
+                );
+                let part = 1.0 - found.lost_to_merging;
+                assert!((part * sums.friction / found.friction - 1.0).abs() < 1e-12);
+            }
+        }
     }
 
     #[test]

@@ -328,6 +328,7 @@ impl Population {
         let below = self.attraction_at(z - separation, z).map_or(0.0, |attracted| attracted.load);
         sums.load_slope -= density * (edge.point.contact.load - below);
         sums.friction_slope -= density * self.slip.friction(&edge.point.contact).force;
+        sums.hertz_load_slope -= density * edge.point.contact.hertz_load;
         sums.radius_slope -= density * edge.point.contact.radius;
         sums.area_slope -= density * PI * edge.point.contact.radius * edge.point.contact.radius;
     }

@@ -188,6 +188,12 @@ impl Population {
 
     /// The sums of lone summits with what neighbours change.
     pub fn among_neighbours(&self, sums: Sums) -> Sums {
-        self.crowding.map_or(sums, |crowding| crowding.among(sums))
+        let Some(crowding) = self.crowding else { return sums };
+        let sums = crowding.among(sums);
+        if self.radius.scores.is_some() {
+            crowding.merged(sums, &self.slip)
+        } else {
+            sums
+        }
     }
 }

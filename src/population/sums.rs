@@ -28,12 +28,16 @@ pub struct Sums {
     pub load_slope: f64,
     /// d(friction)/d(separation).
     pub friction_slope: f64,
+    /// d(load of Hertz' contacts)/d(separation).
+    pub hertz_load_slope: f64,
     /// d(contact radius)/d(separation).
     pub radius_slope: f64,
     /// d(real area)/d(separation).
     pub area_slope: f64,
     /// 1 - psi of `crowding`, and its slope by separation; 0 where the nominal area is not known.
     pub crowding: (f64, f64),
+    /// What part of their friction contacts have lost since they have merged.
+    pub lost_to_merging: f64,
     /// What part of the approach of the summits the mean planes do not follow, since neighbours press the surface down between.
     pub given_way: f64,
 }
@@ -85,9 +89,11 @@ impl Sums {
             attracted: factor * self.attracted,
             load_slope: factor * self.load_slope,
             friction_slope: factor * self.friction_slope,
+            hertz_load_slope: factor * self.hertz_load_slope,
             radius_slope: factor * self.radius_slope,
             area_slope: factor * self.area_slope,
             crowding: self.crowding,
+            lost_to_merging: self.lost_to_merging,
             given_way: self.given_way,
         }
     }
@@ -108,6 +114,7 @@ impl Sums {
         self.area += weight * (PI * summit.radius * summit.radius);
         self.load_slope -= weight * summit.load_by_overlap;
         self.friction_slope -= weight * summit.friction_by_overlap;
+        self.hertz_load_slope -= weight * summit.hertz_load_by_overlap;
         self.radius_slope -= weight * summit.radius_by_overlap;
         self.area_slope -= weight * (2.0 * PI * summit.radius * summit.radius_by_overlap);
     }
@@ -136,6 +143,7 @@ pub struct Summit {
     pub hertz_load: f64,
     pub load_by_overlap: f64,
     pub friction_by_overlap: f64,
+    pub hertz_load_by_overlap: f64,
     pub radius_by_overlap: f64,
 }
 
@@ -152,6 +160,7 @@ impl Summit {
             hertz_load: contact.hertz_load,
             load_by_overlap: by_approach.load,
             friction_by_overlap: friction.rate(&by_approach),
+            hertz_load_by_overlap: by_approach.hertz_load,
             radius_by_overlap: by_approach.radius,
         }
     }

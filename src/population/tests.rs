@@ -151,7 +151,7 @@ fn sums_over_a_table_at_scores_are_integrals_of_its_density() {
             let sums = population.at_separation(separation);
             let edge = population.edge(separation).point.z;
             let mut found = [0.0; 3];
-            let reach = (population.highest.min(14.0) - edge).max(1.0).sqrt();
+            let reach = (population.highest.min(60.0) - edge).max(1.0).sqrt();
             let even = (0..=3000).map(|i| reach * f64::from(i) / 3e3);
             let knots =
                 population.heights.breakpoints().iter().filter(|&&knot| knot > edge).map(|knot| (knot - edge).sqrt());
@@ -172,7 +172,7 @@ fn sums_over_a_table_at_scores_are_integrals_of_its_density() {
                 }
             }
             for (sum, found) in [sums.load_contacting, sums.friction, sums.area].into_iter().zip(found) {
-                assert!((sum / found - 1.0).abs() < 1e-8, "{params:?} at {separation}: {sum:e}, not {found:e}");
+                assert!((sum / found - 1.0).abs() < 3e-8, "{params:?} at {separation}: {sum:e}, not {found:e}");
             }
             if population.kinks().iter().all(|kink| (kink - separation).abs() > 1e-3) {
                 let [load, friction] = errors_of_slopes(&population, separation, 1e-4);

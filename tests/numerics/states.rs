@@ -58,7 +58,7 @@ fn random_surface(random: &mut SplitMix) -> (Option<Population>, [f64; STATES]) 
         _ => random.between(-4.0, 4.5),
     });
     let Ok(heights) = heights(&family) else { return (None, above_mean) };
-    let radius = RadiusProfile { amplitude, rate, origin: heights.origin() };
+    let radius = RadiusProfile { amplitude, rate, origin: heights.origin(), scores: None };
     let slip = Slip::new(SlipConstants::default(), pressure, SlipOnset::Partial);
     (Population::new(&groups, slip, heights, radius, random.chance(0.7)).ok(), above_mean)
 }

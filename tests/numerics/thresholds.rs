@@ -202,7 +202,7 @@ fn assert_has(found: &[f64], expected: &[f64]) {
 /// Where a knot of the density, or the lower end of a power law, passes the end of attraction, of contact, or of a regime of slip.
 #[test]
 fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
-    let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0 };
+    let radius = RadiusProfile { amplitude: 0.4, rate: 0.7, origin: 0.0, scores: None };
     let table = Tabulated::new(&[-2.0, -1.0, 0.5, 1.0, 3.0], &[0.0, 1.0, 2.0, 1.0, 0.0]).expect("a density");
     let (table, weibull) = (Arc::new(table), Arc::new(Weibull::new(1.7).expect("a shape")));
     let slip = Params::paper().slip;
@@ -219,7 +219,7 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
         };
         for attract in [true, false] {
             let kinks = |heights: Arc<dyn HeightDistribution>| {
-                Population::new(&groups, Slip::new(slip, 0.0, SlipOnset::Partial), heights, radius, attract)
+                Population::new(&groups, Slip::new(slip, 0.0, SlipOnset::Partial), heights, radius.clone(), attract)
                     .expect("a population")
                     .kinks()
             };
