@@ -148,30 +148,33 @@ impl Slip {
         self.by_hertz_load
     }
 
-    /// The shear stress tau over G* at contact radius `a` > 0.
-    pub fn stress(&self, a: f64) -> f64 {
-        self.stress_and_power(a).0
+    /// The power of the radius that the stress of contacts of this mean radius goes with, and its slope by the logarithm of the radius:
+    /// radii scatter, so that it changes smoothly from one regime to the next.
+    pub fn power_of_mean(&self, radius: f64) -> (f64, f64) {
+        let [below, above] =
+            [self.constants.radius_1 / radius, radius / self.constants.radius_2].map(|ratio| ratio * ratio);
+        let power = self.exponent / (1.0 + below) / (1.0 + above);
+        (power, 2.0 * power * (below / (1.0 + below) - above / (1.0 + above)))
     }
 
-    /// The same, and the power of the radius that it goes with there.
-    #[inline]
-    pub fn stress_and_power(&self, a: f64) -> (f64, f64) {
-        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
-        if a <= radius_1 {
-            (stress_1, 0.0)
-        } else if a < radius_2 {
-            (stress_1 * exp(self.exponent * log(a / radius_1)), self.exponent)
-        } else {
-            (stress_2, 0.0)
-        }
+    /// The shear stress tau over G* at contact radius `a` > 0.
+    pub fn stress(&self, a: f64) -> f64 {
+        self.stress_force(a).0 / (PI * a * a)
     }
 
     /// pi a^2 tau at contact radius `a`, and its derivative.
     #[inline]
     fn stress_force(&self, a: f64) -> (f64, f64) {
-        let (stress, power) = self.stress_and_power(a);
+        let SlipConstants { radius_1, stress_1, radius_2, stress_2 } = self.constants;
+        let (stress, power) = if a <= radius_1 {
+            (stress_1, 2.0)
+        } else if a < radius_2 {
+            (stress_1 * exp(self.exponent * log(a / radius_1)), 2.0 + self.exponent)
+        } else {
+            (stress_2, 2.0)
+        };
         let force_over_a = PI * a * stress;
-        (force_over_a * a, (2.0 + power) * force_over_a)
+        (force_over_a * a, power * force_over_a)
     }
 }
 

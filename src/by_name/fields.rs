@@ -62,7 +62,7 @@ macro_rules! with_fields {
             weibull_shape: weibull_shape;
             kurtosis: kurtosis;
             skew: skew;
-            height_distribution: height_distribution as &["gaussian", "weibull", "johnson", "tabulated", "at scores"], NO_FAMILY;
+            height_distribution: height_distribution as &["gaussian", "weibull", "johnson", "tabulated", "at-scores"], NO_FAMILY;
         }
     };
 }

@@ -10,7 +10,7 @@ use crate::distribution::at_scores::AtScores;
 use crate::estimate::known::{machined_slope, Process, PROCESSES};
 use crate::params::shapes::{self, Heights};
 use crate::params::spectrum::SpectralMoments;
-use crate::params::{positive, STEEPEST_SURFACE};
+use crate::params::{check_lay, positive, STEEPEST_SURFACE};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::fmt::Arguments;
 use std::ops::RangeInclusive;
@@ -107,7 +107,7 @@ impl Roughness {
         };
         given.check(kind)?;
         let count = given.surfaces()?;
-        given.check_metres(count)?;
+        given.check_metres()?;
         given.check_alone(count)?;
         let lay = given.lay()?;
         let at_scores = given.at_scores()?;
@@ -237,7 +237,7 @@ impl GivenRoughness<'_> {
     }
 
     /// Refuses lengths in another unit, where bodies of the tables, a process or the Burgers vector tell that they are to be in m.
-    fn check_metres(&self, count: usize) -> Outcome<()> {
+    fn check_metres(&self) -> Outcome<()> {
         let given = |table, name| self.entries.find(table, name);
         let of_tables = [(Table::Top, "pair"), (Table::Materials, "first"), (Table::Materials, "second")];
         let is_crystal = given(Table::Top, "burgers_vector")
@@ -250,12 +250,14 @@ impl GivenRoughness<'_> {
             ("Ra", HIGHEST, HEIGHT_RANGE),
             ("Rq", HIGHEST, HEIGHT_RANGE),
             ("Sq", HIGHEST, HEIGHT_RANGE),
+            ("Spq", HIGHEST, HEIGHT_RANGE),
+            ("Svq", HIGHEST, HEIGHT_RANGE),
+            (HEIGHTS, HIGHEST, HEIGHT_RANGE),
             ("RSm", WIDEST, WIDTH_RANGE),
         ] {
-            if let Some(value) = (0..count).filter_map(|surface| self.get(name, surface)).find(|&length| length > most)
-            {
+            if let Some(value) = self.numbers(name).iter().copied().find(|length| length.abs() > most) {
                 let units = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9)];
-                let meant = units.into_iter().filter(|(_, metres)| likely.contains(&(value * metres)));
+                let meant = units.into_iter().filter(|(_, metres)| likely.contains(&(value.abs() * metres)));
                 let meant = meant.map(|(unit, _)| unit).collect::<Vec<_>>().join(" or ");
                 let asked = if meant.is_empty() { String::new() } else { format!("; is it in {meant}?") };
                 let value = Value::Number(value);
@@ -316,13 +318,18 @@ impl GivenRoughness<'_> {
         Ok(first.map_or(1, |(_, count)| count))
     }
 
+    /// The numbers of a key, none if it is not there.
+    fn numbers(&self, name: &str) -> &[f64] {
+        match self.entries.find(self.table, name).map(|entry| &entry.value) {
+            Some(Value::Number(number)) => std::slice::from_ref(number),
+            Some(Value::Numbers(numbers)) => numbers,
+            _ => &[],
+        }
+    }
+
     #[inline(never)]
     fn get(&self, name: &str, surface: usize) -> Option<f64> {
-        match &self.entries.find(self.table, name)?.value {
-            Value::Number(number) => Some(*number),
-            Value::Numbers(numbers) => numbers.get(surface).copied(),
-            _ => None,
-        }
+        self.numbers(name).get(surface).copied()
     }
 
     /// A number > 0 that must be there.
@@ -405,11 +412,13 @@ impl GivenRoughness<'_> {
             return Ok(None);
         };
         let number = self.need(name, 0)?;
-        Ok(Some(match name {
+        let lay = match name {
             "lay" => number,
             "Rdq_along" => self.need("Rdq", 0)? / number,
             _ => number / self.need("RSm", 0)?,
-        }))
+        };
+        check_lay(lay).map_err(|error| self.refused(name, format_args!("{error}")))?;
+        Ok(Some(lay))
     }
 
     /// The heights and slopes of a surface of which more is given than a Gaussian one has.
@@ -453,10 +462,7 @@ impl GivenRoughness<'_> {
 
     /// The numbers of a key at the scores.
     fn table(&self, name: &'static str) -> Outcome<Heights> {
-        let numbers = match self.entries.find(self.table, name).map(|entry| &entry.value) {
-            Some(Value::Numbers(numbers)) => &numbers[..],
-            _ => &[],
-        };
+        let numbers = self.numbers(name);
         numbers.try_into().map_err(|_| {
             let count = numbers.len();
             self.refused(

@@ -1,6 +1,6 @@
 //! What a text makes of parameters.
 
-use super::draft::{Draft, TABULATED};
+use super::draft::{Draft, AT_SCORES, TABULATED};
 use super::fields::{FIELDS, FLAG};
 use super::keys::{Entries, Entry, Table};
 use super::numbers::{names, Numbers};
@@ -693,7 +693,8 @@ impl GivenSurface<'_> {
                 return Err(one.refused(format_args!("table_height and table_density go together")))
             }
         };
-        if family.is_some_and(|family| family != f64::from(TABULATED)) {
+        let is_at_scores = family == Some(f64::from(AT_SCORES));
+        if !is_at_scores && family.is_some_and(|family| family != f64::from(TABULATED)) {
             return Err(height.refused(format_args!("the heights are of another family: leave the table out")));
         }
         let [heights, densities] = [height, density].map(|entry| match &entry.value {
@@ -707,7 +708,7 @@ impl GivenSurface<'_> {
         if let Err(error) = tabulated::check_length(heights.len()) {
             return Err(height.refused(format_args!("{error}")));
         }
-        draft.params.heights = HeightFamily::Tabulated { height: Arc::from(heights), density: Arc::from(densities) };
+        draft.params.heights = HeightFamily::of_table(is_at_scores, Arc::from(heights), Arc::from(densities));
         if !is_chosen {
             self.numbers.give_named("height_distribution", TABULATED.into());
         }

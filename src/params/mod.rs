@@ -132,6 +132,17 @@ const BANDWIDTH_PRODUCT: f64 = 0.02036;
 /// The ratios of slopes that a lay may have: boundary elements were made up to 12.
 const LAYS: std::ops::RangeInclusive<f64> = 0.05..=20.0;
 
+/// Refuses a lay that no boundary elements have been made of.
+pub(crate) fn check_lay(lay: f64) -> Result<(), Error> {
+    positive("lay", lay)?;
+    if LAYS.contains(&lay) {
+        return Ok(());
+    }
+    let allowed = "must be between 1/20 and 20: the ratio of the slopes, Rdq across the lay over Rdq along it; of longer grooves \
+                   nothing is known";
+    Err(Error::out_of_range("lay", lay, allowed))
+}
+
 /// The radius_rate of radii that vary with height.
 pub(crate) const RADIUS_RATES: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
 
@@ -356,12 +367,7 @@ impl Params {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`]; the parameters are then as before.
     pub fn set_lay(&mut self, lay: f64) -> Result<(), Error> {
-        positive("lay", lay)?;
-        if !LAYS.contains(&lay) {
-            let allowed = "must be between 1/20 and 20: the ratio of the slopes, Rdq across the lay over Rdq along it; to grooves that \
-                           are longer no lay is known";
-            return Err(Error::out_of_range("lay", lay, allowed));
-        }
+        check_lay(lay)?;
         let factor = spectrum::lay_factor(lay);
         self.asperity_count /= factor;
         self.summit_radius *= factor * factor;

@@ -9,6 +9,13 @@ use std::ffi::{c_char, CStr, CString};
 use std::path::Path;
 use std::ptr::{null, null_mut};
 
+/// The normal scores of a table.
+const SCORES: [f64; 13] = [-3.0, -2.5, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0];
+/// A text of heights and slopes at scores, and more of the roughness.
+fn at_scores(height: &[f64], slope: &[f64], more: &str) -> String {
+    format!("nominal_area = 1\n[roughness]\nheights_at_scores = {height:?}\nslopes_at_scores = {slope:?}\n{more}")
+}
+
 /// Hard carbon on hard carbon.
 const CARBON: &str = "nominal_area = 1e-6
 work_of_adhesion = 0.06
@@ -211,9 +218,41 @@ fn parameters_of_roughness_are_moments() {
     let (m0, wave_number) = (pi / 2.0 * two * two, 2.0 * pi / 80e-6);
     near("[roughness]\nRa = [0.8e-6, 0.4e-6]\nRSm = [80e-6, 80e-6]", [m0, m0 * wave_number * wave_number, 0.0]);
     // Heights and radii beside them.
-    let shaped =
-        near("[roughness]\nSq = 5e-9\nSdq = 0.08\nSds = 2e13\nSsk = 0.1\nSku = 3.2", by_density(rq, slope, density));
-    assert_eq!((shaped.height_distribution, shaped.skew, shaped.kurtosis), (ASPERITY_HEIGHTS_JOHNSON, 0.1, 3.2));
+    for (roughness, nearness) in [
+        ("Sq = 5e-9\nSdq = 0.08\nSsk = 0\nSku = 3", 1e-2),
+        ("Sq = 5e-9\nSdq = 0.08\nSsk = 0.1\nSku = 3.02", 0.1),
+        ("Spq = 5e-9\nSvq = 5e-9\nSmq = 0.7\nSdq = 0.08", 1e-2),
+        (&format!("heights_at_scores = {:?}\nSdq = 0.08", SCORES.map(|g| 5e-9 * g)), 1e-2),
+        (&format!("heights_at_scores = {:?}\nSdq = 0.08\nSdq_top = 0.08", SCORES.map(|g| 5e-9 * g)), 1e-2),
+        (&format!("heights_at_scores = {:?}\nslopes_at_scores = {:?}", SCORES.map(|g| 5e-9 * g), [0.08; 13]), 1e-2),
+    ] {
+        let (found, gaussian) =
+            (with(&format!("[roughness]\n{roughness}")), with("[roughness]\nSq = 5e-9\nSdq = 0.08"));
+        assert_eq!((found.height_distribution, found.table_length), (ASPERITY_HEIGHTS_AT_SCORES, 13), "{roughness}");
+        for (found, expected) in [
+            (found.height_std, gaussian.height_std),
+            (found.summit_radius, gaussian.summit_radius),
+            (found.asperity_count, gaussian.asperity_count),
+            (found.summit_mean_height, gaussian.summit_mean_height),
+        ] {
+            assert_near(found, expected, nearness, roughness);
+        }
+    }
+    // A lay makes fewer and blunter asperities, whichever way it is given.
+    let plain = with("[roughness]\nRq = 5e-9\nRdq = 0.08");
+    for lay in ["lay = 3", "Rdq_along = 0.0266666666666666666", "Rdq_along = 0.24"] {
+        let along = with(&format!("[roughness]\nRq = 5e-9\nRdq = 0.08\n{lay}"));
+        let factor = 1.0 + 0.17 * (0.5 * (3.0 + 1.0 / 3.0_f64)).ln();
+        let slope =
+            if lay.ends_with("24") { (0.5_f64 * (1.0 + 9.0)).sqrt() } else { (0.5_f64 * (1.0 + 1.0 / 9.0)).sqrt() };
+        assert_near(along.rms_slope, plain.rms_slope * slope, 1e-9, lay);
+        let factors = [
+            along.asperity_count / plain.asperity_count / (slope * slope),
+            along.summit_radius / plain.summit_radius * (slope * slope),
+        ];
+        assert_near(factors[0], 1.0 / factor, 1e-9, lay);
+        assert_near(factors[1], factor * factor, 1e-9, lay);
+    }
     let moments = "[roughness]\nm0 = 4e-18\nm2 = 2e-3\nm4 = 8e12";
     // McCool (1987): all radii are 3 pi^(1/2)/(8 m4^(1/2)).
     let mccool = with(&format!("{moments}\nsummits = \"mccool\""));
@@ -326,7 +365,18 @@ fn what_is_wrong_is_named_with_line_and_key() {
         (changed("E1 = 493e9", "first = \"Stahl\""), "line 9: [materials] nu1: first sets it already"),
         (changed("E1 = 493e9\nnu1 = 0.25", "first = \"Stahl\""), "line 8: [materials] first: Stahl: no material has this name; the nearest is steel"),
         ("slip_onset = \"hole\"".into(), "line 1: slip_onset = \"hole\": must be \"partial\" or \"whole\""),
-        ("heights = \"gauss\"".into(), "line 1: height_distribution = \"gauss\": must be \"gaussian\", \"weibull\", \"johnson\" or \"tabulated\""),
+        ("heights = \"gauss\"".into(), "line 1: height_distribution = \"gauss\": must be \"gaussian\", \"weibull\", \"johnson\", \"tabulated\" or \"at-scores\""),
+        (at_scores(&SCORES[..12], &[0.1; 13], ""), "line 3: [roughness] heights_at_scores: 12 numbers for 13: one for each"),
+        (at_scores(&SCORES, &[0.1; 14], ""), "line 4: [roughness] slopes_at_scores: 14 numbers for 13: one for each"),
+        (at_scores(&[0.0; 13], &[0.1; 13], ""), "line 3: heights_at_scores[1]"),
+        (at_scores(&SCORES, &[0.0; 13], ""), "line 4: slopes_at_scores[0]"),
+        (at_scores(&SCORES, &[0.1; 13], "lay = 100"), "line 5: [roughness] lay: lay = 100: must be between"),
+        ("nominal_area = 1\n[roughness]\nRq = 1\nRdq = 0.1\nRdq_along = 0.001".into(), "line 5: [roughness] Rdq_along: lay = 100"),
+        (at_scores(&SCORES, &[0.1; 13], "Sq = 1"), "line 3: [roughness] heights_at_scores: heights are given by"),
+        (at_scores(&SCORES, &[0.1; 13], "Sdq = 1"), "line 5: [roughness] Sdq: must not be given together with slopes_at_scores"),
+        (format!("pair = \"Si/Si\"\n{}", at_scores(&SCORES, &[0.1; 13], "")), "line 4: [roughness] heights_at_scores = -3: must be in m, and at most 1e-3; is it in um or nm?"),
+        ("nominal_area = 1\n[roughness]\nSq = 1\nSdq = 0.1\nSsk = -2\nSku = 4".into(), "line 6: "),
+        ("nominal_area = 1\n[roughness]\nSpq = 1\nSvq = 3\nSmq = 70\nSdq = 0.1".into(), "line 5: [roughness] Smq: must be below 1: it is a part of the surface; is it in per cent?"),
         ("contact_law = 2".into(), "line 1: contact_law = 2: must be \"maugis\" or \"elastic-plastic\""),
         ("attraction = \"no\"".into(), "line 1: attraction = \"no\": must be false or true"),
         ("heights = 0\nheight_distribution = 0".into(), "line 2: height_distribution: given twice, also in line 1"),
@@ -496,6 +546,7 @@ fn what_is_written_reads_back_bit_for_bit() {
         carbon.johnson(-0.5, 4.0),
         carbon.johnson(0.0, 3.0),
         carbon.table(&[-1.0, 0.0, 2.0 / 3.0], &[0.0, 1.0, 5e-324]),
+        asperity_params { height_distribution: 4, ..carbon.table(&SCORES, &[0.1; 13]) },
     ] {
         let text = written(&params);
         assert!(text.starts_with("# Two rough surfaces in contact"), "{text}");
@@ -857,7 +908,7 @@ fn what_is_set_is_written_read_again_and_made() {
                 if written.contains("# The strength was calibrated") {
                     (params.calibration_load, params.calibration_friction_force) = (0.0, 0.0);
                 }
-                if params.height_distribution != ASPERITY_HEIGHTS_TABULATED {
+                if ![ASPERITY_HEIGHTS_TABULATED, ASPERITY_HEIGHTS_AT_SCORES].contains(&params.height_distribution) {
                     (params.table_height, params.table_density, params.table_length) = (null(), null(), 0);
                 }
                 params

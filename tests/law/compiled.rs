@@ -26,12 +26,24 @@ fn random_params(random: &mut SplitMix) -> Params {
 
 /// Heights of any family; of tables few enough that rows lie between their kinks.
 fn random_heights(random: &mut SplitMix) -> HeightFamily {
-    match random.below(6) {
+    match random.below(7) {
         0 | 1 => HeightFamily::Gaussian,
         2 | 3 => HeightFamily::Weibull { shape: random.log_between(1.1, 60.0) },
         4 => {
             let skew = random.between(-2.0, 2.0);
             HeightFamily::Johnson { skew, kurtosis: 1.87 + 1.25 * skew * skew + random.log_between(0.01, 10.0) }
+        }
+        5 => {
+            // Each stretch is up to three times as steep as its neighbour, in height and in slope.
+            let [mut at, mut rise, mut square] = [0.0, 1.0, 1.0];
+            let rows = (0..13).map(|_| {
+                at += rise;
+                rise *= random.log_between(1.0 / 3.0, 3.0);
+                square *= random.log_between(0.5, 2.0);
+                (at, square)
+            });
+            let (height, slope): (Vec<f64>, Vec<f64>) = rows.unzip();
+            HeightFamily::AtScores { height: height.into(), slope: slope.into() }
         }
         _ => {
             let count = 4 + random.below(16);
