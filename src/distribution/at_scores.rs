@@ -157,7 +157,7 @@ impl AtScores {
 
     /// The score g at a height, and its first and second derivative.
     #[inline]
-    fn score(&self, z: f64) -> [f64; 3] {
+    pub fn score(&self, z: f64) -> [f64; 3] {
         let straight = |i: usize, rate: f64| [table_score(i) + rate * (z - self.knots[i]), rate, 0.0];
         match self.knots.partition_point(|&knot| knot < z) {
             0 => straight(0, self.beyond[0]),

@@ -99,7 +99,7 @@ impl End {
         if is_number && sums.load() > 0.0 {
             let allowed = "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
                           a few tall ones still carry the load, and the surfaces would part in steps; use heights without \
-                          a second maximum";
+                          a second maximum, or work_of_adhesion = 0";
             return Err(Error::out_of_range("pull-off load", sums.load(), allowed));
         }
         let pull_off = PullOff { separation, load: sums.load(), sums };

@@ -466,9 +466,9 @@ impl Params {
         }
     }
 
-    /// That of the summits on the nominal area; 0 if the area is not known.
+    /// That of the summits on the nominal area; 0 if the area is not known, and of asperities at scores, which were not counted.
     fn bandwidth_of_density(&self) -> f64 {
-        if self.nominal_area <= 0.0 {
+        if self.nominal_area <= 0.0 || matches!(self.heights, HeightFamily::AtScores { .. }) {
             return 0.0;
         }
         // Beyond, no number is needed.

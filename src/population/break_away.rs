@@ -68,10 +68,15 @@ pub fn deepest(law: &dyn ContactLaw, radius: &RadiusProfile, lowest: f64, highes
     for z in radius.looks(lowest, highest) {
         let edge = Edge::at(law, radius, z);
         if edge.rate < LEAST_RATE {
+            if let Some(scores) = &radius.scores {
+                let allowed = "must not be in a table with this work_of_adhesion: radii fall so steeply there that taller asperities \
+                              would part before lower ones; set work_of_adhesion = 0, with which any table is evaluated, or give \
+                              a table that is smoother";
+                return Err(Error::out_of_range("score", scores.score(z)[0], allowed));
+            }
             let allowed = "must be smaller with this radius_amplitude and work_of_adhesion: radii fall so steeply with height \
                           that taller summits would part before lower ones; use a smaller radius_amplitude or radius_rate: 0 for \
-                          surfaces so smooth that adhesion outreaches their roughness, which stick all over; of heights at scores \
-                          a smaller work_of_adhesion, 0 for plateaus";
+                          surfaces so smooth that adhesion outreaches their roughness, which stick all over";
             return Err(Error::out_of_range("radius_rate", radius.rate, allowed));
         }
         deepest = deepest.min(edge.point.contact.overlap);
