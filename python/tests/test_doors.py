@@ -67,6 +67,25 @@ def test_every_text_of_the_pages_means_the_same_through_all_doors(tmp_path: Path
     assert asked >= 12
 
 
+@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
+@pytest.mark.parametrize("kappa", [None, 0.02, 0.1, 0.24])
+def test_a_strength_that_nobody_measured_has_one_band(kappa: float | None) -> None:
+    """A text, the parameters that it makes, their text and their curve: what a given pressure coefficient makes is known in all of them."""
+    given = "" if kappa is None else f"pressure_coefficient = {kappa}\n"
+    known = "model_error = 0\n[known_to]\nslope = 1\nhardness = 1\nwork_of_adhesion = 1\n"
+    text = f'{given}pair = "Si/Si"\nnominal_area = 1e-6\nwork_of_adhesion = 0\ncontact_law = "maugis"\nsize_effect = 1\n[roughness]\nSq = 5e-9\nSdq = 0.08\n'
+    load, params = np.array([1.0, 100.0]), Params.from_text(text)
+    curve = Model(params).curve(load)
+    assert curve.low is not None and curve.high is not None
+    written = estimate(known.replace("[", params.to_text() + "[", 1), load)
+    assert written.low == pytest.approx(curve.low, rel=2e-3) and written.high == pytest.approx(curve.high, rel=2e-3)
+    asked = estimate(known.replace("[", text + "[", 1), load)
+    # What is not given may also be by pressure.
+    near = 0.06 if kappa is None else 2e-3
+    assert asked.low == pytest.approx(curve.low, rel=near) and asked.high == pytest.approx(curve.high, rel=near)
+    assert kappa is None or (curve.low > 0.9 * kappa).all()
+
+
 def test_the_command_line_and_a_table_have_it_too(tmp_path: Path) -> None:
     path = tmp_path / "surface.toml"
     path.write_text('pair = "steel/steel"\nnominal_area = 1e-4\n[roughness]\nprocess = "ground"\nRa = 0.8e-6\n', encoding="utf-8")

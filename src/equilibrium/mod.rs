@@ -8,6 +8,7 @@ mod pull_off;
 
 pub use pull_off::PullOff;
 
+use crate::asperity::slip::Slip;
 use crate::error::Error;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::root::MOST_STEPS;
@@ -54,14 +55,35 @@ impl Branch {
     /// not negative.
     pub fn new(population: Population) -> Result<Self, Error> {
         let end = End::of(&population)?;
+        Ok(Self::ending(population, end))
+    }
+
+    /// The branch of a population like one whose load has a single minimum.
+    ///
+    /// # Errors
+    /// As [`Branch::new`].
+    pub fn with_single_minimum(population: Population) -> Result<Self, Error> {
+        let end = End::looked_for(&population, true)?;
+        Ok(Self::ending(population, end))
+    }
+
+    fn ending(population: Population, end: End) -> Self {
         let kinks = population.kinks();
-        Ok(Self { population, kinks, end, fall: OnceLock::new() })
+        Self { population, kinks, end, fall: OnceLock::new() }
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
         Ok(Self { end, fall: OnceLock::new(), ..self })
+    }
+
+    /// The branch of the same summits with other slip stresses at the same radii.
+    pub fn with_slip(&self, slip: Slip) -> Self {
+        let population = self.population.with_slip(slip);
+        let sums = |point: PullOff| PullOff { sums: population.at_separation(point.separation), ..point };
+        let end = End { pull_off: self.end.pull_off.map(sums), ..self.end };
+        Self { end, kinks: self.kinks.clone(), fall: OnceLock::new(), population }
     }
 
     /// Gives back what is tabulated of the population until sums are asked for.

@@ -50,11 +50,19 @@ impl End {
     /// # Errors
     /// [`Error::NotConverged`] if it cannot be found; [`Error::OutOfRange`] if the load there is not negative.
     pub fn of(population: &Population) -> Result<Self, Error> {
+        Self::looked_for(population, population.has_single_minimum())
+    }
+
+    /// The same of a population with a single minimum.
+    ///
+    /// # Errors
+    /// As [`End::of`].
+    pub fn looked_for(population: &Population, single: bool) -> Result<Self, Error> {
         let none = Self { pull_off: None, farthest: population.farthest() };
         if !population.is_adhesive() {
             return Ok(none);
         }
-        match bracket_first_minimum(population)? {
+        match bracket_first_minimum(population, single)? {
             Some(bracket) => Self::within(population, bracket),
             None => Ok(none),
         }
@@ -107,9 +115,9 @@ impl End {
     }
 }
 
-/// Two separations between which the load has its first minimum; `None` where the load falls as long as it is a number.
-fn bracket_first_minimum(population: &Population) -> Result<Option<(f64, f64)>, Error> {
-    let single = population.has_single_minimum();
+/// Two separations between which the load has its first minimum, a single one or not; `None` where the load falls as long as it is a
+/// number.
+fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option<(f64, f64)>, Error> {
     let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
     let mut back = FIRST_STEP;
     while !falls(population, here)? {

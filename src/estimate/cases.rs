@@ -9,7 +9,9 @@ use crate::model::{Model, Surfaces};
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{ContactLawKind, Params};
-use crate::specimens::{Specimens, Standing};
+use crate::specimens::{Heights, Specimens, Standing};
+use std::cell::OnceCell;
+use std::rc::Rc;
 
 /// Where inputs stand among those that are normal.
 const SLOPE_INPUT: usize = 0;
@@ -18,6 +20,8 @@ pub const HARDNESS_INPUT: usize = 2;
 pub const YOUNG_INPUT: usize = 3;
 /// The slope and the height of the surface that was measured, where it is another.
 const THERE: usize = 4;
+/// Besides, of which nothing is changed here, the strength.
+pub const STRENGTH_INPUT: usize = 6;
 /// All of the roughness.
 pub const SLOPES: [usize; 4] = [SLOPE_INPUT, HEIGHT_INPUT, THERE + SLOPE_INPUT, THERE + HEIGHT_INPUT];
 
@@ -32,7 +36,7 @@ pub struct Terms {
     pub hertz: f64,
     /// Tangential and normal stiffness, the sum of the contact radii, and the normal stiffness of unloading.
     pub stiffness: [f64; 4],
-    /// The gap itself.
+    /// The gap itself, without what neighbours add.
     pub gap: f64,
     /// How many summits touch.
     pub contacts: f64,
@@ -59,13 +63,17 @@ pub struct Law {
     /// The same with an input one standard deviation off, and the sign of that.
     changed: [Option<(Surfaces, f64)>; INPUTS],
     /// How many specimens are drawn, and with how many contacts they are alike.
-    pub specimens: usize,
+    specimens: usize,
     pub alike: f64,
+    /// What they are drawn from.
+    heights: Rc<OnceCell<Heights>>,
 }
 
 /// What one law makes of a load.
 #[derive(Debug, Clone)]
 pub struct OfLaw {
+    /// Of the surfaces as they most probably are, on the mean.
+    pub separation: Option<f64>,
     /// The mean of the model, or where few summits touch that of the specimens.
     models: Vec<Terms>,
     middle: usize,
@@ -78,8 +86,10 @@ pub struct OfLaw {
     pulls: Vec<Vec<f64>>,
 }
 
-/// Specimens that stand for all, more where one was measured; and those that tell what an input changes.
-const SPECIMENS: [usize; 2] = [128, 256];
+/// Specimens that stand for all, more where one was measured; where much else is not known fewer do; and those that tell what an input
+/// changes. Fibonacci's numbers make the best lattices of pairs.
+const SPECIMENS: [usize; 2] = [144, 233];
+const FEWER_SPECIMENS: usize = 34;
 const COMPARED: usize = 16;
 /// With fewer contacts specimens are drawn; with more, those of so many come nearer to the mean, and are it from `Law::alike` on: later
 /// where one was measured.
@@ -91,17 +101,16 @@ const MOST_DRAWN: f64 = 4e4;
 pub const NOTHING: f64 = -690.0;
 
 impl Terms {
-    /// The separation becomes that of these surfaces: like ones are near it. What neighbours add to the gap is that of the first ones.
-    fn at(surfaces: &Surfaces, load: f64, is_film: bool, near: &mut Option<(f64, f64)>) -> Result<Self, Error> {
-        let borne = surfaces.borne_near(load, near.map(|(separation, _)| separation))?;
-        let widening = near.map_or_else(|| surfaces.widening(borne.separation), |(_, widening)| widening);
-        *near = Some((borne.separation, widening));
+    /// The separation becomes that of these surfaces: like ones are near it.
+    fn at(surfaces: &Surfaces, load: f64, is_film: bool, near: &mut Option<f64>) -> Result<Self, Error> {
+        let borne = surfaces.borne_near(load, *near)?;
+        *near = Some(borne.separation);
         let slip = log(borne.friction_force) - log(unit_strength(surfaces));
         let film = if is_film { log(borne.real_area) } else { slip };
         let [tangential, normal, unloading] =
             [borne.tangential_stiffness, borne.normal_stiffness, borne.unloading_stiffness].map(log);
         let stiffness = [tangential, normal, log(borne.contact_radius_sum), unloading];
-        let gap = surfaces.gap_of(borne.separation, widening);
+        let gap = surfaces.gap_of(borne.separation, 0.0);
         let found = Self { film, slip, hertz: log(borne.hertz_load), stiffness, gap, contacts: borne.contacting };
         match finite(film) && finite(slip) && finite(found.hertz) {
             true => Ok(found),
@@ -112,14 +121,13 @@ impl Terms {
         }
     }
 
-    /// A specimen; one that is apart has nothing. What neighbours add to the gap is that of the first one.
-    fn of(standing: Option<Standing>, surfaces: &Surfaces, is_film: bool, widening: &mut Option<f64>) -> Self {
+    /// A specimen; one that is apart has nothing.
+    fn of(standing: Option<Standing>, surfaces: &Surfaces, is_film: bool) -> Self {
         let Some(standing) = standing else {
             let stiffness = [NOTHING; 4];
             return Self { film: NOTHING, slip: NOTHING, hertz: NOTHING, stiffness, gap: f64::NAN, contacts: 0.0 };
         };
-        let widening = *widening.get_or_insert_with(|| surfaces.widening(standing.separation));
-        let held = standing.held(surfaces.units(), surfaces.gap_of(standing.separation, widening), 0.0);
+        let held = standing.held(surfaces.units(), surfaces.gap_of(standing.separation, 0.0), 0.0);
         let [area, hertz] = standing.area_and_hertz(surfaces.units());
         let some = |number: f64| if number > 0.0 { log(number).max(NOTHING) } else { NOTHING };
         let slip = some(held.friction_force / unit_strength(surfaces));
@@ -219,22 +227,15 @@ impl Law {
     pub fn alone(surfaces: &Surfaces, of: &Self) -> Self {
         let works =
             vec![Work { probability: 1.0, work: surfaces.params().work_of_adhesion, models: [0; 2], part: 0.0 }];
-        Self {
-            probability: 1.0,
-            works,
-            models: vec![surfaces.clone()],
-            middle: 0,
-            changed: [const { None }; INPUTS],
-            specimens: of.specimens,
-            alike: of.alike,
-        }
+        let (models, changed, heights) = (vec![surfaces.clone()], [const { None }; INPUTS], Rc::clone(&of.heights));
+        Self { probability: 1.0, works, models, middle: 0, changed, heights, ..*of }
     }
 
     /// A load at which many summits touch, and the friction force of the mean there, of the strength with which specimens have a force
     /// at a load, on the mean.
     pub fn calibrated(&self, params: &Params, load: f64, force: f64) -> Result<(f64, f64), Error> {
         let (surfaces, kappa) = (self.middle(), params.pressure_coefficient);
-        let of_specimens = self.at(load, false)?.terms(&self.works[0]);
+        let of_specimens = self.at(load, false, false, None)?.terms(&self.works[0]);
         let factor = (force - kappa * exp(of_specimens.hertz)) / (exp(of_specimens.slip) * unit_strength(surfaces));
         let contacts = surfaces.borne_at_load(load).map_or(0.0, |borne| borne.contacting).max(1e-9);
         let many = load * (DRAWN / contacts).max(1.0);
@@ -247,77 +248,85 @@ impl Law {
         &self.models[self.middle]
     }
 
-    /// What the mean of the model bears at a load.
-    pub fn mean_at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
-        let mut near = None;
-        let mut at = |surfaces: &Surfaces| Terms::at(surfaces, load, is_film, &mut near);
-        let models = self.models.iter().map(&mut at).collect::<Result<Vec<_>, _>>()?;
-        let mut changed = [const { None }; INPUTS];
-        for (found, other) in changed.iter_mut().zip(&self.changed) {
-            *found = other.as_ref().map(|(surfaces, sign)| at(surfaces).map(|terms| (terms, *sign))).transpose()?;
-        }
-        let (middle, unchanged) = (self.middle, models[self.middle]);
-        Ok(OfLaw { models, middle, unchanged, changed, specimens: Vec::new(), pulls: Vec::new() })
+    /// One of its surfaces, where they differ from those of parameters by the strength alone.
+    pub fn like(&self, params: &Params) -> Option<Surfaces> {
+        let is_like = |one: &&Surfaces| Params { slip: params.slip, ..one.params().clone() } == *params;
+        self.models.iter().find(is_like).map(|one| one.with_strength_of(params))
     }
 
-    /// What the surfaces bear at a load: where few summits touch, single specimens.
-    pub fn at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
-        let mean = self.mean_at(load, is_film);
+    /// What the surfaces bear at a load, from a separation near which they are: where few summits touch, single specimens, if they are not
+    /// to be of many.
+    pub fn at(&self, load: f64, is_of_many: bool, is_film: bool, near: Option<f64>) -> Result<OfLaw, Error> {
+        let mean = self.mean_at(load, is_film, near);
         let contacts = mean.as_ref().map_or(0.0, |mean| mean.models[self.middle].contacts);
-        if contacts >= self.alike || self.middle().params().asperity_count <= 1.0 {
+        if is_of_many || contacts >= self.alike || self.middle().params().asperity_count <= 1.0 {
             return mean;
         }
         let near = |load: f64| self.drawn_at(load, is_film);
         let Some(mean_there) = mean.as_ref().ok().filter(|_| contacts > DRAWN) else {
-            return near(load).or(mean);
+            let separation = mean.as_ref().map_or(None, |mean| mean.separation);
+            return near(load).map(|drawn| OfLaw { separation, ..drawn }).or(mean);
         };
         // As many more summits touch, specimens are nearer to the mean.
         let there = load * DRAWN / contacts;
         let left = log(self.alike / contacts) / log(self.alike / DRAWN);
         let part = (DRAWN / contacts).sqrt() * left * left * (3.0 - 2.0 * left);
-        let Ok((of, to)) = near(there).and_then(|of| Ok((of, self.mean_at(there, is_film)?))) else { return mean };
+        let to = self.mean_at(there, is_film, mean_there.separation);
+        let Ok((of, to)) = near(there).and_then(|of| Ok((of, to?))) else { return mean };
         let mut found = mean_there.clone();
-        let nearer = |at: &mut Terms, one: &Terms, to: &Terms| {
-            *at = at.each(&one.each(to, |one, to| one - to), |at, off| at + part * off);
-        };
         for (k, at) in found.models.iter_mut().enumerate() {
-            let mean = *at;
-            nearer(at, &of.models[k], &to.models[k]);
-            let moved = of.specimens[k].iter().map(|one| {
-                let mut moved = mean;
-                nearer(&mut moved, one, &to.models[k]);
-                moved
-            });
-            found.specimens.push(moved.collect());
+            let nearer =
+                |mean: &Terms, one: &Terms| mean.each(&one.each(&to.models[k], |a, b| a - b), |a, b| a + part * b);
+            found.specimens.push(of.specimens[k].iter().map(|one| nearer(at, one)).collect());
+            *at = nearer(at, &of.models[k]);
         }
         found.pulls = of.pulls;
         Ok(found)
     }
 
+    /// What the mean of the model bears at a load.
+    fn mean_at(&self, load: f64, is_film: bool, near: Option<f64>) -> Result<OfLaw, Error> {
+        let mut near = near;
+        let unchanged = Terms::at(self.middle(), load, is_film, &mut near)?;
+        let separation = near;
+        let mut at = |surfaces: &Surfaces| Terms::at(surfaces, load, is_film, &mut near);
+        let mut others = |(k, surfaces)| if k == self.middle { Ok(unchanged) } else { at(surfaces) };
+        let models = self.models.iter().enumerate().map(&mut others).collect::<Result<Vec<_>, _>>()?;
+        let changed = self.changed_by(|surfaces| at(surfaces))?;
+        let middle = self.middle;
+        Ok(OfLaw { separation, models, middle, unchanged, changed, specimens: Vec::new(), pulls: Vec::new() })
+    }
+
+    /// What is made of the surfaces that are changed.
+    fn changed_by(
+        &self,
+        mut of: impl FnMut(&Surfaces) -> Result<Terms, Error>,
+    ) -> Result<[Option<(Terms, f64)>; INPUTS], Error> {
+        let mut changed = [None; INPUTS];
+        for (found, other) in changed.iter_mut().zip(&self.changed) {
+            *found = other.as_ref().map(|(surfaces, sign)| of(surfaces).map(|terms| (terms, *sign))).transpose()?;
+        }
+        Ok(changed)
+    }
+
     /// Single specimens at a load.
     fn drawn_at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
-        let mut widening = None;
-        let mut draw = |surfaces: &Surfaces, count: usize| {
+        let heights = self.heights.get_or_init(|| Heights::of(self.middle()));
+        let draw = |surfaces: &Surfaces, count: usize| {
             let (mut found, mut pulls) = (Vec::with_capacity(count), Vec::with_capacity(count));
             let asked = Specimens { count, seed: 1, ..Specimens::default() };
-            surfaces.stand((asked, MOST_DRAWN), &[load], false, &mut |standing, pull| {
-                found.push(Terms::of(standing, surfaces, is_film, &mut widening));
+            surfaces.stand((asked, MOST_DRAWN), heights, &[load], false, &mut |standing, pull| {
+                found.push(Terms::of(standing, surfaces, is_film));
                 pulls.push(pull);
             })?;
             Ok::<_, Error>((found, pulls))
         };
         let drawn = self.models.iter().map(|surfaces| draw(surfaces, self.specimens)).collect::<Result<Vec<_>, _>>()?;
         let (specimens, pulls): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
-        let mut changed = [const { None }; INPUTS];
-        for (found, other) in changed.iter_mut().zip(&self.changed) {
-            let compared = other
-                .as_ref()
-                .map(|(surfaces, sign)| draw(surfaces, COMPARED).map(|(all, _)| (Terms::mean(&all), *sign)));
-            *found = compared.transpose()?;
-        }
+        let changed = self.changed_by(|surfaces| draw(surfaces, COMPARED).map(|(all, _)| Terms::mean(&all)))?;
         let unchanged = Terms::mean(&specimens[self.middle][..COMPARED]);
         let models = specimens.iter().map(|all| Terms::mean(all)).collect();
-        Ok(OfLaw { models, middle: self.middle, unchanged, changed, specimens, pulls })
+        Ok(OfLaw { separation: None, models, middle: self.middle, unchanged, changed, specimens, pulls })
     }
 }
 
@@ -416,24 +425,18 @@ pub fn laws(described: &Described, measured_there: bool) -> Result<Vec<Law>, Err
         true => yields(described.params.plasticity_index()),
         false => 0.0,
     };
-    let mut laws = Vec::new();
-    if yielding < 1.0 {
-        laws.push(law(described, &params, machined, first, 1.0 - yielding)?);
-    }
-    if yielding > 0.0 {
-        params.set_elastic_plastic(params.hardness)?;
-        laws.push(law(described, &params, machined, first, yielding)?);
+    let mut laws: Vec<Law> = Vec::new();
+    for (probability, yields) in [(1.0 - yielding, false), (yielding, true)].into_iter().filter(|one| one.0 > 0.0) {
+        if yields {
+            params.set_elastic_plastic(params.hardness)?;
+        }
+        let heights = laws.first().map(|law| Rc::clone(&law.heights)).unwrap_or_default();
+        laws.push(Law { probability, heights, ..law(described, &params, machined, first)? });
     }
     Ok(laws)
 }
 
-fn law(
-    described: &Described,
-    params: &Params,
-    machined: Option<&Machined>,
-    first: usize,
-    probability: f64,
-) -> Result<Law, Error> {
+fn law(described: &Described, params: &Params, machined: Option<&Machined>, first: usize) -> Result<Law, Error> {
     let factor = work_factor(described);
     let is_open =
         factor > 1.0 && params.work_of_adhesion > 0.0 && described.points.iter().all(|point| point.load > 0.0);
@@ -445,20 +448,27 @@ fn law(
         }
     };
     let middle = made.len() / 2;
-    let of_work = |work: &f64| Surfaces::new(&Params { work_of_adhesion: *work, ..params.clone() });
-    let models = made.iter().map(of_work).collect::<Result<Vec<_>, _>>()?;
+    let mut models: Vec<Surfaces> = Vec::new();
+    for &work in &made {
+        let params = Params { work_of_adhesion: work, ..params.clone() };
+        let adheres = |one: &Surfaces| one.population().is_adhesive();
+        let of = if models.last().is_some_and(adheres) { Surfaces::with_single_minimum } else { Surfaces::new };
+        models.push(of(&params)?);
+    }
     let mut changed = [const { None }; INPUTS];
     for Input { at, deviation, change } in inputs(described, params, machined, first) {
         // What is refused to one side is looked at on the other.
         changed[at] = [1.0, -1.0].into_iter().find_map(|sign| {
             let mut other = Params { work_of_adhesion: made[middle], ..params.clone() };
             change(&mut other, exp(sign * deviation));
-            Surfaces::new(&other).ok().map(|surfaces| (surfaces, sign))
+            Surfaces::with_single_minimum(&other).ok().map(|surfaces| (surfaces, sign))
         });
     }
     let is_told = usize::from(described.specimens.is_some());
-    let (specimens, alike) = (SPECIMENS[is_told], ALIKE[is_told]);
-    Ok(Law { probability, works, models, middle, changed, specimens, alike })
+    let is_known = !is_open && !described.pressure_is_free && described.model_error == 0.0;
+    let specimens = if is_known { SPECIMENS[is_told] } else { FEWER_SPECIMENS };
+    let heights = Rc::default();
+    Ok(Law { probability: 1.0, works, models, middle, changed, specimens, alike: ALIKE[is_told], heights })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.

@@ -21,7 +21,7 @@ use crate::model::Surfaces;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{Params, OF_OTHER_MATERIALS};
-use cases::{laws, Law, OfLaw, Terms, Work, HARDNESS_INPUT, NOTHING, SLOPES, YOUNG_INPUT};
+use cases::{laws, Law, OfLaw, Terms, Work, HARDNESS_INPUT, NOTHING, SLOPES, STRENGTH_INPUT, YOUNG_INPUT};
 use known::deviation;
 use posterior::{Kernel, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
 use std::cell::RefCell;
@@ -49,7 +49,7 @@ const CONSTANT: f64 = 1.1;
 /// A coefficient above it is a slip of units rather than a strength.
 const LARGE: f64 = 5.0;
 /// Nodes less probable than this do not matter.
-const UNLIKELY: f64 = 1e-7;
+const UNLIKELY: f64 = 1e-6;
 /// A band is the quantiles of not many more normal distributions.
 const MOST_NORMALS: usize = 4096;
 /// No band has a smaller variance.
@@ -126,14 +126,22 @@ pub struct Estimate {
     /// The size effect, where it is not open.
     size: Option<f64>,
     points: Vec<Point>,
-    /// What the laws made of the last loads that were asked for.
-    asked: RefCell<Vec<(f64, Rc<Vec<OfLaw>>)>>,
+    /// What the laws made of the first and of the last loads.
+    kept: RefCell<Vec<Kept>>,
     nodes: Vec<Node>,
     curve: Curve,
     /// By how much the errors of the points grew, since the law cannot follow them.
     pub growth: f64,
     /// The probability that real interfaces leave the law more than is usual.
     pub leaves_law: f64,
+}
+
+/// What the laws made of a load.
+struct Kept {
+    load: f64,
+    is_there: bool,
+    is_of_many: bool,
+    of: Rc<Vec<OfLaw>>,
 }
 
 /// Measured points at one load.
@@ -172,6 +180,9 @@ struct Reference {
     force: f64,
     hertz: f64,
     gains: [f64; INPUTS],
+    /// The deviation of the strength, and whether that is all of the friction or what is not by pressure.
+    strength: f64,
+    is_part: bool,
 }
 
 /// What a solver gets: one law.
@@ -213,7 +224,7 @@ impl Estimate {
             laws_there,
             size,
             points,
-            asked: RefCell::default(),
+            kept: RefCell::default(),
             nodes: Vec::new(),
             curve,
             growth: 1.0,
@@ -228,58 +239,53 @@ impl Estimate {
         self.size.is_none()
     }
 
-    /// What the laws make of a load: where few summits touch, of specimens.
-    fn at(&self, laws: &[Law], load: f64) -> Result<Vec<OfLaw>, Error> {
-        match self.is_of_pressures() {
-            true => laws.iter().map(|law| law.mean_at(load, self.is_film())).collect(),
-            false => laws.iter().map(|law| law.at(load, self.is_film())).collect(),
+    /// What the laws make of a load, of the surfaces that are asked for or of those that were measured: where few summits touch, of
+    /// specimens, but what other specimens tell is of many.
+    fn at(&self, load: f64, where_measured: bool) -> Result<Rc<Vec<OfLaw>>, Error> {
+        let there = self.laws_there.as_ref().filter(|_| where_measured);
+        let is_told = !where_measured || !self.described.is_of_law && !self.points.is_empty();
+        let (is_there, is_of_many) = (there.is_some(), self.is_of_pressures() || !is_told);
+        let mut kept = self.kept.borrow_mut();
+        let is_same = |one: &&Kept| (one.load, one.is_there, one.is_of_many) == (load, is_there, is_of_many);
+        if let Some(one) = kept.iter().find(is_same) {
+            return Ok(one.of.clone());
         }
-    }
-
-    /// The same of surfaces on which friction was measured; what other specimens tell is of many.
-    fn at_measured(&self, load: f64) -> Result<Rc<Vec<OfLaw>>, Error> {
-        let laws = self.laws_there.as_ref().unwrap_or(&self.laws);
-        let is_of_many = self.described.is_of_law || self.points.is_empty();
-        let mean = || laws.iter().map(|law| law.mean_at(load, self.is_film())).collect::<Result<_, _>>().map(Rc::new);
-        match self.laws_there.is_some() {
-            _ if is_of_many => mean(),
-            true => self.at(laws, load).map(Rc::new),
-            false => self.at_asked(load),
+        let near = |law: usize| kept.first().and_then(|one| one.of[law].separation);
+        let laws = there.unwrap_or(&self.laws).iter().enumerate();
+        let of = laws.map(|(i, law)| law.at(load, is_of_many, self.is_film(), near(i))).collect::<Result<_, _>>()?;
+        let of = Rc::new(of);
+        if kept.len() == MOST_KEPT {
+            kept.remove(1);
         }
-    }
-
-    /// The same of the surfaces that are asked for, kept since a text asks for some loads more than once.
-    fn at_asked(&self, load: f64) -> Result<Rc<Vec<OfLaw>>, Error> {
-        if let Some((_, kept)) = self.asked.borrow().iter().find(|(other, _)| *other == load) {
-            return Ok(kept.clone());
-        }
-        let found = Rc::new(self.at(&self.laws, load)?);
-        let mut asked = self.asked.borrow_mut();
-        if asked.len() == MOST_KEPT {
-            asked.remove(0);
-        }
-        asked.push((load, found.clone()));
-        Ok(found)
+        kept.push(Kept { load, is_there, is_of_many, of: Rc::clone(&of) });
+        Ok(of)
     }
 
     /// Makes the nodes, and gives them the probabilities that the points leave them.
     fn weigh(&mut self) -> Result<(), Error> {
         // A stress holds at all loads, but a pressure coefficient has a load at which it is a part.
-        let reference =
-            self.at_measured(if self.strength.is_stress { self.described.usual_load() } else { self.strength.load })?;
-        let of_points = self.points.iter().map(|point| self.at_measured(point.load)).collect::<Result<Vec<_>, _>>()?;
+        let reference = if self.strength.is_stress { self.described.usual_load() } else { self.strength.load };
+        let reference = self.at(reference, true)?;
+        let of_points = self.points.iter().map(|point| self.at(point.load, true)).collect::<Result<Vec<_>, _>>()?;
         let decades: Vec<f64> =
             self.points.iter().zip(&of_points).map(|(point, at)| self.decades(at, point.load)).collect();
         let measured: Vec<f64> = self.points.iter().map(|point| point.log_force).collect();
         let mut noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
         let unsolved = self.unsolved_nodes(&reference)?;
         for is_again in [false, true] {
-            let solve = |(node, prior): &(Node, f64)| {
-                let solved = self.solve(node, &of_points, &decades, (&measured, &noise));
-                let weight = log(*prior) + solved.log_probability;
-                (solved, weight)
-            };
-            let mut found: Vec<(Solved, f64)> = unsolved.iter().map(solve).collect();
+            let mut found: Vec<(Solved, f64)> = Vec::with_capacity(unsolved.len());
+            for alike in unsolved.chunk_by(|(one, _), (other, _)| one.is_like(other)) {
+                let first = &alike[0].0;
+                let on_each: Vec<_> = match self.described.specimens {
+                    Some(_) => of_points.iter().map(|at| first.specimens(at)).collect(),
+                    None => Vec::new(),
+                };
+                found.extend(alike.iter().map(|(node, prior)| {
+                    let solved = self.solve(node, &on_each, &of_points, &decades, (&measured, &noise));
+                    let weight = log(*prior) + solved.log_probability;
+                    (solved, weight)
+                }));
+            }
             let best = found.iter().map(|one| one.1).fold(f64::NEG_INFINITY, f64::max);
             let mut all = 0.0;
             for one in &mut found {
@@ -310,6 +316,7 @@ impl Estimate {
     fn solve(
         &self,
         node: &Node,
+        on_each: &[Vec<f64>],
         of_points: &[Rc<Vec<OfLaw>>],
         decades: &[f64],
         (measured, noise): (&[f64], &[f64]),
@@ -319,8 +326,6 @@ impl Estimate {
         let mut errors = vec![0.0; n * n];
         noise.iter().enumerate().for_each(|(i, noise)| errors[i * n + i] = *noise);
         let Some(count) = self.described.specimens else { return Solved::new(seen, node.kernel, measured, &errors) };
-        let on_each: Vec<Vec<f64>> =
-            of_points.iter().zip(decades).map(|(at, &decades)| node.specimens(at, decades)).collect();
         if count > 1.0 {
             for (i, k) in (0..n).flat_map(|i| (0..n).map(move |k| (i, k))) {
                 errors[i * n + k] += covariance(&on_each[i], &on_each[k], count);
@@ -331,10 +336,11 @@ impl Estimate {
         if on_each.iter().all(Vec::is_empty) {
             return solved;
         }
+        let rise = |i: usize| node.more.1 * decades[i];
         let seen = |i: usize| node.seen(&of_points[i], decades[i]).mean;
-        let of_one = |one: usize| (0..n).map(|i| on_each[i].get(one).copied().unwrap_or_else(|| seen(i))).collect();
+        let on_one = |i: usize, one: usize| on_each[i].get(one).map_or_else(|| seen(i), |mean| mean + rise(i));
         let count = on_each.iter().map(Vec::len).fold(0, usize::max);
-        solved.on_one_of((0..count).map(of_one), measured)
+        solved.on_one_of(count, on_one, measured)
     }
 
     /// By how much the errors grow for a misfit, without a step.
@@ -354,50 +360,44 @@ impl Estimate {
 
     /// All nodes with their probabilities before the points.
     fn unsolved_nodes(&self, reference: &[OfLaw]) -> Result<Vec<(Node, f64)>, Error> {
-        let class = self.described.class;
-        let error = self.described.model_error;
-        let is_open = |many: bool| if many { usize::MAX } else { 1 };
-        let mores = if error > 0.0 && !self.strength.is_stress { class.more } else { &[(1.0, 0.0, 1.0)] };
+        let Described { class, model_error: error, .. } = self.described;
+        let is_stress = self.strength.is_stress;
+        let mores = if error > 0.0 && !is_stress { class.more } else { &[(1.0, 0.0, 1.0)] };
+        let sizes: Vec<(f64, f64)> = match self.size {
+            Some(size) => vec![(size, 1.0)],
+            None => SIZES.into_iter().zip(class.size).collect(),
+        };
         let mut nodes = Vec::new();
         let laws = self.laws_there.as_ref().unwrap_or(&self.laws);
-        for (at_law, law) in laws.iter().enumerate() {
-            for (at_work, work) in law.works.iter().enumerate() {
-                for (at_size, (&size, of_size)) in
-                    SIZES.iter().zip(class.size).take(is_open(self.is_film())).enumerate()
-                {
-                    let (size, of_size) = self.size.map_or((size, of_size), |size| (size, 1.0));
-                    let terms = reference[at_law].terms(work);
-                    let force = terms.force(size);
-                    let gains = reference[at_law].gains(|terms| terms.force(size));
-                    for (at_pressure, (pressed, of_pressure, log_force)) in
-                        self.pressures(force, terms.hertz).into_iter().enumerate()
-                    {
-                        for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
-                            let scale = error * times;
-                            let is_stress = self.strength.is_stress;
-                            let leaves = |rate: f64| if is_stress { 0.0 } else { (scale * rate) * (scale * rate) };
-                            let kernel = Kernel {
-                                strength: self.strength.deviation * self.strength.deviation,
-                                drift: leaves(class.drift),
-                                wander: leaves(class.wander),
-                            };
-                            let gains = if is_stress { [0.0; INPUTS] } else { gains };
-                            let node = Node {
-                                law: at_law,
-                                work: *work,
-                                size,
-                                pressed,
-                                more: (times, rise * error.min(1.0)),
-                                place: [at_law, at_work, at_size, at_pressure, at_more],
-                                kernel,
-                                log_force,
-                                reference: Reference { force, hertz: terms.hertz, gains },
-                                solved: Solved::new(Vec::new(), kernel, &[], &[]),
-                                weight: 0.0,
-                            };
-                            let prior = law.probability * work.probability * of_size * of_pressure * of_more;
-                            nodes.push((node, prior));
-                        }
+        let of_laws = laws.iter().zip(reference).enumerate();
+        let of_works =
+            of_laws.flat_map(|(i, (law, of))| law.works.iter().enumerate().map(move |work| (i, law, of, work)));
+        for (at_law, law, of, (at_work, work)) in of_works {
+            let terms = of.terms(work);
+            for (at_size, &(size, of_size)) in sizes.iter().enumerate() {
+                let force = terms.force(size);
+                let gains = if is_stress { [0.0; INPUTS] } else { of.gains(|terms| terms.force(size)) };
+                let (strength, is_part) = (self.strength.deviation, self.has_known_pressure());
+                let reference = Reference { force, hertz: terms.hertz, gains, strength, is_part };
+                let pressures = self.pressures(force, terms.hertz).into_iter().enumerate();
+                for (at_pressure, (pressed, of_pressure, log_force)) in pressures {
+                    for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
+                        let leaves = |rate: f64| if is_stress { 0.0 } else { (error * times * rate).powi(2) };
+                        let kernel = Kernel { drift: leaves(class.drift), wander: leaves(class.wander) };
+                        let node = Node {
+                            law: at_law,
+                            work: *work,
+                            size,
+                            pressed,
+                            more: (times, rise * error.min(1.0)),
+                            place: [at_law, at_work, at_size, at_pressure, at_more],
+                            kernel,
+                            log_force,
+                            reference,
+                            solved: Solved::new(Vec::new(), kernel, &[], &[]),
+                            weight: 0.0,
+                        };
+                        nodes.push((node, law.probability * work.probability * of_size * of_pressure * of_more));
                     }
                 }
             }
@@ -413,6 +413,12 @@ impl Estimate {
             });
         }
         Ok(nodes)
+    }
+
+    /// Whether friction was not measured, but a part of it is given, as a pressure coefficient beside what a table has of the strength.
+    fn has_known_pressure(&self) -> bool {
+        let is_of_row = self.strength.is_stress && !self.strength.rests.rows().is_empty();
+        !self.strength.is_measured && !is_of_row && self.described.params.pressure_coefficient > 0.0
     }
 
     /// The parts of the force at the reference that pressure coefficients make, their probabilities, and ln of that force.
@@ -458,7 +464,7 @@ impl Estimate {
         let of = |node: &Node| {
             let seen = node.seen(at, decades);
             let deviation = node.solved.parts(&seen).iter().sum::<f64>().sqrt();
-            Normal { weight: node.weight, mean: node.solved.mean(&seen), deviation }
+            Normal { weight: node.weight, mean: node.solved.mean(&seen), deviation, part: node.part(at) }
         };
         self.nodes.iter().map(of).collect()
     }
@@ -474,19 +480,27 @@ impl Estimate {
         let mut mixture = Mixture::default();
         let adheres = |node: &&Node| load > 0.0 || node.work.work > 0.0;
         let all: f64 = self.nodes.iter().filter(adheres).map(|node| node.weight).sum();
+        let mut specimens: (Option<&Node>, Vec<f64>) = (None, Vec::new());
         for node in self.nodes.iter().filter(adheres) {
+            if !specimens.0.is_some_and(|before| before.is_like(node)) {
+                specimens = (Some(node), node.specimens(at));
+            }
             let seen = node.seen(at, decades);
             let parts = node.solved.parts(&seen);
             let weight = node.weight / all;
             within.iter_mut().zip(parts).for_each(|(sum, part)| *sum += weight * part);
-            let means = node.solved.means(&seen, &node.specimens(at, decades), is_another);
+            let mut means = node.solved.means(&seen, &specimens.1, is_another);
+            if !specimens.1.is_empty() {
+                means.iter_mut().for_each(|(_, mean)| *mean += node.more.1 * decades);
+            }
             let mean: f64 = means.iter().map(|(part, mean)| part * mean).sum();
             of_specimens += weight * means.iter().map(|(part, one)| part * (one - mean) * (one - mean)).sum::<f64>();
             for (what, &place) in alike.iter_mut().zip(&node.place) {
                 what[place] = (what[place].0 + weight, what[place].1 + weight * mean);
             }
             let deviation = parts.iter().sum::<f64>().sqrt();
-            mixture.add(means, weight, deviation, MOST_NORMALS / self.nodes.len().max(1) + 1);
+            let of = Normal { weight, mean, deviation, part: node.part(at) };
+            mixture.add(means, of, MOST_NORMALS / self.nodes.len().max(1) + 1);
         }
         let (mean, variance) = mixture.moments();
         if variance < CERTAIN {
@@ -502,41 +516,51 @@ impl Estimate {
             apart.map(|part| if all > 0.0 { part / all * between } else { 0.0 });
         let share = |part: f64| part / variance;
         let shares = Shares {
-            strength: share(within[INPUTS]),
+            strength: share(within[STRENGTH_INPUT]),
             size: share(size),
             pressure: share(pressure),
             adhesion: share(adhesion),
             hardness: share(within[HARDNESS_INPUT] + within[YOUNG_INPUT] + law),
             slope: share(SLOPES.iter().map(|&input| within[input]).sum()),
-            measurement: share(within[INPUTS + 1]),
-            model: share(within[INPUTS + 2] + more),
+            measurement: share(within[INPUTS]),
+            model: share(within[INPUTS + 1] + more),
             specimen: share(of_specimens),
         };
         (mixture, shares)
     }
 
-    /// Probabilities of either end of a band.
-    fn ends(&self) -> [f64; 2] {
-        [0.5 * (1.0 - self.described.coverage), 0.5 * (1.0 + self.described.coverage)]
+    /// All that is known at a load.
+    ///
+    /// # Errors
+    /// As [`Estimate::friction_at`].
+    pub fn at_load(&self, load: f64) -> Result<Answer, Error> {
+        let mut answer = self.friction_at(load)?;
+        let Some(at) = self.held_at(load)? else { return Ok(answer) };
+        if answer.whose == Whose::Measured {
+            answer.another = self.force_of(self.looked(&at, load, true).0);
+        }
+        let error = self.described.model_error * deviation(priors::STIFFNESS);
+        answer.stiffness =
+            std::array::from_fn(|i| self.of_surfaces(&at, error, |terms| terms.stiffness[i]).map(some_exp));
+        let widening = self.widening(&at);
+        answer.gap = self.of_surfaces(&at, 0.0, |terms| terms.gap).map(|gap| gap + widening);
+        answer.pull_off = self.pulled(&at);
+        Ok(answer)
     }
 
-    /// Friction at a load.
+    /// Friction at a load, and no more.
     ///
     /// # Errors
     /// [`Error::InvalidLoad`] of one that is not finite, [`Error::OutOfRange`] of one that is too heavy or too light.
-    pub fn at_load(&self, load: f64) -> Result<Answer, Error> {
+    fn friction_at(&self, load: f64) -> Result<Answer, Error> {
         if !finite(load) {
             return Err(Error::InvalidLoad { name: LOAD, value: load });
         }
         let mut answer = Answer { load, pull_off: UNKNOWN, gap: UNKNOWN, ..Answer::default() };
-        self.add_curve(&mut answer)?;
-        if load > 0.0 || self.nodes.iter().any(|node| node.work.work > 0.0) {
-            match self.at_asked(load) {
-                Ok(at) => self.add_bands(&at, &mut answer),
-                // Nothing holds under such a pull.
-                Err(_) if load <= 0.0 => {}
-                Err(error) => return Err(error),
-            }
+        let at = self.held_at(load);
+        self.add_curve(at.as_ref().map_or(&[], |at| at.as_deref().map_or(&[][..], Vec::as_slice)), &mut answer)?;
+        if let Some(at) = at? {
+            self.add_friction(&at, &mut answer);
         }
         if load == 0.0 || (load < 0.0 && answer.force.value > 0.0) {
             // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
@@ -548,7 +572,18 @@ impl Estimate {
         Ok(answer)
     }
 
-    fn add_bands(&self, at: &[OfLaw], answer: &mut Answer) {
+    /// What the laws make of a load; `None` where nothing holds the surfaces together.
+    fn held_at(&self, load: f64) -> Result<Option<Rc<Vec<OfLaw>>>, Error> {
+        let is_held = load > 0.0 || self.nodes.iter().any(|node| node.work.work > 0.0);
+        let at = is_held.then(|| self.at(load, false)).transpose();
+        if load > 0.0 {
+            at
+        } else {
+            Ok(at.unwrap_or_default())
+        }
+    }
+
+    fn add_friction(&self, at: &[OfLaw], answer: &mut Answer) {
         let is_few = at.iter().any(OfLaw::has_specimens);
         let is_device = self.nodes.iter().any(|node| node.solved.has_devices()) && self.laws_there.is_none();
         answer.whose = match is_few || is_device && answer.contacts < self.laws[0].alike {
@@ -557,30 +592,32 @@ impl Estimate {
             false => Whose::Many,
         };
         let (mixture, shares) = self.looked(at, answer.load, !is_device);
-        let [low, high] = self.ends();
-        let band = |mixture: &Mixture| {
-            let at = |probability: f64| some(exp(mixture.quantile(probability)));
-            let value = at(0.5);
-            match mixture.moments().1 < CERTAIN {
-                true => Band { value, low: value, high: value },
-                false => Band { value, low: at(low).min(value), high: at(high).max(value) },
-            }
-        };
-        answer.force = band(&mixture);
-        answer.another = if is_device { band(&self.looked(at, answer.load, true).0) } else { answer.force };
         answer.shares = shares;
-        for (i, band) in answer.stiffness.iter_mut().enumerate() {
-            let error = self.described.model_error * deviation(priors::STIFFNESS);
-            *band = self.of_surfaces(at, error, |terms| terms.stiffness[i]).map(|end| some(exp(end)));
-        }
-        answer.gap = self.of_surfaces(at, 0.0, |terms| terms.gap);
-        answer.pull_off = self.pulled(at);
         if answer.load > 0.0 {
-            answer.friction = answer.force.map(|force| force / answer.load);
             let constant = self.strength.mean + log(answer.load);
             let near = log(CONSTANT);
             answer.constant_odds = mixture.between(constant - near, constant + near);
         }
+        answer.force = self.force_of(mixture);
+        answer.another = answer.force;
+        if answer.load > 0.0 {
+            answer.friction = answer.force.map(|force| force / answer.load);
+        }
+    }
+
+    fn force_of(&self, mixture: Mixture) -> Band {
+        self.band_of(mixture).map(some_exp)
+    }
+
+    /// What neighbours add to the gap, on the mean of the laws.
+    fn widening(&self, at: &[OfLaw]) -> f64 {
+        let of_law = |(i, (law, of)): (usize, (&Law, &OfLaw))| {
+            let weight: f64 = self.nodes.iter().filter(|node| node.law == i).map(|node| node.weight).sum();
+            weight
+                * of.separation
+                    .map_or(0.0, |separation| law.middle().widening(separation) * law.middle().units().length)
+        };
+        self.laws.iter().zip(at).enumerate().map(of_law).sum()
     }
 
     /// The laws and works of adhesion with their probabilities, each with a node of it.
@@ -608,43 +645,43 @@ impl Estimate {
             }
             means.retain(|mean| !mean.is_nan());
             let weight = weight / means.len() as f64;
-            normals.extend(means.into_iter().map(|mean| Normal { weight, mean, deviation }));
+            normals.extend(means.into_iter().map(|mean| Normal { weight, mean, deviation, part: 1.0 }));
         }
-        if normals.is_empty() {
-            return UNKNOWN;
-        }
-        let mixture = Mixture(normals);
-        let [low, high] = self.ends();
-        let [value, low, high] = [0.5, low, high].map(|probability| mixture.quantile(probability));
-        Band { value, low: low.min(value), high: high.max(value) }
+        self.band_of(Mixture(normals))
     }
 
     /// How hard specimens can be pulled.
     fn pulled(&self, at: &[OfLaw]) -> Band {
-        let mut found: Vec<(f64, f64)> = Vec::new();
-        for (weight, node) in self.surfaces() {
+        let of = |(weight, node): (f64, &Node)| {
             let pulls: Vec<f64> = at[node.law].pulls(&node.work).collect();
-            found.extend(pulls.iter().map(|pull| (*pull, weight / pulls.len() as f64)));
-        }
-        found.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let all: f64 = found.iter().map(|one| one.1).sum();
-        let at = |probability: f64| {
-            let mut below = 0.0;
-            let reached = |&&(_, weight): &&(f64, f64)| {
-                below += weight;
-                below >= probability * all
-            };
-            found.iter().find(reached).map_or(f64::NAN, |(pull, _)| *pull)
+            let weight = weight / pulls.len() as f64;
+            pulls.into_iter().map(move |mean| Normal { weight, mean, deviation: 0.0, part: 1.0 })
         };
-        let [low, high] = self.ends();
-        Band { value: at(0.5), low: at(low), high: at(high) }
+        self.band_of(Mixture(self.surfaces().into_iter().flat_map(of).collect()))
+    }
+
+    /// The median, and the quantiles of either end of a band.
+    fn band_of(&self, mixture: Mixture) -> Band {
+        if mixture.0.is_empty() {
+            return UNKNOWN;
+        }
+        let mixture = mixture.condensed();
+        let value = mixture.quantile(0.5);
+        let coverage = self.described.coverage;
+        let [low, high] = [0.5 * (1.0 - coverage), 0.5 * (1.0 + coverage)].map(|part| mixture.quantile(part));
+        match mixture.moments().1 < CERTAIN {
+            true => Band { value, low: value, high: value },
+            false => Band { value, low: low.min(value), high: high.max(value) },
+        }
     }
 
     /// What a model of the parameters has.
-    fn add_curve(&self, answer: &mut Answer) -> Result<(), Error> {
+    fn add_curve(&self, at: &[OfLaw], answer: &mut Answer) -> Result<(), Error> {
         let Curve { params, surfaces, failure } = &self.curve;
         let load = answer.load;
-        let borne = match surfaces.borne_at_load(load) {
+        let is_like = |law: &Law| law.middle().params().contact_law == params.contact_law;
+        let near = self.laws.iter().zip(at).find(|(law, _)| is_like(law)).and_then(|(_, of)| of.separation);
+        let borne = match surfaces.borne_near(load, near) {
             // Apart, or no number is small enough for what the mean of so rough surfaces has without a load.
             Err(_) if load <= 0.0 => None,
             borne => Some(borne?),
@@ -681,11 +718,16 @@ impl Estimate {
         if params.work_of_adhesion > 0.0 {
             params.work_of_adhesion = self.likely_work().unwrap_or(params.work_of_adhesion);
         }
-        let surfaces = |params: &Params| Surfaces::new(&Params { pressure_coefficient: 0.0, ..params.clone() });
-        if self.described.pressure_is_free && !self.strength.is_stress {
+        let surfaces = |params: &Params| {
+            let params = Params { pressure_coefficient: 0.0, ..params.clone() };
+            self.laws.iter().find_map(|law| law.like(&params)).map_or_else(|| Surfaces::new(&params), Ok)
+        };
+        let found = surfaces(&params)?;
+        // What other materials have is told of all of the friction: none is by pressure, which would be taken for known.
+        if self.described.pressure_is_free && !self.strength.is_stress && !self.is_of_other_materials() {
             // The same part of the force, also where adhesion presses more or less than in the nodes.
             let log_force = self.strength.log_force();
-            let hertz = surfaces(&params)?.borne_at_load(self.strength.load)?.hertz_load;
+            let hertz = found.borne_at_load(self.strength.load)?.hertz_load;
             params.pressure_coefficient = mean(&|node| node.pressed) * exp(log_force) / hertz;
         }
         if self.strength.is_stress && !self.described.has_stress {
@@ -696,9 +738,8 @@ impl Estimate {
         }
         if self.strength.is_stress {
             self.mark(&mut params);
-            return Ok(Curve { surfaces: surfaces(&params)?, params, failure: None });
+            return Ok(Curve { surfaces: found, params, failure: None });
         }
-        let found = surfaces(&params)?;
         let failure = match &self.described.measured_on {
             None => self.strengthen(&mut params, &found).err(),
             Some(there) => {
@@ -735,7 +776,7 @@ impl Estimate {
     /// specimens have the friction that was measured, on the mean.
     fn strengthen(&self, params: &mut Params, surfaces: &Surfaces) -> Result<(), Error> {
         let points = &self.described.points[..];
-        let at = self.at_measured(self.strength.load)?;
+        let at = self.at(self.strength.load, true)?;
         let is_few = at.iter().any(OfLaw::has_specimens);
         if let ([point], false) = (points, is_few) {
             params.calibration_error = point.error;
@@ -756,10 +797,14 @@ impl Estimate {
     fn mark(&self, params: &mut Params) {
         if !self.strength.is_measured {
             (params.calibration_load, params.calibration_friction_force) = (0.0, 0.0);
-            if matches!(self.strength.rests, Rests::Metals | Rests::Others) {
+            if self.is_of_other_materials() {
                 params.calibration_error = OF_OTHER_MATERIALS;
             }
         }
+    }
+
+    fn is_of_other_materials(&self) -> bool {
+        !self.strength.is_measured && matches!(self.strength.rests, Rests::Metals | Rests::Others)
     }
 
     /// The work of adhesion that a solver takes: none where that is clearly more probable than any.
@@ -803,7 +848,7 @@ impl Estimate {
     /// At which of these loads a measured point is worth most, and what part of the variance at all of them it would take away.
     fn next_point(&self, loads: &[f64]) -> Result<Option<(f64, f64)>, Error> {
         let error = self.described.params.error_of_point();
-        let at = loads.iter().map(|&load| self.at_asked(load)).collect::<Result<Vec<_>, _>>()?;
+        let at = loads.iter().map(|&load| self.at(load, false)).collect::<Result<Vec<_>, _>>()?;
         let decades: Vec<f64> = at.iter().zip(loads).map(|(at, &load)| self.decades(at, load)).collect();
         let n = loads.len();
         let mixtures: Vec<Mixture> =
@@ -874,10 +919,10 @@ impl Band {
 
 const UNKNOWN: Band = Band { value: f64::NAN, low: f64::NAN, high: f64::NAN };
 
-/// A number, or 0 where it is that of nothing.
-fn some(number: f64) -> f64 {
-    if number > exp(0.5 * NOTHING) {
-        number
+/// What a number is the logarithm of, or 0 where it is that of nothing.
+fn some_exp(number: f64) -> f64 {
+    if number > 0.5 * NOTHING {
+        exp(number)
     } else {
         0.0
     }
@@ -894,25 +939,40 @@ fn covariance(one: &[f64], other: &[f64], count: f64) -> f64 {
 }
 
 impl Node {
+    /// Whether another leaves the law otherwise, and that is all.
+    fn is_like(&self, other: &Self) -> bool {
+        self.place[..4] == other.place[..4]
+    }
+
     /// ln F of what bears a load so, and the part of it that the strength makes.
-    fn log_force(&self, terms: &Terms, decades: f64) -> (f64, f64) {
+    fn log_force(&self, terms: &Terms) -> (f64, f64) {
         let Reference { force, hertz, .. } = self.reference;
         let of_strength = (1.0 - self.pressed) * exp(terms.force(self.size) - force);
         let all = of_strength + self.pressed * exp(terms.hertz - hertz);
-        (self.log_force + log(all) + self.more.1 * decades, of_strength / all)
+        (self.log_force + log(all), of_strength / all)
+    }
+
+    /// The part of friction that is in doubt.
+    fn part(&self, at: &[OfLaw]) -> f64 {
+        match self.reference.is_part {
+            true => self.log_force(&at[self.law].terms(&self.work)).1,
+            false => 1.0,
+        }
     }
 
     /// What it makes of a load, of the mean of specimens.
     fn seen(&self, at: &[OfLaw], decades: f64) -> Seen {
-        let of = &at[self.law];
-        let (mean, part) = self.log_force(&of.terms(&self.work), decades);
-        let (gains, from) = (of.gains(|terms| terms.force(self.size)), self.reference.gains);
-        Seen { mean, gains: std::array::from_fn(|i| part * (gains[i] - from[i])), decades }
+        let (of, from) = (&at[self.law], &self.reference);
+        let (mean, part) = self.log_force(&of.terms(&self.work));
+        let mut gains = of.gains(|terms| terms.force(self.size));
+        gains.iter_mut().zip(from.gains).for_each(|(gain, from)| *gain = part * (*gain - from));
+        gains[STRENGTH_INPUT] = if from.is_part { part * from.strength } else { from.strength };
+        Seen { mean: mean + self.more.1 * decades, gains, decades }
     }
 
-    /// ln F of single specimens; none where many summits touch.
-    fn specimens(&self, at: &[OfLaw], decades: f64) -> Vec<f64> {
-        at[self.law].specimens(&self.work).map(|terms| self.log_force(&terms, decades).0).collect()
+    /// ln F of single specimens, but for a rise from decade to decade; none where many summits touch.
+    fn specimens(&self, at: &[OfLaw]) -> Vec<f64> {
+        at[self.law].specimens(&self.work).map(|terms| self.log_force(&terms).0).collect()
     }
 }
 

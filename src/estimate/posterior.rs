@@ -3,14 +3,15 @@
 //! All is of y = ln F. Of a node y at a load is normal, with a mean, and a covariance between loads that `Seen::covariance` has.
 
 use super::known::REACH_95;
+use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use std::f64::consts::PI;
 
-/// Inputs that are normal in their logarithms: the slope and the height of the surface, hardness, E; and the slope and the height of
-/// the surface that was measured, where it is another.
-pub const INPUTS: usize = 6;
-/// What makes a variance: these inputs, the strength, the errors of the points, how real interfaces leave the law.
-pub const PARTS: usize = INPUTS + 3;
+/// What is normal in its logarithm: the slope and the height of the surface, hardness, E; the slope and the height of the surface that was
+/// measured, where it is another; and the strength of the interface.
+pub const INPUTS: usize = 7;
+/// What makes a variance: these, the errors of the points, how real interfaces leave the law.
+pub const PARTS: usize = INPUTS + 2;
 
 /// What one node makes of a load.
 #[derive(Debug, Clone, Copy)]
@@ -22,16 +23,14 @@ pub struct Seen {
     pub decades: f64,
 }
 
-/// Variances of a node that no input makes.
+/// How real interfaces leave the law, as variances a decade.
 #[derive(Debug, Clone, Copy)]
 pub struct Kernel {
-    pub strength: f64,
     pub drift: f64,
     pub wander: f64,
 }
 
 impl Kernel {
-    /// How real interfaces leave the law.
     fn leaving(&self, one: &Seen, other: &Seen) -> f64 {
         let (d, e) = (one.decades, other.decades);
         let together = if d * e > 0.0 { d.abs().min(e.abs()) } else { 0.0 };
@@ -40,7 +39,7 @@ impl Kernel {
 
     pub fn covariance(&self, one: &Seen, other: &Seen) -> f64 {
         let of_inputs: f64 = one.gains.iter().zip(&other.gains).map(|(a, b)| a * b).sum();
-        self.strength + of_inputs + self.leaving(one, other)
+        of_inputs + self.leaving(one, other)
     }
 }
 
@@ -55,8 +54,10 @@ pub struct Solved {
     factor: Vec<f64>,
     /// The inverse of that covariance times what is measured less the means.
     pull: Vec<f64>,
-    /// The same for each specimen that may be the one that was measured, with its probability; none where it was not one.
-    devices: Vec<(f64, Vec<f64>)>,
+    /// The same for each specimen that may be the one that was measured, one after another, and their probabilities; none where it was not
+    /// one.
+    pulls: Vec<f64>,
+    devices: Vec<f64>,
     /// ln of the probability of the points.
     pub log_probability: f64,
     /// What is measured less the means, squared, over that covariance.
@@ -75,32 +76,40 @@ impl Solved {
             }
         }
         let off: Vec<f64> = measured.iter().zip(&seen).map(|(y, seen)| y - seen.mean).collect();
-        let pull = solve(&factor, &off);
+        let mut pull = off.clone();
+        solve(&factor, &mut pull);
         let misfit: f64 = pull.iter().zip(&off).map(|(a, b)| a * b).sum();
         let log_root: f64 = (0..n).map(|i| log(factor[i * n + i])).sum();
-        let (noise, devices) = (noise.to_vec(), Vec::new());
-        Self { log_probability: -0.5 * misfit - log_root, noise, seen, kernel, factor, pull, devices, misfit }
+        let (noise, pulls, devices, log_probability) =
+            (noise.to_vec(), Vec::new(), Vec::new(), -0.5 * misfit - log_root);
+        Self { log_probability, noise, seen, kernel, factor, pull, pulls, devices, misfit }
     }
 
-    /// The same of points that were measured on one specimen: `means` has what y would be at the points on each that it may be.
-    pub fn on_one_of(mut self, means: impl Iterator<Item = Vec<f64>>, measured: &[f64]) -> Self {
+    /// The same of points that were measured on one specimen: `means` has what y would be at the points on each of so many that it may be.
+    pub fn on_one_of(mut self, count: usize, mean: impl Fn(usize, usize) -> f64, measured: &[f64]) -> Self {
         let log_root = -self.log_probability - 0.5 * self.misfit;
-        let of_one = |means: Vec<f64>| {
-            let off: Vec<f64> = measured.iter().zip(&means).map(|(y, mean)| y - mean).collect();
-            let pull = solve(&self.factor, &off);
-            (pull.iter().zip(&off).map(|(a, b)| a * b).sum::<f64>(), pull)
-        };
-        let mut devices: Vec<_> = means.map(of_one).collect();
-        let least = devices.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
-        let all: f64 = devices.iter().map(|one| exp(0.5 * (least - one.0))).sum();
-        self.misfit = least - 2.0 * log(all / devices.len() as f64);
+        let n = measured.len();
+        let mut off = vec![0.0; n];
+        self.pulls.reserve(n * count);
+        self.devices = (0..count)
+            .map(|one| {
+                off.iter_mut().enumerate().for_each(|(i, off)| *off = measured[i] - mean(i, one));
+                self.pulls.extend(&off);
+                let pull = &mut self.pulls[n * one..];
+                solve(&self.factor, pull);
+                pull.iter().zip(&off).map(|(a, b)| a * b).sum::<f64>()
+            })
+            .collect();
+        let least = self.devices.iter().copied().fold(f64::INFINITY, f64::min);
+        self.devices.iter_mut().for_each(|one| *one = exp(0.5 * (least - *one)));
+        let all: f64 = self.devices.iter().sum();
+        self.misfit = least - 2.0 * log(all / count as f64);
         self.log_probability = -0.5 * self.misfit - log_root;
         self.pull.fill(0.0);
-        for (weight, pull) in &mut devices {
-            *weight = exp(0.5 * (least - *weight)) / all;
+        for (weight, pull) in self.devices.iter_mut().zip(self.pulls.chunks(n)) {
+            *weight /= all;
             self.pull.iter_mut().zip(pull).for_each(|(sum, pull)| *sum += *weight * *pull);
         }
-        self.devices = devices;
         self
     }
 
@@ -114,26 +123,31 @@ impl Solved {
     pub fn means(&self, at: &Seen, specimens: &[f64], is_another: bool) -> Vec<(f64, f64)> {
         let with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
         let pulled = |pull: &[f64]| with.iter().zip(pull).map(|(a, b)| a * b).sum::<f64>();
-        let [n, of_devices] = [specimens.len(), self.devices.len()];
-        // Another one for each: any order that leaves no specimen where it is.
-        let other = |i: usize| if is_another { (37 * i + 11) % of_devices } else { i };
-        match (n, of_devices) {
-            (0, 0) => vec![(1.0, at.mean + pulled(&self.pull))],
-            (_, 0) => specimens.iter().map(|mean| (1.0 / n as f64, mean + pulled(&self.pull))).collect(),
-            (0, _) => self.devices.iter().map(|(weight, pull)| (*weight, at.mean + pulled(pull))).collect(),
-            _ => (0..n)
-                .map(|i| {
-                    let (weight, pull) = &self.devices[other(i)];
-                    (*weight, specimens[i] + pulled(pull))
-                })
-                .collect(),
+        let n = self.devices.len();
+        if n == 0 {
+            let by = pulled(&self.pull);
+            let each = 1.0 / specimens.len().max(1) as f64;
+            let all = if specimens.is_empty() { std::slice::from_ref(&at.mean) } else { specimens };
+            return all.iter().map(|mean| (each, mean + by)).collect();
         }
+        let by: Vec<f64> = self.pulls.chunks(with.len()).map(pulled).collect();
+        let mean = |i: usize| specimens.get(i).copied().unwrap_or(at.mean);
+        if !is_another {
+            return (0..n).map(|i| (self.devices[i], mean(i) + by[i])).collect();
+        }
+        // All with all, as few pairs stand for them: those of a lattice, from the least to the largest of both.
+        let means: Vec<f64> = (0..n).map(mean).collect();
+        let (order, devices) = (ascending(&means), ascending(&by));
+        let step = (0.618 * n as f64).round() as usize;
+        let pair = |i: usize| (order[i], devices[(i * step + n / 2) % n]);
+        (0..n).map(pair).map(|(i, k)| (self.devices[k], means[i] + by[k])).collect()
     }
 
     /// How much of each point is taken for y at a load.
     fn shares_of_points(&self, at: &Seen) -> Vec<f64> {
-        let with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
-        solve(&self.factor, &with)
+        let mut with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
+        solve(&self.factor, &mut with);
+        with
     }
 
     pub fn mean(&self, at: &Seen) -> f64 {
@@ -149,18 +163,16 @@ impl Solved {
             let told: f64 = shares.iter().zip(&self.seen).map(|(share, seen)| share * seen.gains[input]).sum();
             *part = (at.gains[input] - told) * (at.gains[input] - told);
         }
-        let left = 1.0 - shares.iter().sum::<f64>();
-        parts[INPUTS] = self.kernel.strength * left * left;
         let rows = shares.iter().zip(self.noise.chunks(shares.len().max(1)));
         let of_row = |row: &[f64]| row.iter().zip(&shares).map(|(noise, share)| noise * share).sum::<f64>();
-        parts[INPUTS + 1] = rows.map(|(share, row)| share * of_row(row)).sum();
+        parts[INPUTS] = rows.map(|(share, row)| share * of_row(row)).sum();
         let mut leaving = self.kernel.leaving(at, at);
         for (share, seen) in shares.iter().zip(&self.seen) {
             let others: f64 =
                 shares.iter().zip(&self.seen).map(|(other, to)| other * self.kernel.leaving(seen, to)).sum();
             leaving += share * (others - 2.0 * self.kernel.leaving(seen, at));
         }
-        parts[INPUTS + 2] = leaving.max(0.0);
+        parts[INPUTS + 1] = leaving.max(0.0);
         parts
     }
 
@@ -176,10 +188,9 @@ impl Solved {
     }
 }
 
-/// The inverse of a matrix, of which this is Cholesky's factor, times a vector.
-fn solve(factor: &[f64], right: &[f64]) -> Vec<f64> {
-    let n = right.len();
-    let mut x = right.to_vec();
+/// The inverse of a matrix, of which this is Cholesky's factor, times a vector, in its place.
+fn solve(factor: &[f64], x: &mut [f64]) {
+    let n = x.len();
     for i in 0..n {
         let before: f64 = (0..i).map(|k| factor[i * n + k] * x[k]).sum();
         x[i] = (x[i] - before) / factor[i * n + i];
@@ -188,10 +199,10 @@ fn solve(factor: &[f64], right: &[f64]) -> Vec<f64> {
         let behind: f64 = (i + 1..n).map(|k| factor[k * n + i] * x[k]).sum();
         x[i] = (x[i] - behind) / factor[i * n + i];
     }
-    x
 }
 
-/// Normal distributions with their probabilities.
+/// Distributions with their probabilities: each normal, or, of what is a sum of which only a part is in doubt, normal in the logarithm of
+/// that part.
 #[derive(Debug, Clone, Default)]
 pub struct Mixture(pub Vec<Normal>);
 
@@ -200,6 +211,27 @@ pub struct Normal {
     pub weight: f64,
     pub mean: f64,
     pub deviation: f64,
+    /// The part in doubt, 1 where all is.
+    pub part: f64,
+}
+
+impl Normal {
+    /// How many standard deviations a value is off, and what that changes by with it; `None` below what is not in doubt.
+    fn off(&self, y: f64) -> Option<(f64, f64)> {
+        let (by, deviation) = (y - self.mean, self.deviation.max(SHARPEST));
+        if self.part >= 1.0 {
+            return Some((by / deviation, 1.0 / deviation));
+        }
+        let ratio = (exp(by) - 1.0 + self.part) / self.part;
+        (ratio > 0.0)
+            .then(|| (log(ratio) * self.part / deviation, (ratio * self.part + 1.0 - self.part) / ratio / deviation))
+    }
+
+    /// Where it is so many standard deviations off.
+    fn end(&self, off: f64) -> f64 {
+        let by = off * self.deviation.max(SHARPEST);
+        self.mean + if self.part >= 1.0 { by } else { log(1.0 - self.part + self.part * exp(by / self.part)) }
+    }
 }
 
 /// No deviation is smaller.
@@ -208,8 +240,8 @@ const SHARPEST: f64 = 1e-12;
 const UNLIKELY: f64 = 1e-7;
 
 impl Mixture {
-    /// Adds normals of one deviation, with their weights and means: of many those that are next to each other as one.
-    pub fn add(&mut self, mut means: Vec<(f64, f64)>, weight: f64, deviation: f64, most: usize) {
+    /// Adds some of one deviation, with their weights and means: of many those that are next to each other as one.
+    pub fn add(&mut self, mut means: Vec<(f64, f64)>, of: Normal, most: usize) {
         if means.len() > most {
             means.sort_by(|one, other| one.1.total_cmp(&other.1));
         }
@@ -217,8 +249,32 @@ impl Mixture {
         self.0.extend(means.chunks(each).map(|alike| {
             let all: f64 = alike.iter().map(|one| one.0).sum();
             let mean = alike.iter().map(|one| one.0 * one.1).sum::<f64>() / all;
-            Normal { weight: weight * all, mean, deviation }
+            Normal { weight: of.weight * all, mean, ..of }
         }));
+    }
+
+    /// The same with those as one that are next to each other, where there are many.
+    pub fn condensed(mut self) -> Self {
+        const MANY: usize = 128;
+        const FINENESS: f64 = 0.1;
+        if self.0.len() <= MANY {
+            return self;
+        }
+        // Within a class, wherever all of it is.
+        const BESIDE: f64 = 0.37;
+        let (middle, _) = self.moments();
+        let key = |one: &Normal| {
+            let width = (log(one.deviation.max(SHARPEST)) / FINENESS).floor();
+            let place = (one.mean - middle) / (FINENESS * exp(FINENESS * width)) + BESIDE;
+            (width as i64, place.floor() as i64, one.part.to_bits())
+        };
+        self.0.sort_by_cached_key(key);
+        let together = |alike: &[Normal]| {
+            let weight: f64 = alike.iter().map(|one| one.weight).sum();
+            let (mean, variance) = Self::moments_of(alike, weight);
+            Normal { weight, mean, deviation: variance.sqrt(), ..alike[0] }
+        };
+        Self(self.0.chunk_by(|one, other| key(one) == key(other)).map(together).collect())
     }
 
     fn likely(&self) -> impl Iterator<Item = &Normal> {
@@ -226,10 +282,14 @@ impl Mixture {
     }
 
     pub fn moments(&self) -> (f64, f64) {
-        let mean: f64 = self.0.iter().map(|one| one.weight * one.mean).sum();
+        Self::moments_of(&self.0, 1.0)
+    }
+
+    fn moments_of(some: &[Normal], all: f64) -> (f64, f64) {
+        let mean = some.iter().map(|one| one.weight * one.mean).sum::<f64>() / all;
         let square =
             |one: &Normal| one.weight * (one.deviation * one.deviation + (one.mean - mean) * (one.mean - mean));
-        (mean, self.0.iter().map(square).sum())
+        (mean, some.iter().map(square).sum::<f64>() / all)
     }
 
     /// The probability that it is below, to 1e-7, and its density there.
@@ -238,14 +298,13 @@ impl Mixture {
         const OF: [f64; 5] = [0.319_381_530, -0.356_563_782, 1.781_477_937, -1.821_255_978, 1.330_274_429];
         let (mut below, mut density, mut all) = (0.0, 0.0, 0.0);
         for one in self.likely() {
-            let deviation = one.deviation.max(SHARPEST);
-            let off = (y - one.mean) / deviation;
+            all += one.weight;
+            let Some((off, rate)) = one.off(y) else { continue };
             let bell = exp(-0.5 * off * off) / (2.0 * PI).sqrt();
             let near = 1.0 / (1.0 + 0.231_641_9 * off.abs());
             let outside = bell * OF.iter().rev().fold(0.0, |sum, of| near * (sum + of));
             below += one.weight * if off > 0.0 { 1.0 - outside } else { outside };
-            density += one.weight * bell / deviation;
-            all += one.weight;
+            density += one.weight * bell * rate;
         }
         (below / all, density / all)
     }
@@ -254,11 +313,25 @@ impl Mixture {
         self.below(high).0 - self.below(low).0
     }
 
+    /// The same of numbers without a deviation.
+    fn sharp_quantile(&self, probability: f64) -> f64 {
+        let mut sorted: Vec<(f64, f64)> = self.0.iter().map(|one| (one.mean, one.weight)).collect();
+        sorted.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let mut above: f64 = sorted.iter().map(|one| one.1).sum::<f64>() * (1.0 - probability);
+        let found = sorted.iter().rev().find(|(_, weight)| {
+            above -= weight;
+            above <= 0.0
+        });
+        found.map_or(f64::NAN, |(number, _)| *number)
+    }
+
     /// What it is below of with a probability: by Newton's method within a bracket that is halved where it leads outside.
     pub fn quantile(&self, probability: f64) -> f64 {
-        let ends = |sign: f64| self.likely().map(move |one| one.mean + sign * 40.0 * one.deviation.max(SHARPEST));
-        let mut low = ends(-1.0).fold(f64::INFINITY, f64::min);
-        let mut high = ends(1.0).fold(f64::NEG_INFINITY, f64::max);
+        if self.0.iter().all(|one| one.deviation <= SHARPEST) {
+            return self.sharp_quantile(probability);
+        }
+        let mut low = self.likely().map(|one| one.end(-40.0)).fold(f64::INFINITY, f64::min);
+        let mut high = self.likely().map(|one| one.end(40.0)).fold(f64::NEG_INFINITY, f64::max);
         let (mean, variance) = self.moments();
         let mut y = mean + variance.sqrt() * (probability - 0.5) * 2.0 * REACH_95;
         for _ in 0..200 {

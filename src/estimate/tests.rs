@@ -300,25 +300,27 @@ fn device(more: &str) -> String {
     format!("{more}measured = [1e-5, 0.27]\n{DEVICE}{OF_DEVICE}")
 }
 
-/// Of 4,000 specimens that another program simulated, each with the strength that gives it the measured coefficient.
+/// Of 4,000 specimens that another program simulated, each with the strength that gives it the measured coefficient: taken for exact, or
+/// known to 5 %, where the device at the last load hangs on one summit and has that error.
 #[test]
 fn one_measured_specimen_tells_of_itself_and_of_others() {
     let text = device("specimens = 1\n");
-    let rows: [(f64, [f64; 3], [f64; 3]); 3] = [
-        (1e-3, [0.150, 0.098, 0.201], [0.150, 0.095, 0.203]),
-        (1e-4, [0.176, 0.122, 0.254], [0.179, 0.103, 0.271]),
-        (1e-6, [0.692, 0.464, 0.807], [0.686, 0.426, 1.06]),
+    let exact = text.replace("0.27]", "0.27, 1e-4]");
+    let rows: [(&str, f64, [f64; 3], [f64; 3]); 6] = [
+        (&exact, 1e-3, [0.150, 0.098, 0.201], [0.150, 0.095, 0.203]),
+        (&exact, 1e-4, [0.176, 0.122, 0.254], [0.179, 0.103, 0.271]),
+        (&exact, 1e-6, [0.692, 0.464, 0.807], [0.686, 0.426, 1.06]),
+        (&text, 1e-3, [0.149, 0.097, 0.206], [0.149, 0.095, 0.203]),
+        (&text, 1e-4, [0.175, 0.119, 0.257], [0.179, 0.103, 0.271]),
+        (&text, 1e-6, [0.690, 0.459, 0.868], [0.688, 0.426, 1.06]),
     ];
-    for (load, same, another) in rows {
-        let found = answer(&text, load);
+    for (text, load, same, another) in rows {
+        let found = answer(text, load);
         assert_eq!(found.whose, Whose::Measured, "{found:?}");
         let of = |band: Band| [band.value, band.low, band.high];
-        for (found, expected) in of(found.friction).into_iter().zip(same) {
-            // That program took the measurement for exact at the upper end of the last.
-            assert_near(found, expected, if expected == 0.807 { 0.09 } else { 0.05 });
-        }
-        for (found, expected) in of(found.another.map(|force| force / load)).into_iter().zip(another) {
-            assert_near(found, expected, 0.05);
+        let another = of(found.another.map(|force| force / load)).into_iter().zip(another);
+        for (found, expected) in of(found.friction).into_iter().zip(same).chain(another) {
+            assert_near(found, expected, if expected == 0.807 { 0.002 } else { 0.05 });
         }
     }
     // The device has what was measured on it; others scatter, less the more were measured, and about what they have on the mean.
@@ -335,6 +337,29 @@ fn one_measured_specimen_tells_of_itself_and_of_others() {
     let [mean, ..] = spread(held.iter().map(|one| one.friction_force / load));
     assert_near(mean, 0.27, 0.02);
     assert!(model.friction_at_load(load) < 0.75 * mean, "{}", model.friction_at_load(load));
+}
+
+/// A pressure coefficient that is given is known: what other materials have is in doubt in the strength alone, whoever reads the text.
+#[test]
+fn a_given_pressure_coefficient_is_no_part_of_the_doubt() {
+    for kappa in [0.0, 0.05, 0.1, 0.24] {
+        let known = "[known_to]\nslope = 1\nhardness = 1\nwork_of_adhesion = 1\n";
+        let text = format!(
+            "pressure_coefficient = {kappa}\nmodel_error = 0\n{}{SMOOTH}{known}",
+            SILICON.replace("1e-8", "1e-6")
+        );
+        let params = Params::from_toml(&text).expect("parameters");
+        let by_pressure = Model::new(&params).expect("a model").state_at_load(1.0).expect("a state").hertz_load * kappa;
+        for text in [text, format!("{}{known}", params.to_toml())] {
+            let Band { value, low, high } = answer(&text, 1.0).friction;
+            for (end, factor) in [(low, 0.1), (high, 10.0)] {
+                assert_near(end, by_pressure + factor * (value - by_pressure), 2e-4);
+            }
+        }
+    }
+    // What is not given is not known either: a solver's law has none, and its doubt is that of all friction.
+    let params = Params::from_toml(&format!("{SILICON}{SMOOTH}")).expect("parameters");
+    assert_eq!(params.pressure_coefficient, 0.0);
 }
 
 /// Where adhesion would press so hard that a pressure coefficient alone makes more than was measured, there is none.

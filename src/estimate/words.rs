@@ -51,7 +51,7 @@ pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64) -> std::res
     write_next(estimate, answers, &mut out)?;
     let points = &estimate.described.points;
     let at_points =
-        points.iter().map(|point| estimate.at_load(point.load)).collect::<std::result::Result<Vec<_>, _>>()?;
+        points.iter().map(|point| estimate.friction_at(point.load)).collect::<std::result::Result<Vec<_>, _>>()?;
     let _ = write_ground(estimate, answers, &at_points, warnings, &mut out);
     let _ = write_outside(estimate, &at_points, &mut out);
     Ok(out)

@@ -232,7 +232,11 @@ impl Surfaces {
     /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
     pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
         let (farthest, light) = self.equilibrium_at(lightest, || None).map_err(|error| error.of_load("lightest"))?;
-        let (nearest, heavy) = self.equilibrium_at(heaviest, || None).map_err(|error| error.of_load("heaviest"))?;
+        if lightest == heaviest {
+            return Ok(self.measures_of(lightest, farthest, &light)?.warnings());
+        }
+        let (nearest, heavy) =
+            self.equilibrium_at(heaviest, || Some(farthest)).map_err(|error| error.of_load("heaviest"))?;
         if lightest > heaviest {
             return Err(Error::invalid("lightest", lightest, "must not be above heaviest"));
         }

@@ -379,9 +379,21 @@ impl Surfaces {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
     pub(crate) fn new(params: &Params) -> Result<Self, Error> {
+        Self::with_branch(params, Branch::new)
+    }
+
+    /// The same of surfaces like others whose load has a single minimum, as far as they are asked here.
+    ///
+    /// # Errors
+    /// As [`Surfaces::new`].
+    pub(crate) fn with_single_minimum(params: &Params) -> Result<Self, Error> {
+        Self::with_branch(params, Branch::with_single_minimum)
+    }
+
+    fn with_branch(params: &Params, branch: impl Fn(Population) -> Result<Branch, Error>) -> Result<Self, Error> {
         let (groups, heights, radius) = params.surface()?;
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
-        let (units, branch) = (Units::new(params), Branch::new(population)?);
+        let (units, branch) = (Units::new(params), branch(population)?);
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(TAMEST);
         Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest, largest_load: 0.0 })
@@ -424,6 +436,11 @@ impl Surfaces {
     /// These surfaces with the strength that other parameters of them have, where states are judged.
     pub(crate) fn judged_as(&self, params: &Params) -> Self {
         Self { params: params.clone(), ..self.clone() }
+    }
+
+    /// These surfaces with the slip stresses that other parameters of them have.
+    pub(crate) fn with_strength_of(&self, params: &Params) -> Self {
+        Self { params: params.clone(), branch: self.branch.with_slip(params.slip_law()), ..self.clone() }
     }
 
     fn pull_off_load(&self) -> f64 {

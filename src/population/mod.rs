@@ -196,6 +196,13 @@ impl Population {
         })
     }
 
+    /// The same summits with other slip stresses at the same radii.
+    pub fn with_slip(&self, slip: Slip) -> Self {
+        let mut other = Self { slip, ..self.clone() };
+        other.forget_table();
+        other
+    }
+
     /// What is tabulated of it; `None` where radii vary.
     fn table(&self) -> Option<&NodeTable> {
         Some(self.nodes.as_ref()?.get_or_init(|| NodeTable::new(self)))

@@ -7,6 +7,7 @@
 
 use crate::distribution::panel;
 use crate::distribution::HeightDistribution;
+use crate::model::Surfaces;
 use crate::numerics::elementary::{exp, expm1, log};
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature;
@@ -20,13 +21,14 @@ const CLOSEST: f64 = 1e-12;
 const LEAST_FRACTION: f64 = 1e-60;
 
 /// Heights, in sigma, by the fraction of summits above.
+#[derive(Debug)]
 pub struct Heights {
     /// From the lowest height to the highest.
     rows: Vec<Row>,
 }
 
 /// A height z with ln(Q/(1 - Q)) of the fraction Q of summits above, its slope dz/d(that), and the integral of Q from z up.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 struct Row {
     logit: f64,
     z: f64,
@@ -51,8 +53,14 @@ impl Row {
 }
 
 impl Heights {
+    /// The heights of surfaces.
+    pub fn of(surfaces: &Surfaces) -> Self {
+        let (lowest, highest) = surfaces.population().extent();
+        Self::new(surfaces.population().heights(), lowest, highest)
+    }
+
     /// The heights of a distribution between two heights.
-    pub fn new(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> Self {
+    fn new(heights: &dyn HeightDistribution, lowest: f64, highest: f64) -> Self {
         let mut ends: Vec<f64> = panel::panels(heights, lowest, highest).map(|(from, _)| from).collect();
         ends.push(highest);
         let parts: Vec<f64> = ends.windows(2).map(|ends| fraction(heights, ends[0], ends[1])).collect();

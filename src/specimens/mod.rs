@@ -14,7 +14,7 @@ use crate::numerics::elementary::pow;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
 use crate::population::Sums;
-use heights::Heights;
+pub(crate) use heights::Heights;
 pub use statistics::spread;
 use std::f64::consts::PI;
 use unload::{too_many, Contacts, Specimen, Sphere, MOST_DRAWN};
@@ -82,7 +82,7 @@ impl Model {
             self.validate_specimens_load(load)?;
         }
         let mut found = Vec::with_capacity(asked.count * loads.len());
-        self.stand((asked, MOST_DRAWN), loads, true, &mut |standing, pull_off_force| {
+        self.stand((asked, MOST_DRAWN), &Heights::of(self), loads, true, &mut |standing, pull_off_force| {
             found.push(standing.map_or(Held::apart(pull_off_force), |standing| {
                 let gap = match asked.sphere_radius == 0.0 {
                     true => self.gap_at(standing.separation),
@@ -96,11 +96,12 @@ impl Model {
 }
 
 impl Surfaces {
-    /// Hands over how specimens stand under loads, each with all loads, in the order of these, and the pull-off force of each; not at all
-    /// where it is apart. So many summits may be drawn at most. What is not `exact` is so to 1e-6.
+    /// Hands over how specimens of these heights stand under loads, each with all loads, in the order of these, and the pull-off force of
+    /// each; not at all where it is apart. So many summits may be drawn at most. What is not `exact` is so to 1e-6.
     pub(crate) fn stand(
         &self,
         (asked, most_drawn): (Specimens, f64),
+        heights: &Heights,
         loads: &[f64],
         is_exact: bool,
         take: &mut dyn FnMut(Option<Standing>, f64),
@@ -119,12 +120,10 @@ impl Surfaces {
             let allowed = "single specimens are those of first loading: ask the model that this one was unloaded from";
             return Err(Error::out_of_range("largest_load", self.largest_load, allowed));
         }
-        let (lowest, highest) = population.extent();
-        let heights = Heights::new(population.heights(), lowest, highest);
         let sphere = self.sphere(asked.sphere_radius, heaviest * of_one)?;
         let alike = asked.first as f64 + asked.count as f64;
         let specimen = |table, index| {
-            Specimen::new((population, table), &heights, (count, sphere), (alike, most_drawn), asked.seed, index)
+            Specimen::new((population, table), heights, (count, sphere), (alike, most_drawn), asked.seed, index)
         };
         // One that is like the others says where to begin and how many summits are drawn, with all ranges before this one.
         let mut typical = specimen(None, u64::MAX);

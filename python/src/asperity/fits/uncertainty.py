@@ -55,6 +55,8 @@ STRENGTH_DEVIATION = math.log(10) / 1.959963984540054
 NOT_MEASURED = "strength of the interface: not measured, a factor 10 either way"
 AS_GIVEN = "strength of the interface: as given"
 ALL_ELSE = "all else: taken as known"
+# Friction of which the strength makes less is hardly in doubt.
+_LEAST_PART = 1e-6
 # The name of the strength that a measurement sets.
 _STRENGTH = "slip_stress"
 # A calibrated model has the friction of the measurement to rounding; one whose surface was changed afterwards has not.
@@ -267,7 +269,10 @@ def uncertainty(
         from statistics import NormalDist
 
         reach = (NormalDist().inv_cdf(0.5 + 0.5 * coverage) if fit is None else fit.reach(coverage)) * deviation
-        band = force / unit * np.exp([-reach, reach])
+        # What pressure adds is known: a strength that nobody measured scales the rest.
+        by_strength = [slopes[:, i] for i, name in enumerate(names) if name.field == _STRENGTH and not measured and fit is None]
+        part = np.clip(by_strength[0], _LEAST_PART, 1.0) if by_strength else np.ones(load.shape)
+        band = force / unit * (1 - part + part * np.exp([-reach / part, reach / part]))
     return Uncertainty(load, force / unit, band[0], band[1], deviation, parts, coverage, quantity, drawn, refused, rests_on)
 
 
