@@ -99,13 +99,16 @@ void begin(const Contact &c, const Forces &r, double kept, double dt, double gra
 // Displaces the summits of some contacts of a batch, all with the states `before`, by what is asked.
 void displace(const asperity_model *model, const double *softening, int numbers, int count, const int *which, const double *area,
               const Forces *r, const double *before, Step *step, double *after) {
-    double pressure[BATCH], increment[2 * BATCH], from[BATCH * MOST], to[BATCH * MOST], stress[2 * BATCH], slope[4 * BATCH];
+    double pressure[BATCH], increment[2 * BATCH], some[2 * BATCH * MOST], stress[2 * BATCH], slope[4 * BATCH];
     if (count < 1) return;
+    const bool are_first = which[count - 1] == count - 1;    // in order: then they need not be gathered
+    const double *from = are_first ? before : some;
+    double *to = are_first ? after : some + BATCH * MOST;
     for (int w = 0; w < count; w++) {
         const int k = which[w];
         pressure[w] = r[k].pressure;
         for (int axis = 0; axis < 2; axis++) increment[2 * w + axis] = softening[k] * step[k].asked[axis];
-        std::copy_n(before + k * numbers, numbers, from + w * numbers);
+        if (!are_first) std::copy_n(before + k * numbers, numbers, some + w * numbers);
     }
     // It fails for what is not finite only, and then gives NaN, as the positions of the grains are.
     asperity_microslip_steps(model, count, pressure, increment, from, to, stress, slope);
@@ -116,7 +119,7 @@ void displace(const asperity_model *model, const double *softening, int numbers,
         step[k].tangent[0] = scale * s[0];
         step[k].tangent[1] = scale * s[1];
         step[k].tangent[2] = scale * s[3];
-        std::copy_n(to + w * numbers, numbers, after + k * numbers);
+        if (!are_first) std::copy_n(to + w * numbers, numbers, after + k * numbers);
     }
 }
 

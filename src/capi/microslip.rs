@@ -7,7 +7,7 @@ use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::memory::{self, Levels, MicroslipStep, STATE};
+use crate::memory::{self, MicroslipStep, STATE};
 use crate::model::Model;
 use crate::numerics::float_bits::nan;
 use crate::numerics::four::{Four, Portable};
@@ -184,7 +184,7 @@ unsafe fn many(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
 #[inline(always)]
 unsafe fn steps<V: Four>(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
     let mut first_invalid = None;
-    let (mut levels, mut state) = (Levels::default(), [0.0; STATE]);
+    let (mut levels, mut state) = (None, [0.0; STATE]);
     for i in 0..arrays.n {
         copy(arrays.before.add(STATE * i), state.as_mut_ptr(), STATE);
         let (load, increment) = (arrays.load.add(i).read_unaligned(), read(arrays.increment.add(2 * i)));
@@ -222,7 +222,7 @@ unsafe fn one_avx2(
     increment: [f64; 2],
     state: &mut [f64; STATE],
 ) -> Result<MicroslipStep, Error> {
-    model.step::<Avx2, true>(load, increment, state, &mut Levels::default())
+    model.step::<Avx2, true>(load, increment, state, &mut None)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -261,6 +261,37 @@ unsafe fn copy(from: *const f64, to: *mut f64, count: usize) {
 mod tests {
     use super::*;
     use crate::params::Params;
+
+    /// A contact that sticks is told before its state is looked at whole.
+    #[test]
+    fn at_the_load_of_the_step_before_a_state_that_is_none_is_refused_and_a_displacement_is_followed() {
+        let model = Model::new(&Params::paper()).expect("a model");
+        let (load, length) = (10.0, model.friction_force_at_load(10.0) / model.tangential_stiffness_at_load(10.0));
+        let mut stuck = [0.0; STATE];
+        let by = [1e-4 * length, -2e-4 * length];
+        let first = one(&model, load, by, &mut stuck).expect("a step");
+        let slope = model.tangential_stiffness_at_load(10.001) - model.tangential_stiffness_at_load(9.999);
+        for times in 2..5 {
+            let found = one(&model, load, by, &mut stuck).expect("a step");
+            for axis in 0..2 {
+                assert!((found.force[axis] / first.force[axis] - f64::from(times)).abs() < 1e-12);
+                assert!((found.dforce_dload[axis] / (0.5 * by[axis] * slope / 0.002) - 1.0).abs() < 1e-3);
+            }
+            assert!(found.slipping == 0.0 && found.dissipated == 0.0);
+        }
+        for wrong in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+            for place in 0..STATE {
+                let mut state = stuck;
+                state[place] = wrong;
+                let refused = one(&model, load, by, &mut state);
+                assert!(matches!(refused, Err(Error::InvalidEntry { name: "before", .. })), "{place}: {refused:?}");
+            }
+            assert!(one(&model, load, [wrong, 0.0], &mut { stuck }).is_err());
+            assert!(one(&model, wrong, by, &mut { stuck }).is_err());
+        }
+        let far = one(&model, load, [1e200, 0.0], &mut stuck).expect("a step");
+        assert!((far.force[0] / model.friction_force_at_load(load) - 1.0).abs() < 1e-12);
+    }
 
     /// The functions of this processor and those of any, over a path that turns while the load changes.
     #[test]

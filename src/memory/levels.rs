@@ -4,6 +4,7 @@ use super::cells::{fall, lay, LEAST_OF_REACH};
 use super::{at_most, energy, energy_by, within, within_cells, MicroslipStep, PerEdge, PerLevel};
 use super::{CELL_WIDTHS, EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_LEVEL, REACH, ROOTS, STATE};
 use crate::numerics::elementary::hypot;
+use crate::numerics::float_bits::finite;
 use crate::numerics::four::Four;
 
 /// Displacements beyond this many times strength over stiffness are taken as this: all levels then slip.
@@ -322,4 +323,46 @@ impl Levels {
 fn power_of_two_below(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     f64::from_bits((x.to_bits() & EXPONENT).max(3 << 52))
+}
+
+/// Displaces levels that reach up to the stiffness, as in the step before; `None`, with the state as it was, if one of them slips.
+#[inline(always)]
+pub fn stuck<V: Four>(
+    [strength, stiffness]: [Sloped; 2],
+    shares: &PerLevel,
+    increment: [f64; 2],
+    state: &mut [f64; STATE],
+) -> Option<MicroslipStep> {
+    let unit = power_of_two_below(strength.value);
+    let scale = V::splat(1.0 / unit);
+    let (reach, strength) = (V::splat(stiffness.value), V::splat(strength.value) * scale);
+    let (dx, dy, none) = (V::splat(increment[0]), V::splat(increment[1]), V::splat(0.0));
+    let [mut fx, mut fy, mut xx, mut farthest] = [none; 4];
+    for j in (0..LEVELS).step_by(4).rev() {
+        let width = V::read(&CELL_WIDTHS, j) * reach * scale;
+        let (x, y) = (V::read(state, j) + dx, V::read(state, LEVELS + j) + dy);
+        let (tx, ty, limit) = (x * width, y * width, V::read(shares, j) * strength);
+        let beyond = tx * tx + ty * ty - limit * limit;
+        farthest = beyond.if_greater(farthest, beyond, farthest);
+        (fx, fy, xx) = (fx + tx, fy + ty, xx + width);
+        // The narrow ones at the top slip first.
+        if j + 4 == LEVELS && farthest.sum() > 0.0 {
+            return None;
+        }
+    }
+    // What is not finite has no finite force.
+    let force = [fx.sum() * unit, fy.sum() * unit];
+    if farthest.sum() > 0.0 || !(finite(force[0]) && finite(force[1])) {
+        return None;
+    }
+    for j in (0..LEVELS).step_by(4) {
+        (V::read(state, j) + dx).write(state, j);
+        (V::read(state, LEVELS + j) + dy).write(state, LEVELS + j);
+    }
+    // Half of the increment is followed by levels that come with more load.
+    let by_load = at_most(stiffness.slope / unit, LARGEST_SLOPE);
+    let dforce_dload =
+        [0, 1].map(|axis| at_most(at_most(0.5 * increment[axis] * by_load, LARGEST_SLOPE) * unit, f64::MAX));
+    let stiffness = xx.sum() * unit;
+    Some(MicroslipStep { force, stiffness: [stiffness, 0.0, 0.0, stiffness], dforce_dload, ..MicroslipStep::default() })
 }

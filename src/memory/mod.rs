@@ -14,7 +14,7 @@ mod levels;
 mod limits;
 mod strengths;
 
-pub use levels::{Levels, Sloped, MOST_SLIP_LENGTHS};
+pub use levels::{stuck, Levels, Sloped, MOST_SLIP_LENGTHS};
 pub use limits::Limits;
 
 use crate::error::Error;
@@ -66,10 +66,10 @@ static CELL_WIDTHS: PerLevel = {
 const LARGEST_WITH_SQUARE: f64 = 1e150;
 
 /// A number for each cell.
-type PerLevel = [f64; LEVELS];
+pub type PerLevel = [f64; LEVELS];
 /// A number for each edge of a cell, and three more: edges are read by fours.
 type PerEdge = [f64; LEVELS + 4];
-const NO_LEVEL: PerLevel = [0.0; LEVELS];
+pub const NO_LEVEL: PerLevel = [0.0; LEVELS];
 const NO_EDGE: PerEdge = [0.0; LEVELS + 4];
 
 /// What resists a displacement of the surfaces along each other, in the caller's units.

@@ -6,7 +6,7 @@
 use super::Model;
 use crate::error::{Error, LOAD};
 use crate::law::Quantity;
-use crate::memory::{within, Levels, MicroslipStep, Sloped, LAST, MOST_SLIP_LENGTHS, REACH, STATE};
+use crate::memory::{stuck, within, Levels, MicroslipStep, Sloped, LAST, MOST_SLIP_LENGTHS, NO_LEVEL, REACH, STATE};
 use crate::numerics::float_bits::{finite, infinite};
 use crate::numerics::four::{Four, Portable};
 use crate::numerics::neighbours::Neighbours;
@@ -23,28 +23,39 @@ impl Model {
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        self.step::<Portable, true>(load, increment, state, &mut Levels::default())
+        self.step::<Portable, true>(load, increment, state, &mut None)
     }
 
-    /// The same; without `DETAILS` only force and stiffness are told. `levels` become those at the load.
+    /// The same; without `DETAILS` only force and stiffness are told. `room` is for the levels at the load, made where they are needed.
     #[inline(always)] // so that it is compiled for the instructions that its caller has
     pub(crate) fn step<V: Four, const DETAILS: bool>(
         &self,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
-        levels: &mut Levels,
+        room: &mut Option<Levels>,
     ) -> Result<MicroslipStep, Error> {
-        let size = size_of::<V>(state);
         let (reach, last) = (state[REACH], state[LAST]);
-        let is_sound = finite(size) && 0.0 <= last && last <= reach && finite(reach);
-        if !(is_sound && finite(load) && finite(increment[0]) && finite(increment[1])) {
+        let is_given = finite(load) && finite(increment[0]) && finite(increment[1]);
+        let all = [Quantity::Friction, Quantity::Radius].map(|quantity| self.sloped::<DETAILS>(quantity, load));
+        let [strength, stiffness] = all.map(|all| all.value);
+        let farthest = MOST_SLIP_LENGTHS * (strength / stiffness);
+        let resists = strength > 0.0 && finite(farthest);
+        // At the load of the step before most contacts stick in all their levels, and need nothing else.
+        let is_as_before = is_given && resists && last == stiffness && reach == stiffness;
+        let excess = if is_given { load - self.law.table(Quantity::Friction).pull_off } else { 0.0 };
+        let (mut shares, mut slopes) = (NO_LEVEL, NO_LEVEL);
+        if is_as_before && excess >= 0.0 {
+            self.law.limits().at_excess::<V, DETAILS>(excess, [1.0, 0.0], &mut shares, &mut slopes);
+            if let Some(step) = stuck::<V>(all, &shares, increment, state) {
+                return Ok(step);
+            }
+        }
+        let square = square_of::<V>(state);
+        let is_sound = finite(square) && 0.0 <= last && last <= reach && finite(reach);
+        if !(is_sound && is_given) {
             validate(load, increment, state)?;
         }
-        (levels.strength, levels.stiffness) =
-            (self.sloped::<DETAILS>(Quantity::Friction, load), self.sloped::<DETAILS>(Quantity::Radius, load));
-        let (strength, stiffness) = (levels.strength.value, levels.stiffness.value);
-        let excess = load - self.law.table(Quantity::Friction).pull_off;
         // Also of a load that is too heavy.
         let known = strength >= 0.0 && stiffness >= 0.0;
         if excess < 0.0 || !known {
@@ -55,18 +66,23 @@ impl Model {
             })?;
             return Err(Self::not_evaluated(load));
         }
-        let farthest = MOST_SLIP_LENGTHS * (strength / stiffness);
-        if !(strength > 0.0 && finite(farthest)) {
-            self.law.limits().at_excess::<V, false>(excess, [1.0, 0.0], &mut levels.shares, &mut levels.share_slopes);
+        let levels = room.get_or_insert_with(Levels::default);
+        [levels.strength, levels.stiffness] = all;
+        if !resists {
+            self.law.limits().at_excess::<V, false>(excess, [1.0, 0.0], &mut levels.shares, &mut slopes);
             return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
-        if size > farthest {
+        if square > farthest * farthest {
             state[..REACH].iter_mut().for_each(|x| *x = x.clamp(-farthest, farthest));
         }
         let cut = levels.cut::<V, DETAILS>(increment, state);
-        let place = [cut.place, cut.slope];
-        self.law.limits().at_excess::<V, DETAILS>(excess, place, &mut levels.shares, &mut levels.share_slopes);
+        if is_as_before {
+            (levels.shares, levels.share_slopes) = (shares, slopes);
+        } else {
+            let place = [cut.place, cut.slope];
+            self.law.limits().at_excess::<V, DETAILS>(excess, place, &mut levels.shares, &mut levels.share_slopes);
+        }
         Ok(levels.step::<V, DETAILS>(increment, cut, state))
     }
 
@@ -80,16 +96,16 @@ impl Model {
     }
 }
 
-/// The root of the sum of the squares of all numbers of a state but the last two; not finite if one of them is not, or is so
-/// large that it has no square.
+/// The sum of the squares of all numbers of a state but the last two; not finite if one of them is not, or is so large that it has no
+/// square.
 #[inline(always)]
-fn size_of<V: Four>(state: &[f64; STATE]) -> f64 {
+fn square_of<V: Four>(state: &[f64; STATE]) -> f64 {
     let mut squares = [V::splat(0.0); 2];
     for j in (0..REACH).step_by(8) {
         let (some, others) = (V::read(state, j), V::read(state, j + 4));
         squares = [squares[0] + some * some, squares[1] + others * others];
     }
-    (squares[0] + squares[1]).sum().sqrt()
+    (squares[0] + squares[1]).sum()
 }
 
 /// Whether a step can be taken of these.

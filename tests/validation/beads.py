@@ -8,6 +8,7 @@ import numpy as np
 from asperity import Error, Params, pads
 
 RADIUS, WORK, RANGE, WAVE = 10e-6, 0.05, 0.3e-9, 250e-9  # of the sphere, of adhesion (2), of the waves on it [SI]
+PACKED = math.pi / math.sqrt(12)  # part of a plane that closely packed circles cover
 HEIGHTS = (20e-9, 10e-9, 5e-9, 2e-9, 0.5e-9)  # Sq
 
 
@@ -21,14 +22,16 @@ def bead(rms_height: float, work: float = WORK) -> Params:
 
 
 def rabinovich(rms_height: float) -> float:
-    """Rabinovich et al. (2000): hills of the length of the waves, and the body behind them."""
+    """Rabinovich et al. (2000): hills of the length of the waves, and the body behind them. A hill is so high that closely packed ones have
+    this rms height from the plane of their feet: (3/PACKED)^1/2 of it for parabolas, 1.819; 1.817 for their caps."""
     height = 1.817 * rms_height
     return 1 / (1 + 32 * RADIUS * height / WAVE**2) + 1 / (1 + height / RANGE) ** 2
 
 
 def rumpf(rms_height: float) -> float:
-    """Rumpf (1990): one hemisphere as high as the hills."""
-    hill = 1.485 * rms_height
+    """Rumpf (1990), with the rms height for the radius as in Rabinovich et al. (2000): one hemisphere of closely packed ones, whose rms height
+    from the plane of their centres is (PACKED/2)^1/2 of their radius."""
+    hill = math.sqrt(2 / PACKED) * rms_height
     return hill / (hill + RADIUS) + 1 / (1 + hill / RANGE) ** 2
 
 
