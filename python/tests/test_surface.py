@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import sys
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy.typing as npt
 import pytest
 from random_surfaces import GaussianSurface, Nayak
 
-from asperity import Error, Model, Params, surface
+from asperity import Error, Params, surface
 
 Array = npt.NDArray[np.float64]
 
@@ -118,13 +117,6 @@ def test_iso_names_are_the_same_numbers(gaussian: GaussianSurface, found: list[s
     assert iso.Sdq == pytest.approx(math.sqrt(2 * summits.moments.m2), rel=1e-12)
     assert iso.Sds == summits.density.value == pytest.approx(summits.count / 510**2, rel=1e-12)
     assert iso.Ssc == pytest.approx(summits.curvatures.mean(), rel=1e-12)
-
-
-@unlike_a_surface
-def test_grooves_are_told_from_an_isotropic_surface(gaussian: GaussianSurface) -> None:
-    heights = gaussian.map(0)
-    along, across = np.arange(512.0), np.arange(512.0)[:, None]
-    assert surface.summits(heights + 10 * np.sin((along + across) / 5), 1.0, 1.0).isotropy < 0.05
 
 
 # ---- Paraboloids ----
@@ -370,93 +362,11 @@ def test_without_scipy_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) 
 # ---- Parameters ----
 
 
-@pytest.fixture(scope="module")
-def measured() -> surface.Summits:
-    return surface.summits(5e-9 * GaussianSurface(512, 12).map(3), 50e-9, 50e-9)
-
-
-def test_params_take_the_numbers_of_the_map(measured: surface.Summits) -> None:
-    params = Params.from_topography(measured, counted=True, **MATERIAL)
-    trend = measured.radius_trend
-    assert params.height_std == measured.height_std.value
-    assert (params.summit_radius, params.radius_amplitude, params.radius_rate) == (
-        trend.radius, trend.amplitude, trend.rate
-    )  # fmt: skip
-    assert params.asperity_count == measured.density.value * (512 * 50e-9) ** 2
-    assert params.height_distribution == "gaussian"
-    with Model(params) as model:
-        assert 0 < model.friction_at_load(1e-4) < 2
-
-
-def test_params_of_the_summits_are_those_of_the_moments_of_their_map(measured: surface.Summits) -> None:
-    moments = measured.moments
-    theory = Params.from_spectral_moments(
-        m0=moments.m0, m2=moments.m2, m4=moments.m4, nominal_area=measured.nominal_area, summits="mccool", **MATERIAL
-    )
-    params = Params.from_topography(measured, counted=True, trend=False, **MATERIAL)
-    for name, estimate in (
-        ("height_std", measured.height_std),
-        ("summit_radius", measured.radius),
-        ("asperity_count", measured.density),
-    ):
-        value = getattr(params, name)
-        error = 3 * estimate.error / estimate.value + 0.015  # density of 12 points a wave: docs/height-maps.md
-        assert value == pytest.approx(getattr(theory, name), rel=error), name
-        assert error < 0.12
-
-
-def test_params_without_a_trend_have_the_mean_radius(measured: surface.Summits) -> None:
-    params = Params.from_topography(measured, counted=True, trend=False, nominal_area=1e-8, **MATERIAL)
-    assert (params.summit_radius, params.radius_amplitude) == (measured.radius.value, 0.0)
-    assert params.asperity_count == measured.density.value * 1e-8
-    random = np.random.default_rng(2)
-    flat = surface.summits(
-        1e-9 * paraboloids(0.1 * random.normal(size=(9, 9)), random.uniform(4, 8, size=(9, 9))), 1e-9, 1e-9, detrend=0
-    )
-    assert not flat.radius_trend.significant
-    assert Params.from_topography(flat, counted=True, **MATERIAL).radius_amplitude == 0.0
-
-
-def test_weibull_heights_have_the_skew_of_the_map(measured: surface.Summits) -> None:
-    params = Params.from_topography(measured, counted=True, heights="weibull", attraction=False, **MATERIAL)
-    with Model(params) as model:
-        assert model.summary().skew == pytest.approx(measured.skew.value, abs=1e-9)
-    assert not params.attraction
-
-
-def test_johnson_and_tabulated_heights_are_those_of_the_map(measured: surface.Summits) -> None:
-    johnson = Params.from_topography(measured, counted=True, heights="johnson", **MATERIAL)
-    assert johnson.height_distribution == "johnson"
-    assert (johnson.skew, johnson.kurtosis) == (measured.skew.value, measured.kurtosis.value)
-    with Model(johnson) as model:
-        summary = model.summary()
-        expected = measured.skew.value, measured.kurtosis.value
-        assert (summary.skew, summary.kurtosis) == pytest.approx(expected, abs=1e-9)
-    tabulated = Params.from_topography(measured, counted=True, heights="tabulated", **MATERIAL)
-    height, density = np.array(tabulated.table_height), np.array(tabulated.table_density)
-    assert tabulated.height_distribution == "tabulated" and np.all(np.diff(height) > 0)
-    assert height[0] == measured.heights.min() and height[-1] == measured.heights.max()
-    bins = density[1:-1] * (height[2] - height[1])  # the part of the summits in each
-    assert bins.sum() == pytest.approx(1, rel=1e-12)
-    np.testing.assert_allclose(bins * measured.count, np.round(bins * measured.count), atol=1e-9)
-    assert bins @ height[1:-1] == pytest.approx(measured.height_mean.value, abs=0.05 * measured.height_std.value)
-
-
-def test_a_histogram_is_no_longer_than_a_table_may_be(measured: surface.Summits) -> None:
-    far = replace(measured, heights=np.append(measured.heights, measured.heights.max() + 100 * measured.height_std.value))
-    height, density = far.histogram()
-    assert height.size == density.size == 256
-    smooth = np.exp(-(((height - height.mean()) / (0.2 * np.ptp(height))) ** 2))
-    with Model(Params.from_topography(far, counted=True, **MATERIAL).replace(table_height=height, table_density=smooth)) as model:
-        assert model.friction_at_load(1e-3) > 0
-
-
-def test_what_the_map_tells_cannot_be_given_too(measured: surface.Summits) -> None:
+def test_what_the_map_tells_cannot_be_given_too() -> None:
+    measured = surface.summits(5e-9 * GaussianSurface(512, 12).map(3), 50e-9, 50e-9)
     for name in ("height_std", "asperity_count", "radius_amplitude", "skew"):
         given: dict[str, Any] = MATERIAL | {name: 1.0}
         with pytest.raises((TypeError, Error)):
-            Params.from_topography(measured, counted=True, **given)
+            Params.from_topography(measured, **given)
     with pytest.raises(TypeError, match="summits = 5: must be what asperity.surface.summits returns"):
         Params.from_topography(5, **MATERIAL)  # type: ignore[arg-type]
-    with pytest.raises(Error, match="heights = 'beta': must be one of"):
-        Params.from_topography(measured, counted=True, heights="beta", **MATERIAL)  # type: ignore[arg-type]

@@ -13,7 +13,7 @@ from random_surfaces import GaussianSurface
 import asperity
 from asperity import Error, Model, surface
 from asperity.maps import analysis
-from asperity.params import counted_of
+from asperity.params import roughness_of
 
 Array = npt.NDArray[np.float64]
 
@@ -62,9 +62,7 @@ def dusty(height: Array) -> Array:
 def test_a_clean_map_is_usable_and_gives_friction_and_its_surface(plain: Array, truth: surface.Analysis) -> None:
     assert truth.usable and truth.verdict == "usable" and truth.findings == ()
     found = surface.summits(surface.filter(plain, 6 * PIXEL, PIXEL))
-    moments, area = found.moments, found.nominal_area
-    expected = asperity.friction("Si/Si", load=LOAD, nominal_area=area, **counted_of(found, "gaussian"))
-    assert truth.counted and moments.bandwidth < 3
+    expected = asperity.friction("Si/Si", load=LOAD, nominal_area=found.nominal_area, **roughness_of(found))
     assert truth.value == float(truth) == pytest.approx(float(expected), rel=1e-9)
     assert truth.low < expected.low < expected.high < truth.high  # the map's own spread beside the strength's
     assert truth.params is not None and truth.cutoffs is not None and truth.cutoffs.recommended == pytest.approx(6 * PIXEL)
@@ -72,14 +70,24 @@ def test_a_clean_map_is_usable_and_gives_friction_and_its_surface(plain: Array, 
     with Model(truth.params) as model:
         assert model.friction_at_load(LOAD) == pytest.approx(truth.estimate.curve, rel=1e-6)
     assert f"; Model(params) has {truth.estimate.curve:.3g}\n" in str(truth)
-    assert truth.families.keys() == {"gaussian", "weibull", "johnson", "tabulated"}
+    assert truth.spread.keys() == truth.area_spread.keys() == {"sampling", "cutoffs"}
     assert truth.spread["cutoffs"] == pytest.approx(math.log(np.divide(*truth.cutoffs.spread[::-1])) / math.sqrt(12))
     text = str(truth)
-    order = ["form", "spikes", "missing", "S-filter", "isotropy", "by counted summits", "heights", "contact", "friction", "verdict"]
+    order = ["form", "spikes", "missing", "S-filter", "lay", "surface", "contact", "area", "friction", "verdict"]
     assert [line.split(":")[0] for line in text.splitlines()] == order
-    by_moments = analysed(plain, counted=False)
-    direct = asperity.friction("Si/Si", load=LOAD, nominal_area=area, m0=moments.m0, m2=moments.m2, m4=moments.m4)
-    assert by_moments.value == pytest.approx(float(direct), rel=1e-9)
+    assert "with the cutoff 1.2e-07 m" in text
+
+
+def test_a_gaussian_map_has_the_friction_of_its_height_and_slope() -> None:
+    random = GaussianSurface(512, 12)
+    found = surface.summits(surface.filter(SIGMA * random.map(3), 6 * PIXEL, PIXEL))
+    moments = dict(m0=found.moments.m0, m2=found.moments.m2)
+    for load in (3e-4, 3e-2):
+        table, gaussian = (
+            asperity.friction("Si/Si", load=load, nominal_area=found.nominal_area, measured=(3e-3, 0.3), **rough)
+            for rough in (roughness_of(found), moments)
+        )
+        assert float(table) == pytest.approx(float(gaussian), rel=0.06)
 
 
 FAULTS: dict[str, Any] = {
@@ -101,7 +109,8 @@ def test_a_fault_is_named_with_the_remedy_that_fits_it(name: str, plain: Array, 
     assert found.verdict.startswith(f"usable if {kind}: ") and remedy in found.verdict
     mended = analysed(spoil(plain), **follows)
     assert mended.value == pytest.approx(truth.value, rel=0.05) and mended.verdict == "usable"
-    assert abs(math.log(found.value / truth.value)) > abs(math.log(mended.value / truth.value)) + 0.02
+    # Lines that are offset are noise, whose slope is taken away.
+    assert name == "rows" or abs(math.log(found.value / truth.value)) > abs(math.log(mended.value / truth.value)) + 0.02
 
 
 @pytest.mark.parametrize(
@@ -130,13 +139,12 @@ def test_what_one_call_mends_leaves_friction_as_it_is(spoil: Any, plain: Array, 
         (lambda z: np.where(X < 60, np.nan, z), {}, "missing", "23% of the points are missing, in holes: crop the map"),
         (lambda z: np.round(z / (1.5 * SIGMA)) * 1.5 * SIGMA, {}, "steps", "in steps of 7.5e-09 m, coarser than the surface: measure"),
         (lambda z: z + SIGMA * random().normal(size=z.shape), {}, "noise", r"of 5e-09 m, has \d+% of the mean square slope .*: give cutoff=1.6e-07"),
-        (lambda z: z + 10 * SIGMA * np.sin(Y / 16), {}, "direction", r"isotropy 0\.\d+: the surface has grooves"),
+        (lambda z: z + 30 * SIGMA * np.sin(Y / 16), {}, "direction", r"lay \d.*: patches of contact are long, and friction up to 1.4 times too large"),
         (lambda z: SIGMA * GaussianSurface(POINTS, 60).map(3), {}, "waves", "mean waves a side: one place is not like another: measure a larger map"),
-        (lambda z: dusty(z), {"spikes": False}, "heights", r"summits are not Gaussian, skew .*, kurtosis .*\(tabulated\): measure friction once"),
         (lambda z: z, {"load": 1e-6}, "cutoff", r"none is recommended, contacts under this load are .* points wide: measure a finer map, or take a heavier load"),
         (lambda z: z, {"load": 0.2}, "contact", "summits yield"),
     ],
-    ids=["many spikes", "holes", "steps", "noise", "grooves", "few waves", "non-Gaussian", "light load", "heavy load"],
+    ids=["many spikes", "holes", "steps", "noise", "grooves", "few waves", "light load", "heavy load"],
 )
 def test_what_only_another_measurement_mends_is_said(spoil: Any, given: dict[str, Any], kind: str, says: str, plain: Array) -> None:
     import re
@@ -146,14 +154,6 @@ def test_what_only_another_measurement_mends_is_said(spoil: Any, given: dict[str
     saying = [str(one) for one in found.findings if one.kind == kind]
     assert saying and any(re.search(says, one) for one in saying), found.verdict
     assert found.verdict.startswith("usable if ")
-
-
-def test_families_that_differ_are_in_the_band(plain: Array, truth: surface.Analysis) -> None:
-    spoilt = analysed(dusty(plain), spikes=False)
-    known = [mu for mu in spoilt.families.values() if math.isfinite(mu)]
-    assert max(known) > 1.4 * min(known) and any(math.isnan(mu) for mu in spoilt.families.values())
-    assert spoilt.spread["heights"] == pytest.approx(math.log(max(known) / min(known)) / math.sqrt(12))
-    assert spoilt.high / spoilt.value > truth.high / truth.value
 
 
 def test_a_bandwidth_beyond_the_validation_is_said(plain: Array, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -228,28 +228,3 @@ def test_long_waves_are_removed_and_what_is_asked_for_wrongly_is_refused(plain: 
         analysed(plain, dx=None)
     with pytest.raises(TypeError, match="give cutoff, the shortest wave"):
         surface.filter(plain, dx=PIXEL)
-
-
-@pytest.mark.filterwarnings("ignore::asperity.ValidityWarning")
-def test_a_gaussian_map_is_not_called_another() -> None:
-    """Of few independent heights the highest summits are what chance made them: at light loads the families then differ."""
-    from scipy.ndimage import gaussian_filter
-
-    said = []
-    for seed in range(4):
-        z = gaussian_filter(np.random.default_rng(seed + 100).normal(size=(256, 256)), 4, mode="wrap")
-        said.append(surface.analyse(50e-9 * z / z.std(), 10.0, 1e-7, pair="steel/steel", nominal_area=1e-4, measured=(1000.0, 0.16)))
-    assert not any(one.kind == "heights" for found in said for one in found.findings)
-    assert "give measured=" not in "".join(map(str, said))
-
-
-def test_skewed_heights_are_told_from_gaussian_ones() -> None:
-    from asperity.maps.gaussian import from_gaussian
-    from scipy.ndimage import gaussian_filter
-
-    off = []
-    for seed in range(40):
-        z = gaussian_filter(np.random.default_rng(seed).normal(size=(128, 128)), 4, mode="wrap")
-        off.append((from_gaussian(z), from_gaussian(np.exp(z / z.std()))))
-    by_chance, skewed = np.array(off).T
-    assert (by_chance > 3).sum() <= 2 and (skewed > 3).all()

@@ -44,6 +44,9 @@ class Roughness(TypedDict, total=False):
     Sds: Numbers
     Ssk: float
     Sku: float
+    heights_at_scores: Numbers
+    slopes_at_scores: Numbers
+    lay: float
     summits: Literal["moments", "mccool"]
     process: Process
 

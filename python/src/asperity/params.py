@@ -80,9 +80,6 @@ class Contact(Options, Bodies, total=False):
 class OfTopography(Contact, total=False):
     """What `Params.from_topography` takes beside the summits."""
 
-    counted: bool
-    heights: Literal["gaussian", "weibull", "johnson", "tabulated"]
-    trend: bool
     nominal_area: Union[float, None]
 
 
@@ -105,12 +102,11 @@ CALIBRATION = ("calibration_load", "calibration_friction_coefficient", "calibrat
 # What an interface by its name sets, and a measured point with it.
 STRENGTH = ("slip_stress_1", "slip_stress_2", "pressure_coefficient")
 
-# What a roughness sets, and with the shape of its heights.
+# What a roughness sets.
 _SUMMITS = (
     "height_std", "summit_radius", "asperity_count", "nominal_area", "bandwidth", "radius_amplitude", "radius_rate",
     "summit_mean_height", "rms_slope",
 )  # fmt: skip
-_SHAPE = ("skew", "kurtosis")
 # What of it says how sharp the summits are, which a bandwidth may say instead.
 _CURVATURES = ("m4", "Ssc", "Sds")
 
@@ -439,14 +435,19 @@ class Params:
         top = {"nominal_area": nominal_area}
         roughness = {name: value for name, value in given.items() if value is not None}
         if "bandwidth" in contact and not roughness.keys() & set(_CURVATURES):
-            top["bandwidth"] = contact.pop("bandwidth")
+            roughness["bandwidth"] = contact.pop("bandwidth")
+        if "bandwidth" in roughness:
+            top["bandwidth"] = roughness.pop("bandwidth")
         if "burgers_vector" in contact:
             top["burgers_vector"] = contact["burgers_vector"]  # a crystal's tells that lengths are in m
         checks.word("summits", summits, ("moments", "mccool"))
         struct: Any = _initialised()
         _set_line(struct, f"{_lines(top)}[roughness]\n{_lines({'summits': summits} | roughness)}")
-        names = (*_SUMMITS, *(_SHAPE if "Sku" in roughness else ()))
-        return cls.si(**{name: getattr(struct, name) for name in names}, **contact)
+        values: dict[str, Any] = {name: getattr(struct, name) for name in _SUMMITS}
+        if struct.table_length:  # heights at scores
+            values |= {name: getattr(struct, name)[: struct.table_length] for name in ("table_height", "table_density")}
+            values["height_distribution"] = "at-scores"
+        return cls.si(**values, **contact)
 
     @classmethod
     def from_profile(
@@ -535,25 +536,15 @@ class Params:
         cls,
         summits: Summits,
         *,
-        counted: bool = False,
-        heights: Literal["gaussian", "weibull", "johnson", "tabulated"] = "gaussian",
-        trend: bool = True,
         nominal_area: float | None = None,
         **contact: Unpack[Contact],
     ) -> Params:
         """Parameters of the surface of a height map, of a material given here; lengths are in the unit of the map.
 
-        By default from the mean squares of its heights and slopes, as `from_spectral_moments`. Its summits, one by one, are for
-        a narrow spectrum, with a bandwidth below 6, and for few contacts, where each summit counts.
+        From its heights and slopes at normal scores, `summits.at_scores`, so that neither need it be Gaussian nor without a lay.
 
         Args:
             summits: what `asperity.surface.summits` found in the map; in the sum of both maps, if both surfaces are rough.
-            counted: whether heights, radius and density are those of the summits on the map.
-            heights: how the heights of counted summits are represented: "gaussian" by their standard deviation, "weibull" by
-                their skew too, which must be between -1.11 and 2, "johnson" by skew and kurtosis,
-                "tabulated" by their histogram, which ends at the highest summit of the map.
-            trend: whether the radius of counted summits may depend on height: R, epsilon and rho are then those of
-                `summits.radius_trend`, if that is significant. Otherwise epsilon is 0, and R `summits.radius`.
             nominal_area: [length^2] > 0; without, that of the map.
             **contact: materials, adhesion and options, as `si` takes them.
 
@@ -561,15 +552,10 @@ class Params:
             Error: a value that the library refuses.
             TypeError: an unknown name, one missing, or one that the map tells.
         """
-        if not hasattr(summits, "radius_trend"):
+        if not hasattr(summits, "at_scores"):
             raise TypeError(f"summits = {summits!r}: must be what asperity.surface.summits returns")
-        checks.word("heights", heights, _header.WORDS["height_distribution"])
-        area = summits.nominal_area if nominal_area is None else nominal_area
-        if not counted:
-            if heights != "gaussian":
-                raise Error(f"heights = {heights!r}: is for the summits of a map: give counted=True")
-            return cls._of_roughness(moments_of(summits), area, "moments", contact)
-        return cls.si(**counted_of(summits, heights, trend), nominal_area=area, **contact)
+        rough = roughness_of(summits)
+        return cls._of_roughness(rough, summits.nominal_area if nominal_area is None else nominal_area, "moments", contact)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Params:
@@ -791,41 +777,10 @@ def _physical(struct: _header.asperity_params) -> dict[str, Any]:
     return {name: getattr(struct, name) for name in required}
 
 
-def moments_of(summits: Summits) -> dict[str, float]:
-    """What [roughness] of a surface file has of a map."""
-    moments = summits.moments
+def roughness_of(summits: Summits) -> dict[str, Any]:
+    """What a surface file has of a map."""
     # A grid may see a little less than the least that an isotropic surface has.
-    return {"m0": moments.m0, "m2": moments.m2, "m4": max(moments.m4, 1.5 * moments.m2**2 / moments.m0)}
-
-
-def counted_of(summits: Summits, heights: str, trend: bool = True) -> dict[str, Any]:
-    """What a surface file has of the summits of a map, one by one."""
-    law = summits.radius_trend
-    trending = trend and law.significant
-    surface: dict[str, Any] = {
-        "height_std": summits.height_std.value,
-        "summit_radius": law.radius if trending else summits.radius.value,
-        "summit_density": summits.density.value,
-        "radius_amplitude": law.amplitude if trending else 0.0,
-        "bandwidth": max(summits.moments.bandwidth, 1.5),
-        "summit_mean_height": max(summits.height_mean.value, 0.0),
-        "rms_slope": summits.iso.Sdq,
-    }
-    if trending:
-        surface["radius_rate"] = law.rate
-    return surface | _heights_of(summits, heights)
-
-
-def _heights_of(summits: Summits, family: str) -> dict[str, Any]:
-    """The options of a family of heights, from the summits of a map."""
-    if family == "weibull":
-        return {"skew": summits.skew.value}
-    if family == "johnson":
-        return {"skew": summits.skew.value, "kurtosis": summits.kurtosis.value}
-    if family == "tabulated":
-        height, density = summits.histogram()
-        return {"table_height": height, "table_density": density}
-    return {"height_distribution": family}
+    return {"bandwidth": max(summits.moments.bandwidth, 1.5), **summits.at_scores.keys}
 
 
 def _options(given: Any) -> dict[str, Any]:

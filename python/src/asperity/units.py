@@ -15,7 +15,7 @@ SI = {
 # The dimensions of fields, and of the other keys of surfaces; what is not here is a plain number.
 DIMENSIONS = UNITS | {
     **dict.fromkeys(("E1", "E2"), "stress"),
-    **dict.fromkeys(("Ra", "Rq", "RSm", "Sq", "table_height"), "length"),
+    **dict.fromkeys(("Ra", "Rq", "RSm", "Sq", "table_height", "heights_at_scores"), "length"),
     **dict.fromkeys(("Ssc", "table_density"), "1/length"),
     **dict.fromkeys(("m4", "Sds", "summit_density"), "1/length^2"),
     "m0": "length^2",

@@ -5,39 +5,38 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Iterable, NamedTuple
+from typing import TYPE_CHECKING, Any, Iterable, Literal, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from .._surface_text import text_of_values, without_line
 from ..errors import Error
 from ..estimate import Estimate, estimate
 from ..materials import Pair
 from ..one_line import of_pair
-from ..params import Params, counted_of, moments_of
+from ..model import Model
+from ..params import Params, roughness_of
 from ..results import Warnings
 from ..tools import checks
 from ..tools.progress import Progress
-from . import map_warnings
+from . import boundary_elements, map_warnings
 from .cleaning import Cleaned, clean, holes
 from .cutoffs import Cutoffs, table
 from .filter import filter, noise_slope
-from .gaussian import from_gaussian
 from .input import MOST_DEGREE, checked, degree
 from .instrument_files import HeightMap, implausible
+from .at_scores import AtScores, sloped
 from .rows import offsets
 from .spikes import particles, spikes as spikes_of
 from .summit_search import without_polynomial
 from .summit_statistics import summits
 from .summits import Summits
+from .tile_errors import jackknife
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from .._surface_text import Joint
-
-FAMILIES = ("gaussian", "weibull", "johnson", "tabulated")
 
 # A polynomial that takes this part of the mean square away is the form of the specimen. On pieces of self-affine surfaces of Hurst
 # exponents 0.8 and 1 one of degree 2 takes at most 0.74 (40 surfaces each), and one of degree 5 at most 0.93, so that is not tried.
@@ -45,18 +44,16 @@ _FORM, _FORM_DEGREE = 0.9, 2
 # Filtered with 6 points a wave, maps of which fewer neighbours have one height have slopes within 3 %; at 0.9 they are 15 % off.
 _EQUAL = 0.8
 _MISSING = 0.05
+# Heights that rounding leaves of others.
+_FLAT = 1e-12
 # Noise with this part of the mean square slope; with a third of it friction is 9 % too low.
-_NOISE = 0.1
+_NOISE, _MOST_NOISE = 0.1, 0.9
 # Boundary elements were computed up to here (docs/validation.md).
 _BANDWIDTH = 300.0
-# Spectra as narrow as this have summits that theory of moments does not know; fewer waves a side are no statistics.
-_NARROW, _WAVES = 3.0, 8.0
-# Counted summits of broader spectra stand on each other, and have too little area.
-_BROAD = 6.0
-# Summits whose families of heights give friction that differs by more than this factor are not described by any of them.
-_FAMILY = 1.4
-# So many standard errors of skew or kurtosis are no chance.
-_SIGNIFICANT = 3.0
+# Fewer waves a side are no statistics.
+_WAVES = 8.0
+# With a longer lay the friction of each long patch is 1.1 to 1.4 times too large, which a measurement takes away.
+_LAY = 8.0
 # More than this either way, at 95 %, is no number.
 _LOST = 3.0
 # What `check` says of the interface, which the band has; and what the map's own findings say better.
@@ -67,7 +64,7 @@ class Finding(NamedTuple):
     """What speaks against a map.
 
     Attributes:
-        kind: "form", "rows", "spikes", "missing", "steps", "dust", "noise", "direction", "waves", "bandwidth", "heights", "cutoff",
+        kind: "form", "rows", "spikes", "missing", "steps", "dust", "noise", "direction", "waves", "bandwidth", "cutoff",
             "contact", "friction" or "map".
         says: what is wrong.
         remedy: what to do about it.
@@ -93,11 +90,10 @@ class Analysis:
         low: lower end of the band: strength of the interface, and `spread` of the map.
         high: upper end.
         coverage: probability of the band.
-        spread: standard deviations of ln(mu) of the map alone, by "sampling" (one map of the surface), "cutoffs" and "heights".
+        spread: standard deviations of ln(mu) of the map alone, by "sampling" (one map of the surface) and "cutoffs".
+        area_spread: the same of the real area.
         findings: what speaks against the map, each with its remedy; empty if it is usable.
         steps: what was done, in order.
-        families: friction coefficient by the family of the heights of counted summits; NaN where the family has none such.
-        counted: whether friction is that of the counted summits, not of the moments.
         cleaned: the map without form, offsets of lines, spikes and holes; None if it could not be.
         cutoffs: friction against the cutoff of the S-filter; None likewise.
         summits: of the filtered map; None likewise.
@@ -111,10 +107,9 @@ class Analysis:
     high: float = math.nan
     coverage: float = 0.95
     spread: dict[str, float] = field(default_factory=dict)
+    area_spread: dict[str, float] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
     steps: tuple[str, ...] = ()
-    families: dict[str, float] = field(default_factory=dict)
-    counted: bool = False
     cleaned: Cleaned | None = None
     cutoffs: Cutoffs | None = None
     summits: Summits | None = None
@@ -146,6 +141,10 @@ class Analysis:
             parts = ", ".join(f"{name} {deviation:.0%}" for name, deviation in self.spread.items())
             law = math.nan if self.estimate is None else float(self.estimate.curve)
             off = "" if f"{law:.3g}" in (f"{self.value:.3g}", "nan") else f"; Model(params) has {law:.3g}"
+            if self.cutoffs is not None:
+                at, factor = self.cutoffs.at, math.exp(1.96 * math.hypot(*self.area_spread.values()))
+                area = self.cutoffs.area_fraction[at]
+                lines.append(f"area: {area:.3g} of the nominal, to a factor of {factor:.3g}, with the cutoff {self.cutoffs.cutoff[at]:.3g} m")
             lines.append(f"friction: mu({self.load:g} N) = {self.value:.3g}, {band}; of the map: {parts}{off}")
         return "\n".join([*lines, f"verdict: {self.verdict}"])
 
@@ -164,7 +163,7 @@ def analyse(
     dust: bool = False,
     cutoff: float | None = None,
     longest: float | None = None,
-    counted: bool | None = None,
+    check: Literal["boundary elements"] | None = None,
     coverage: float = 0.95,
     progress: Progress = None,
     **surface: Unpack[Joint],
@@ -175,11 +174,10 @@ def analyse(
     >>> print(analysis)
 
     In this order: form is removed (`detrend`), lines of the scan aligned, spikes replaced until there are none, missing points filled,
-    steps of the heights looked for, waves longer than `longest` and shorter than the recommended cutoff filtered away, isotropy
-    looked at, and friction computed: from the mean squares of heights and slopes, or from the summits, one by one, where the spectrum is
-    narrow, with a bandwidth below 3, or below 6 with less than 8 waves a side. Where summits yield, the contact law is elastic-plastic, as in `asperity.friction`. The band has the
-    strength of the interface, what another map of the surface would give, cutoffs from half to twice the one taken, and the
-    families of the heights of summits.
+    steps of the heights looked for, waves longer than `longest` and shorter than the recommended cutoff filtered away, and friction
+    computed from the heights and slopes at normal scores and the lay that are left, so that the surface need not be Gaussian. Where
+    summits yield, the contact law is elastic-plastic, as in `asperity.friction`. The band has the strength of the interface, what another
+    map of the surface would give, and cutoffs from half to twice the one taken.
 
     Args:
         height_map: as for `clean`, in metres.
@@ -194,7 +192,8 @@ def analyse(
         dust: whether particles are replaced.
         cutoff: of the S-filter [m]; by default the recommended one.
         longest: of the L-filter [m]: longer waves are removed; by default none.
-        counted: whether friction is that of the counted summits.
+        check: "boundary elements" presses a mirror image of the filtered map, or of 512 x 512 points of its middle, against a flat by tamaas,
+            elastic and without adhesion, and says how much of that area the model has; this may take a minute.
         coverage: probability of the band, between 0 and 1.
         progress: as for `summits`.
         **surface: keys of surface files but for the roughness: `measured`, `interface`, `hardness`, `work_of_adhesion`, ...
@@ -203,8 +202,10 @@ def analyse(
         Error: a load, degree or coverage that cannot be, or what the library refuses of `surface`. What is wrong with the map is
             in the findings.
         TypeError: no real numbers; distances missing, or given twice; a keyword that surface files do not have.
-        ImportError: SciPy is not installed.
+        ImportError: SciPy is not installed, or tamaas, to check.
     """
+    if check is not None:
+        boundary_elements.ready(checks.word("check", check, ("boundary elements",)))
     load = checks.positive("load", load, "N")
     degree(detrend)
     coverage = checks.share("coverage", coverage)
@@ -230,30 +231,28 @@ def analyse(
     try:
         found = _filtered(case, map_, cutoff, longest, progress)
     except ValueError as error:
-        return case.stopped(error, cleaned=cleaned)
+        return case.stopped(error, "map" if str(error).startswith("height_map") else "friction", cleaned=cleaned)
     left = found.summits[found.at]
     assert left is not None
     waves = math.sqrt(extent) / (2 * math.pi * math.sqrt(left.moments.m0 / left.moments.m2))
     _judged(case, left, found, waves, cleaned)
-    bandwidth = left.moments.bandwidth
-    taken = bandwidth < _NARROW or (waves < _WAVES and bandwidth < _BROAD) if counted is None else counted
-    families = {name: case.friction_of(counted_of(left, name)) for name in FAMILIES}
-    known = {"cleaned": cleaned, "cutoffs": found, "summits": left, "families": families, "counted": taken}
+    known = {"cleaned": cleaned, "cutoffs": found, "summits": left}
     try:
-        number = case.at(load, counted_of(left, "gaussian") if taken else moments_of(left))
+        number = case.at(load, roughness_of(left))
     except ValueError as error:
         return case.stopped(error, "friction", **known)
     case.steps += [
-        f"by {'counted summits' if taken else 'moments'}: bandwidth {bandwidth:.3g}, {waves:.2g} waves a side",
-        "heights: " + ", ".join(f"{name} {mu:.3g}" for name, mu in families.items()),
+        f"surface: heights and slopes at 13 scores, bandwidth {left.moments.bandwidth:.3g}, {waves:.2g} waves a side",
         "contact: elastic-plastic" if number.params.contact_law == "elastic-plastic" else "contact: elastic, with adhesion",
     ]
-    spread = _spread(case, left, found, families)
-    if not any(one.kind == "dust" for one in case.findings):
-        _judged_heights(case, left, families, filter(map_, found.cutoff[found.at]).height_map)
+    level = filter(map_, float(found.cutoff[found.at]))
+    if check is not None:
+        pressure = load / (case.joint["nominal_area"] * number.params.composite_modulus)
+        case.steps.append(f"boundary elements: area of the model over that of the map {boundary_elements.ratio(level, pressure):.3g}")
+    spread, area_spread = _spread(case, number.params, level, left, found)
     _judged_contact(case, number, found, chosen=cutoff is not None, extended=nominal_area is not None)
     _judged_friction(case, float(number), math.hypot(*spread.values()))
-    return case.answered(number, spread, **known)
+    return case.answered(number, spread=spread, area_spread=area_spread, **known)
 
 
 @dataclass
@@ -278,9 +277,14 @@ class _Case:
         """Adds a finding."""
         self.findings.append(Finding(kind, says, remedy, fatal))
 
+    @property
+    def is_measured(self) -> bool:
+        """Whether friction was measured."""
+        return bool({"measured", "calibration_load"} & self.joint.keys())
+
     def measure(self, other: str, how: str = "once") -> str:
         """The remedy of a measurement; another one where friction was measured."""
-        if {"measured", "calibration_load"} & self.joint.keys():
+        if self.is_measured:
             return other
         return f"measure friction {how}, and give measured=(load, coefficient); or {other}"
 
@@ -291,12 +295,12 @@ class _Case:
         except Error as error:
             raise without_line(error, keywords) from None
 
-    def friction_of(self, rough: dict[str, Any]) -> float:
-        """That of a model, the mean of many specimens; NaN where the library has none."""
+    def params(self, rough: dict[str, Any]) -> Params:
+        """The surface of a roughness."""
         try:
-            return float(self.at(self.load, rough).curve)
-        except ValueError:
-            return math.nan
+            return Params.from_text(text_of_values(self.joint | rough))
+        except Error as error:
+            raise without_line(error) from None
 
     def stopped(self, error: Exception, kind: str = "map", **known: Any) -> Analysis:
         """The answer where no friction can be had."""
@@ -304,7 +308,7 @@ class _Case:
         self.found(kind, says, remedy or "measure a larger or finer map", True)
         return Analysis(self.load, coverage=self.coverage, findings=tuple(self.findings), steps=tuple(self.steps), **known)
 
-    def answered(self, number: Estimate, spread: dict[str, float], **known: Any) -> Analysis:
+    def answered(self, number: Estimate, *, spread: dict[str, float], **known: Any) -> Analysis:
         """The answer, whose band has the spread of the map beside that of the strength."""
         from statistics import NormalDist
 
@@ -312,8 +316,8 @@ class _Case:
         strength = 0.0 if number.low is None else math.log(number.high / number.low) / 2
         value, factor = float(number), math.exp(math.hypot(strength, reach * math.hypot(*spread.values())))
         return Analysis(
-            self.load, value, value / factor, value * factor, self.coverage, spread, tuple(self.findings), tuple(self.steps),
-            estimate=number, params=number.params, **known,
+            self.load, value, value / factor, value * factor, self.coverage, spread=spread, findings=tuple(self.findings),
+            steps=tuple(self.steps), estimate=number, params=number.params, **known,
         )  # fmt: skip
 
 
@@ -323,11 +327,7 @@ def _filtered(case: _Case, map_: HeightMap, cutoff: float | None, longest: float
         map_ = filter(map_, longest=longest)
         case.steps.append(f"L-filter: waves longer than {longest:.3g} m removed")
 
-    def of_moments(left: Summits) -> tuple[Params, float]:
-        number = case.at(case.load, moments_of(left))
-        return number.params, float(number)
-
-    found = table(map_, case.load, None if cutoff is None else [cutoff], of_moments, progress)
+    found = table(map_, case.load, None if cutoff is None else [cutoff], lambda left: case.params(roughness_of(left)), progress, brief=True)
     at, left = found.cutoff[found.at], found.summits[found.at]
     assert left is not None
     case.steps.append(f"S-filter: cutoff {at:.3g} m, {at / found.step:.3g} points, {left.count} summits")
@@ -356,6 +356,8 @@ def _cleaned(
     ny, nx = level.shape
     case.steps.append(f"form: polynomial of degree {detrend} removed from {ny} x {nx} points")
     m0 = float(np.var(level))
+    if np.ptp(level) <= _FLAT * np.nanmax(np.abs(raw.height_map)):
+        raise Error("height_map: flat but for its form and the offsets of its lines: give rows=False, if these are the surface")
     for higher in range(detrend + 1, min(detrend + _FORM_DEGREE, MOST_DEGREE, min(level.shape) - 2) + 1):
         rest = without_polynomial(level, higher)
         if np.var(rest) < (1 - _FORM) * m0:
@@ -391,7 +393,7 @@ def _cleaned(
 
 def _judged(case: _Case, left: Summits, found: Cutoffs, waves: float, cleaned: Cleaned) -> None:
     """What speaks against a filtered map."""
-    case.steps.append(f"isotropy: {left.isotropy:.2f}; Sq {left.rms_height} m, Sdq {left.rms_slope}")
+    case.steps.append(f"lay: {left.at_scores.lay:.3g}; Sq {left.rms_height} m, Sdq {left.rms_slope}, Ssk {left.iso.Ssk:.2g}")
     cutoff = float(found.cutoff[found.at])
     deviation = map_warnings.noise(map_warnings.differences(cleaned.map.height_map))
     if deviation is not None:
@@ -400,26 +402,16 @@ def _judged(case: _Case, left: Summits, found: Cutoffs, waves: float, cleaned: C
         if part > _NOISE:
             longer = cutoff * (part / _NOISE) ** 0.25
             says = f"of {deviation:.2g} m, has {min(part, 1.0):.0%} of the mean square slope after the filter"
-            case.found("noise", says, f"give cutoff={longer:.2g}, or average several scans")
-    if left.isotropy < map_warnings.ISOTROPIC:
-        says = f"isotropy {left.isotropy:.2f}: the surface has grooves, and the model one radius for a summit"
-        case.found("direction", says, case.measure("compare with counted=True", "once in the direction of sliding"))
+            case.found("noise", says, f"give cutoff={longer:.2g}, or average several scans", part > _MOST_NOISE)
+    if left.at_scores.lay > _LAY and not case.is_measured:
+        says = f"lay {left.at_scores.lay:.3g}: patches of contact are long, and friction up to 1.4 times too large"
+        case.found("direction", says, case.measure("take it for that"))
     if waves < _WAVES:
         case.found("waves", f"only {waves:.2g} mean waves a side: one place is not like another", "measure a larger map")
     if left.moments.bandwidth > _BANDWIDTH:
         says = f"bandwidth {left.moments.bandwidth:.4g}, where boundary elements reach {_BANDWIDTH:g}"
         about = 20 * cutoff
         case.found("bandwidth", says, f"give longest={about:.2g} if waves longer than the contact do not matter, or detrend=2")
-
-
-def _judged_heights(case: _Case, left: Summits, families: dict[str, float], level: npt.NDArray[np.float64]) -> None:
-    """Whether the heights of the summits are of a family, beyond what chance makes of those of a Gaussian surface."""
-    known = [mu for mu in families.values() if math.isfinite(mu)]
-    if len(known) > 1 and max(known) < _FAMILY * min(known) or from_gaussian(level) < _SIGNIFICANT:
-        return
-    among = f"mu is {', '.join(f'{mu:.2g} ({name})' for name, mu in families.items())}"
-    says = f"summits are not Gaussian, skew {left.skew.value:.2g}, kurtosis {left.kurtosis.value:.3g}, and {among}"
-    case.found("heights", says, case.measure("look for dust and scratches"))
 
 
 def _judged_contact(case: _Case, number: Estimate, found: Cutoffs, *, chosen: bool, extended: bool) -> None:
@@ -443,23 +435,27 @@ def _judged_friction(case: _Case, mu: float, deviation: float) -> None:
         case.found("friction", says, case.measure("measure a better map"), not case.findings)
 
 
-def _spread(case: _Case, left: Summits, found: Cutoffs, families: dict[str, float]) -> dict[str, float]:
-    """Standard deviations of ln(mu): rectangular over cutoffs and families."""
-    moments = moments_of(left)
-    parts = []
-    # Of a map with few waves the errors cannot be known: half of the value stands for them.
-    errors = [min(float(np.nan_to_num(one.error / one.value, nan=0.5)), 0.5) for one in (left.rms_height, left.rms_slope)]
-    for height, slope in ((errors[0], 0.0), (0.0, errors[1])):
-        other = {
-            "m0": moments["m0"] * (1 + height) ** 2,
-            "m2": moments["m2"] * (1 + slope) ** 2,
-            "m4": moments["m4"] * (1 + slope) ** 4 / (1 + height) ** 2,
-        }
-        parts.append(math.log(case.friction_of(other) / found.friction[found.at]))
-    known = [one for one in families.values() if math.isfinite(one) and one > 0]
-    low, high = found.spread
-    return {
-        "sampling": float(np.hypot(*np.nan_to_num(parts, nan=0.5))),
-        "cutoffs": math.log(high / low) / math.sqrt(12),
-        "heights": math.log(max(known) / min(known)) / math.sqrt(12) if known else 0.5,
-    }
+def _spread(
+    case: _Case, params: Params, map_: HeightMap, left: Summits, found: Cutoffs
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Standard deviations of ln(mu) and of ln(area), by a jackknife over the tiles of the filtered map, and rectangular over cutoffs."""
+    with Model(params) as model:
+        measured = params.calibration_load
+        # Friction that was measured on this surface is what it is, whichever tiles the map has.
+        fixed = measured > 0 and math.isclose(model.friction_at_load(measured) * measured, params.calibration_friction_force, rel_tol=1e-3)
+
+    def answers(tile: AtScores) -> tuple[float, float]:
+        text = text_of_values({"bandwidth": roughness_of(left)["bandwidth"], **tile.keys})
+        try:
+            with Model(Params.from_text(text, start=params)) as model:
+                state = model.state_at_load(case.load)
+                return state.friction_coefficient / (model.friction_at_load(measured) if fixed else 1.0), state.real_area
+        except ValueError:
+            return math.nan, math.nan
+
+    tiles = sloped(without_polynomial(map_.height_map, 1), map_.dx, map_.dy, map_.noise).without_each_tile()
+    # What parts of a map do not tell, half of the value stands for.
+    sampling = np.nan_to_num(jackknife(np.log([answers(one) for one in tiles]).T), nan=0.5)
+    cutoffs = (math.log(high / low) / math.sqrt(12) for low, high in (found.spread, found.area_spread))
+    mu, area = ({"sampling": float(one), "cutoffs": other} for one, other in zip(sampling, cutoffs))
+    return mu, area

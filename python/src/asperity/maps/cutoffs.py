@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import warnings
 from dataclasses import dataclass
@@ -92,9 +93,16 @@ class Cutoffs:
     @property
     def spread(self) -> tuple[float, float]:
         """The least and the greatest friction coefficient, of cutoffs up to twice as short and as long as the one at `at`."""
+        return self._range(self.friction)
+
+    @property
+    def area_spread(self) -> tuple[float, float]:
+        """The same of the real area over the nominal."""
+        return self._range(self.area_fraction)
+
+    def _range(self, of: Array) -> tuple[float, float]:
         near = (self.cutoff >= 0.49 * self.cutoff[self.at]) & (self.cutoff <= 2.01 * self.cutoff[self.at])
-        found = self.friction[near & np.isfinite(self.friction)]
-        return float(found.min()), float(found.max())
+        return float(np.nanmin(of[near])), float(np.nanmax(of[near]))
 
     @property
     def message(self) -> str:
@@ -151,7 +159,7 @@ def cutoffs(
         dy: distance of rows; by default dx.
         cutoff: the cutoffs [length]; by default 2 to 128 points, up to a fourth of the side of the map.
         progress: as for `summits`.
-        **contact: what `Params.from_topography` takes: materials, adhesion, `nominal_area`, `heights`, options.
+        **contact: what `Params.from_topography` takes: materials, adhesion, `nominal_area`, options.
 
     Raises:
         Error: none of the cutoffs gives friction: what the first that the map has says, as `filter`, `summits` and the library.
@@ -161,10 +169,7 @@ def cutoffs(
     Warns:
         MapWarning: a direction of the surface, which no filter takes away; no cutoff that is recommended.
     """
-    def of_contact(summits: Summits) -> tuple[Params, None]:
-        return Params.from_topography(summits, **contact), None
-
-    result = table(checked(height_map, dx, dy), load, cutoff, of_contact, progress)
+    result = table(checked(height_map, dx, dy), load, cutoff, lambda left: Params.from_topography(left, **contact), progress)
     if result.recommended is None:
         caller.warn(result.message, map_warnings.MapWarning)
     left = result.summits[result.at]
@@ -173,12 +178,10 @@ def cutoffs(
     return result
 
 
-# The surface of summits, and friction at the load if it is not that of the surface alone.
-Make = Callable[[Summits], "tuple[Params, float | None]"]
-
-
-def table(given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Make, progress: Progress) -> Cutoffs:
-    """As `cutoffs`, without its warnings, with the surfaces that `make` makes of the summits."""
+def table(
+    given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Callable[[Summits], Params], progress: Progress, *, brief: bool = False
+) -> Cutoffs:
+    """As `cutoffs`, without its warnings, with the surfaces that `make` makes; none longer than twice the recommended one, if `brief`."""
     step, load = max(given.dx, given.dy), checks.positive("load", load, "N")
     longest = min(given.height_map.shape[0] * given.dy, given.height_map.shape[1] * given.dx) / 4
     chosen = step * np.array(_POINTS) if cutoff is None else _ascending(cutoff, given.unit)
@@ -191,36 +194,36 @@ def table(given: HeightMap, load: float, cutoff: npt.ArrayLike | None, make: Mak
         )
     tell = teller(progress, given.height_map.size > LARGE)
     least = _LEAST_VARIANCE * float(np.var(without_polynomial(given.height_map, 1)))
-    numbers = np.full((5, chosen.size), np.nan)
-    left: list[Summits | None] = [None] * chosen.size
-    surfaces: list[Params | None] = [None] * chosen.size
-    reasons, errors = [], []
-    for i, one in enumerate(chosen):
+    numbers, left, surfaces, reasons, errors = [], [], [], [], []
+    good: list[float] = []
+    for i, one in enumerate(map(float, chosen)):
+        if brief and good and one > 2.01 * good[0]:
+            break
         tell(i / chosen.size, f"filtering with the cutoff {one:.3g}")
+        found = params = None
+        numbers.append([math.nan] * 5)
         try:
-            left[i] = found = _summits(given, float(one))
-            params, friction = make(found)
-            surfaces[i] = params
+            found = _summits(given, one)
+            params = make(found)
             with Model(params) as model:
                 state = model.state_at_load(load)
                 failing = model.check(load, load) & ~_WHATEVER_CUTOFF
         except ValueError as error:
             errors.append(error)
             reasons.append(str(error).removeprefix("height_map: "))
-            continue
-        mu = state.friction_coefficient if friction is None else friction
-        area = state.real_area / params.nominal_area
-        numbers[:, i] = mu, state.mean_contact_radius, state.contacting, found.iso.Sdq, area
-        width = 2 * state.mean_contact_radius / step
-        reasons.append(_reason(one / step, width, found, least, [kind.description for kind in failing.kinds]))
-    if len(errors) == chosen.size:
+        else:
+            width = 2 * state.mean_contact_radius / step
+            reasons.append(_reason(one / step, width, found, least, [kind.description for kind in failing.kinds]))
+            area = state.real_area / params.nominal_area
+            numbers[-1] = [state.friction_coefficient, state.mean_contact_radius, state.contacting, found.iso.Sdq, area]
+            good += [] if reasons[-1] else [one]
+        left.append(found)
+        surfaces.append(params)
+    if len(errors) == len(reasons):
         raise errors[0]
-    good = [chosen[i] for i, reason in enumerate(reasons) if not reason]
     counts = np.array([0 if one is None else one.count for one in left])
-    recommended = float(good[0]) if good else None
-    friction_of, radius, contacting, slope, fraction = numbers
     result = Cutoffs(
-        load, chosen, friction_of, radius, contacting, slope, fraction, counts, tuple(left), tuple(surfaces), tuple(reasons), step, recommended
+        load, chosen[: len(reasons)], *np.array(numbers).T, counts, tuple(left), tuple(surfaces), tuple(reasons), step, good[0] if good else None
     )  # fmt: skip
     tell(1.0, result.message)
     return result

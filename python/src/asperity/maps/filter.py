@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from ..errors import Error
 from ..tools import checks
+from . import map_warnings
 from .input import checked
 from .instrument_files import HeightMap
 from .summit_search import without_polynomial
@@ -44,12 +45,14 @@ def filter(
     given = checked(height_map, dx, dy)
     if cutoff is None and longest is None:
         raise TypeError("give cutoff, the shortest wave that is left, or longest, the longest one, or both")
-    heights = without_polynomial(given.height_map, 1)
+    heights, noise = without_polynomial(given.height_map, 1), 0.0
     if longest is not None:
         heights = heights - _smooth(heights, given, "longest", longest)
     if cutoff is not None:
+        deviation = map_warnings.noise(map_warnings.differences(heights))
         heights = _smooth(heights, given, "cutoff", cutoff)
-    return HeightMap(heights, given.dx, given.dy, unit=given.unit)
+        noise = 0.0 if deviation is None else noise_slope(deviation, cutoff, given.dx, given.dy)
+    return HeightMap(heights, given.dx, given.dy, unit=given.unit, noise=noise)
 
 
 def noise_slope(deviation: float, cutoff: float, dx: float, dy: float) -> float:

@@ -26,14 +26,14 @@ _MOST, _APART = 0.25, 1.5
 
 def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> HeightMap:
     """A map of real numbers with its distances; NaN where heights are unknown, if `missing` ones may be."""
-    given, recorded = None, None
+    given, recorded, noise = None, None, 0.0
     if isinstance(getattr(height_map, "map", None), HeightMap):  # what `clean` returns
         height_map = height_map.map
     if isinstance(height_map, HeightMap) or hasattr(height_map, "physical_sizes"):
         if dx is not None or dy is not None:
             raise TypeError("dx, dy: must not be given with a map that has them")
         given = height_map if isinstance(height_map, HeightMap) else of_topography(height_map)
-        height_map, dx, dy, recorded = given.height_map, given.dx, given.dy, given.recorded
+        height_map, dx, dy, recorded, noise = given.height_map, given.dx, given.dy, given.recorded, given.noise
     elif dx is None:
         raise TypeError("give dx, the distance of columns, and dy, that of rows, in the unit of the heights")
     mine = isinstance(given, HeightMap) and given.unit == "length"
@@ -56,7 +56,7 @@ def checked(height_map: Any, dx: Any, dy: Any, *, missing: bool = False) -> Heig
         found = f"constant at {known[0] if known.ndim == 1 else known[0, 0]}" if known.size else "without a known height"
         raise Error(f"height_map: {found}: must be rough")
     steps = checks.positive("dx", dx, unit), checks.positive("dy", dx if dy is None else dy, unit)
-    return HeightMap(array, *steps, recorded, unit=unit)
+    return HeightMap(array, *steps, recorded, unit=unit, noise=noise)
 
 
 def _stand_ins(array: Array, unknown: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:

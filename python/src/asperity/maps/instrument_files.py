@@ -39,6 +39,7 @@ class HeightMap:
         channel: name of the channel that was read.
         channels: names of all channels of the file.
         unit: "m"; "length" of a map that was made of plain numbers, in a unit of the caller's.
+        noise: mean square gradient of the noise that a filter left.
     """
 
     height_map: Array
@@ -48,6 +49,7 @@ class HeightMap:
     channel: str = ""
     channels: tuple[str, ...] = ()
     unit: str = "m"
+    noise: float = 0.0
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.height_map, self.dx, self.dy))

@@ -1,4 +1,4 @@
-"""What of a map speaks against the summits found in it: spikes, noise, a direction."""
+"""What of a map speaks against the summits found in it: spikes, noise, steps."""
 
 from __future__ import annotations
 
@@ -11,8 +11,6 @@ from .steps import Steps
 
 Array = npt.NDArray[np.float64]
 
-# Isotropic surfaces of some hundred summits have 0.85 and more.
-ISOTROPIC = 0.5
 # Of white noise the mean square of second differences is the same over one point and over two; of waves of a few points it
 # grows faster the longer the distance, of smooth surfaces 16-fold, of rough ones as a power. Noise on any of these grows
 # less from one point to two than from two to four, by this factor, or not at all.
@@ -61,7 +59,7 @@ def noise(found: Differences) -> float | None:
 
 
 def remarks(
-    spikes: int, points: int, found: Differences, isotropy: float, height_std: float, steps: Steps | None
+    spikes: int, points: int, found: Differences, height_std: float, steps: Steps | None
 ) -> tuple[str, ...]:
     """In words."""
     said = []
@@ -80,11 +78,6 @@ def remarks(
         said.append(
             f"neighbouring points differ as by noise of {deviation:.2g} (summits: sigma {height_std:.2g}), which adds "
             "summits: call surface.filter to remove it, and surface.cutoffs to find the cutoff"
-        )
-    if isotropy < ISOTROPIC:
-        said.append(
-            f"isotropy {isotropy:.2f}: the surface has grooves or another direction, and a model with one radius for a "
-            "summit does not hold"
         )
     return tuple(said)
 

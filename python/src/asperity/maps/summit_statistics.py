@@ -12,6 +12,7 @@ from ..errors import Error
 from ..tools import caller
 from ..tools.progress import LARGE, Progress, teller
 from . import map_warnings
+from .at_scores import Sloped, sloped
 from .input import checked, degree
 from .radius_trend import fit
 from .spikes import spikes
@@ -55,7 +56,7 @@ def summits(
         ImportError: SciPy is not installed.
 
     Warns:
-        MapWarning: spikes, noise, a direction: what `Summits.warnings` says.
+        MapWarning: spikes, noise, steps: what `Summits.warnings` says.
 
     Source of the definitions: Greenwood and Williamson, Proc. R. Soc. A 295 (1966), 300; Nayak (1971).
     """
@@ -76,7 +77,7 @@ def summits(
                 f"height_map: has {found.height.size} summits on {raw.shape[0]} x {raw.shape[1]} points: "
                 f"must have at least {MIN_SUMMITS}, and some hundred for good numbers; map a larger area, or with finer steps"
             )
-        statistics = _statistics(found, level, dx, dy, steps(recorded), tell)
+        statistics = _statistics(found, level, sloped(level, dx, dy, given.noise), dx, dy, steps(recorded), tell)
     tell(1.0, f"found {statistics.count} summits")
     for warning in statistics.warnings:
         caller.warn(warning, map_warnings.MapWarning)
@@ -84,17 +85,16 @@ def summits(
 
 
 def _statistics(
-    found: Found, level: Array, dx: float, dy: float, stepped: Steps | None, tell: Callable[[float, str], None]
+    found: Found, level: Array, slopes: Sloped, dx: float, dy: float, stepped: Steps | None, tell: Callable[[float, str], None]
 ) -> Summits:
     ny, nx = level.shape
     curvature = (found.first_curvature + found.second_curvature) / 2
     tell(0.4, f"slopes and curvatures of {found.height.size} summits")
-    moments, sdq, gradient_moments, skewness, kurtosis_of_all = _of_heights(level, dx, dy)
+    moments, sdq, skewness, kurtosis_of_all = _of_heights(level, dx, dy)
     area = nx * dx * ny * dy
     for number in (area, moments.m0, moments.m2, moments.m4, curvature.min(), curvature.max()):
         if not 1e-300 < number < 1e300:
             raise Error(f"height_map, dx = {dx}, dy = {dy}: curvatures are out of the range of floating point")
-    lesser, greater = np.linalg.eigvalsh(gradient_moments / moments.m2)
     tile, areas = tiles(found.row, found.column, level.shape)
     mean, std = float(found.height.mean()), float(found.height.std())
     if not std > 1e-10 * float(np.ptp(level)):
@@ -105,11 +105,10 @@ def _statistics(
     density = density.scaled(1 / ((ny - 2) * dy * (nx - 2) * dx))
     radius = radius.scaled(1 / unit)
     rms_height, rms_slope = height_and_slope(level, dx, dy)
-    isotropy = max(float(lesser / greater), 0.0)
     tell(0.6, "looking for spikes and noise")
     up = int(np.count_nonzero(spikes(level) & (level > 0)))
     sigma = height_std.scaled(std).value
-    said = map_warnings.remarks(up, level.size, map_warnings.differences(level), isotropy, sigma, stepped)
+    said = map_warnings.remarks(up, level.size, map_warnings.differences(level), sigma, stepped)
     tell(0.9, "fitting radius against height")
     arrays = (found.column * dx, found.row * dy, found.height)
     curvatures = np.stack([found.first_curvature, found.second_curvature], axis=1)
@@ -136,7 +135,8 @@ def _statistics(
             Sds=density.value,
             Ssc=1 / radius.value,
         ),
-        isotropy=isotropy,
+        isotropy=slopes.isotropy,
+        at_scores=slopes.at_scores,
         nominal_area=area,
         dx=dx,
         dy=dy,
@@ -144,28 +144,23 @@ def _statistics(
     )
 
 
-def _of_heights(level: Array, dx: float, dy: float) -> tuple[SpectralMoments, float, Array, float, float]:
-    """Spectral moments, root mean square gradient, mean of the gradient times itself (2 x 2), skewness and kurtosis."""
+def _of_heights(level: Array, dx: float, dy: float) -> tuple[SpectralMoments, float, float, float]:
+    """Spectral moments, root mean square gradient, skewness and kurtosis."""
     ny, nx = level.shape
     unit = np.abs([level.min(), level.max()]).max()
-    sums, slopes = np.zeros(7), np.zeros((2, 2))
+    sums = np.zeros(7)
     for first in range(0, ny, _BAND):
         heights = level[first : first + _BAND + 2] / unit  # two more rows, for differences along y
         band = heights[:_BAND]
-        x, y, square = np.diff(heights[: _BAND + 1], axis=1), np.diff(heights[: _BAND + 1], axis=0), band * band
-        parts = (band, x[: len(band)], y, np.diff(x[: len(band)], axis=1), np.diff(heights, 2, axis=0), square)
+        x, y, square = np.diff(band, axis=1), np.diff(heights[: _BAND + 1], axis=0), band * band
+        parts = (band, x, y, np.diff(x, axis=1), np.diff(heights, 2, axis=0), square)
         sums += [*((one * one).sum() for one in parts), (square * band).sum()]
-        # In the middle of four points, where both slopes are known.
-        middle = x[1:] + x[:-1], y[:, 1:] + y[:, :-1]
-        slopes += [[(one * other).sum() / 4 for other in middle] for one in middle]
     counts = [ny * nx, ny * (nx - 1), (ny - 1) * nx, ny * (nx - 2), (ny - 2) * nx, ny * nx, ny * nx]
     m0, m2_x, m2_y, m4_x, m4_y, fourths, cubes = sums / counts
     m2_x, m2_y = m2_x * (unit / dx) ** 2, m2_y * (unit / dy) ** 2
     m4 = (m4_x * (unit / dx / dx) ** 2 + m4_y * (unit / dy / dy) ** 2) / 2
     moments = SpectralMoments(float(m0 * unit**2), float(m2_x + m2_y) / 2, float(m4))
-    steps = np.array([unit / dx, unit / dy])
-    gradients = slopes * np.outer(steps, steps) / ((ny - 1) * (nx - 1))
-    return moments, math.sqrt(m2_x + m2_y), gradients, float(cubes / m0**1.5), float(fourths / m0**2)
+    return moments, math.sqrt(m2_x + m2_y), float(cubes / m0**1.5), float(fourths / m0**2)
 
 
 def _require_scipy() -> None:

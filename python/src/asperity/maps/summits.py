@@ -8,13 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ..results import State
+from .at_scores import AtScores
 from .map_warnings import unresolved
 from .radius_trend import RadiusTrend
 from .tile_errors import Estimate
 
 Array = npt.NDArray[np.float64]
-
-MIN_BINS, MAX_BINS = 4, 254
 
 
 @dataclass(frozen=True)
@@ -83,8 +82,8 @@ class Summits:
         rms_slope: Sdq of the map.
         moments: spectral moments of the map.
         iso: the map in the names of ISO 25178.
-        isotropy: lesser over greater principal mean square slope, 1 for isotropic, 0 for grooves. The model, as all
-            that take one radius for a summit, is of isotropic surfaces.
+        isotropy: lesser over greater principal mean square slope, 1 for isotropic, 0 for grooves.
+        at_scores: heights and slopes of the map at normal scores, and its lay: what `Params.from_topography` takes.
         nominal_area: of the map [length^2].
         dx: distance of columns [length].
         dy: distance of rows [length].
@@ -107,6 +106,7 @@ class Summits:
     moments: SpectralMoments
     iso: Iso25178
     isotropy: float
+    at_scores: AtScores
     nominal_area: float
     dx: float
     dy: float
@@ -129,15 +129,3 @@ class Summits:
     def radii(self) -> Array:
         """One over the mean of both curvatures of each summit [length], shape (count,)."""
         return np.asarray(2 / self.curvatures.sum(axis=1))
-
-    def histogram(self) -> tuple[Array, Array]:
-        """Heights [length] and their density [1/length], as `Params` tabulates it.
-
-        Bins of the width of Freedman and Diaconis (1981), 2 IQR/count^(1/3), at least 4 and at most 254, so that the
-        table is no longer than a law can resolve: their middles, and at both ends an edge, where the density is 0.
-        """
-        bins = np.histogram_bin_edges(self.heights, "fd").size - 1
-        bins = min(max(bins, MIN_BINS), MAX_BINS)
-        density, edges = np.histogram(self.heights, bins=bins, density=True)
-        height = np.concatenate([edges[:1], (edges[1:] + edges[:-1]) / 2, edges[-1:]])
-        return height, np.concatenate([[0.0], density, [0.0]])

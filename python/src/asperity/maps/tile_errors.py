@@ -72,11 +72,11 @@ def estimates(height: Array, curvature: Array, tile: npt.NDArray[np.intp], areas
     sums = np.stack([np.bincount(tile, weights=values, minlength=areas.size) for values in powers] + [areas])
     total = sums.sum(axis=1, keepdims=True)
     values = _from_sums(total)[:, 0]
-    errors = _jackknife(_from_sums(total - sums[:, areas > 0]))
+    errors = jackknife(_from_sums(total - sums[:, areas > 0]))
     return [Estimate(float(value), float(error)) for value, error in zip(values, errors)]
 
 
-def _jackknife(without: Array) -> Array:
+def jackknife(without: Array) -> Array:
     """Standard errors of numbers, from what they are without one tile at a time, shape (numbers, tiles)."""
     count = without.shape[1]
     variance = (count - 1) / count * ((without - without.mean(axis=1, keepdims=True)) ** 2).sum(axis=1)
@@ -95,7 +95,7 @@ def height_and_slope(level: Array, dx: float, dy: float) -> list[Estimate]:
     found = np.array(sums, dtype=np.float64).T
     total = found.sum(axis=1, keepdims=True)
     values, without = (np.sqrt(some[:2] / some[2]) for some in (total, total - found[:, found[2] > 0]))
-    errors = np.maximum(_jackknife(without), [_by_waves(fields, value) for fields, value in zip(_fields(level, dx, dy), values[:, 0])])
+    errors = np.maximum(jackknife(without), [_by_waves(fields, value) for fields, value in zip(_fields(level, dx, dy), values[:, 0])])
     return [Estimate(float(value), float(error)) for value, error in zip(values[:, 0], errors)]
 
 
