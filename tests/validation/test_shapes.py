@@ -1,0 +1,38 @@
+"""Surfaces that are not Gaussian, against boundary elements."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import shapes
+
+MADE = [one for one in shapes.frozen() if not one.is_measured]
+MEASURED = [one for one in shapes.frozen() if one.is_measured]
+
+
+def test_the_table_of_scores_has_area_and_calibrated_friction() -> None:
+    assert (len(MADE), len(MEASURED)) == (35, 13)
+    for some, areas, frictions in ((MADE, 32, 32), (MEASURED, 9, 8)):
+        assert shapes.within(some, 0.15, lambda one: [ratio.area for ratio in one.by_table]) >= areas
+        assert shapes.within(some, 0.10, lambda one: [one.calibrated(one.by_table)]) >= frictions
+        assert shapes.within(some, 0.15, lambda one: [ratio.area for ratio in one.by_two]) < areas / 3
+
+
+@pytest.mark.parametrize("kind", shapes.KINDS)
+def test_every_kind_is_as_the_page_says(kind: str) -> None:
+    some = [one for one in shapes.frozen() if one.kind == kind]
+    areas = [ratio.area for one in some for ratio in one.by_table]
+    frictions = [one.calibrated(one.by_table) for one in some]
+    if kind in ("pits in a flat", "measured maps"):
+        assert 0.7 < min(areas) < max(areas) < 1.4 and 0.7 < min(frictions) < max(frictions) < 1.15
+    else:
+        assert 0.8 < min(areas) < max(areas) < 1.16 and 0.84 < min(frictions) < max(frictions) < 1.1
+
+
+def test_the_picture_has_all_surfaces(tmp_path: Path) -> None:
+    file = tmp_path / "shapes.svg"
+    shapes.draw(str(file))
+    markers = [text.count("<use ") for text in (file.read_text(), shapes.FILE.read_text())]
+    assert markers[0] == markers[1] > 2 * sum(len(one.rows) for one in shapes.frozen())
