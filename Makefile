@@ -113,8 +113,7 @@ site:
 # docs/performance.svg is of measurements, and drawn by make bench with them.
 figures: library
 	python=$$(python/environment.sh)/bin/python && \
-	    $$python docs/gallery && \
-	    $$python python/examples/sampling_bias.py docs/figures/sampling_bias.svg 24
+	    $$python docs/gallery
 	$(MAKE) --no-print-directory demo FIGURE=docs/friction_curve.svg
 	hosts/ode/run.sh && cp $(TARGET)/hosts/ode/lag.svg docs/hosts-lag.svg
 	hosts/changes/run.sh && cp $(TARGET)/hosts/changes/changes-*.svg docs/figures/

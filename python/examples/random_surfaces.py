@@ -1,6 +1,6 @@
 """Isotropic Gaussian surfaces of a given spectrum, and what theory says of their summits: to check `asperity.surface`.
 
-Lengths are in points of the map. `sampling_bias.py` draws how far a map is off theory; the tests compare too.
+Lengths are in points of the map.
 """
 
 from __future__ import annotations
