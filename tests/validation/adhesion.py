@@ -85,7 +85,7 @@ def compare(spectrum: Spectrum, seed: int) -> Iterator[Row]:
     """One surface of all works and ranges of adhesion."""
     heights, moments = surface(spectrum, seed)
     height = math.sqrt(moments.m0)
-    surface_known = known(spectrum, seed, moments, boundary_elements.summits(heights))
+    surface_known = known(spectrum, seed, moments)
     gaps = []
     for ratio, found in zip(PRESSURES, boundary_elements.press(heights, tuple(ratio * SLOPE for ratio in PRESSURES))):
         gaps.append(found[-2])

@@ -4,7 +4,7 @@ An isotropic Gaussian surface on a periodic square is pressed against a flat by 
 and Molinari, J. Open Source Softw. 5 (2020), 2121) with the solver of Polonsky and Keer (Wear 231 (1999), 206): an
 elastic half-space, no adhesion, summits that press each other down and contacts of any shape. Friction is that of eqs
 (13) to (15), summed over the patches of contact, each taken for a circle of its area. The library answers for the same
-surface from two of its spectral moments, from McCool's summits of three moments, and from the summits on the map.
+surface from two of its spectral moments, and from McCool's summits of three moments.
 
 usage: boundary_elements.py [FILE.csv]
 
@@ -80,7 +80,7 @@ def falling(grid: int, lowest: float, highest: float, hurst: float, seeds: int) 
     return Spectrum(grid, lowest, lowest, highest, hurst, 1, seeds)
 
 
-# The summits of these can be counted: the shortest wave has 16 points.
+# The shortest wave has 16 points.
 RESOLVED = (
     falling(512, 13, 32, -1.0, 4),
     falling(512, 6, 32, 0.1, 4),
@@ -129,7 +129,6 @@ class Known:
     Attributes:
         seed: of the random numbers of the surface, whose spectrum is told by the columns before it.
         m0, m2, m4: spectral moments.
-        density, height_std, radius, amplitude, rate: of the summits on the map; an amplitude of 0 is no trend.
         pressure: nominal pressure over E* and root mean square gradient.
         area: real area over nominal area.
         friction: friction force over G* and nominal area.
@@ -146,11 +145,6 @@ class Known:
     m0: float
     m2: float
     m4: float
-    density: float
-    height_std: float
-    radius: float
-    amplitude: float
-    rate: float
     pressure: float
     area: float
     friction: float
@@ -195,12 +189,6 @@ class Known:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
             return Params.from_spectral_moments(**moments, summits="mccool", **CONTACT)
-
-    def from_map(self, **law: Any) -> Params:
-        """Parameters from the summits on the map, with the law of contact."""
-        summits = dict(height_std=self.height_std, summit_radius=self.radius, asperity_count=self.density * self.grid**2)
-        trend = dict(radius_amplitude=self.amplitude, radius_rate=self.rate)
-        return Params.si(**summits, **trend, **CONTACT | law)
 
     def predicted(self, params: Params) -> Prediction:
         """The library over the boundary elements."""
@@ -248,11 +236,6 @@ class Row(Known):
     def by_mccool(self) -> Prediction:
         """By the library, from the three moments: McCool's summits."""
         return self.predicted(self.from_mccool(self.bandwidth))
-
-    @property
-    def by_map(self) -> Prediction:
-        """By the library, from the summits on the map."""
-        return self.predicted(self.from_map())
 
 
 @dataclass(frozen=True)
@@ -343,29 +326,16 @@ def slip_force(areas: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
     return np.asarray(areas * np.clip(radius / 28, 1, 8e4 / 28) ** exponent / 43)
 
 
-def summits(heights: np.ndarray[Any, Any]) -> Any:
-    """Those of a map."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ValidityWarning)  # of coarse maps
-        return topography.summits(heights, 1.0, 1.0, detrend=0)
-
-
-def known(spectrum: Spectrum, seed: int, moments: topography.SpectralMoments, summits: Any) -> tuple[Any, ...]:
+def known(spectrum: Spectrum, seed: int, moments: topography.SpectralMoments) -> tuple[Any, ...]:
     """What a row knows of its surface."""
-    trend = summits.radius_trend
-    found = (trend.radius, trend.amplitude, trend.rate) if trend.significant else (summits.radius.value, 0.0, 1.0)
-    return (
-        *astuple(spectrum)[:-1], seed, moments.m0, moments.m2, moments.m4, summits.density.value, summits.height_std.value,
-        *found,
-    )  # fmt: skip
+    return *astuple(spectrum)[:-1], seed, moments.m0, moments.m2, moments.m4
 
 
 def compare(spectrum: Spectrum, seed: int, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface at pressures over E* and slope."""
     heights, moments = surface(spectrum, seed)
-    found = summits(heights)
     for ratio, answer in zip(ratios, press(heights, tuple(ratio * SLOPE for ratio in ratios))):
-        yield Row(*known(spectrum, seed, moments, found), ratio, *answer)
+        yield Row(*known(spectrum, seed, moments), ratio, *answer)
 
 
 AnyRow = TypeVar("AnyRow", bound=Known)

@@ -91,7 +91,6 @@ def gap_of(heights: Field, pressure: Field, hardness: float) -> Field:
 def compare(spectrum: Spectrum, seed: int, index: float, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface of one plasticity index."""
     heights, moments = surface(spectrum, seed)
-    summits = boundary_elements.summits(heights)
     probe = Params.from_spectral_moments(m0=moments.m0, m2=moments.m2, nominal_area=1.0, **boundary_elements.CONTACT)
     hardness = math.sqrt(probe.height_std / probe.summit_radius) / index
     for ratio in ratios:
@@ -104,7 +103,7 @@ def compare(spectrum: Spectrum, seed: int, index: float, ratios: tuple[float, ..
         less, left = (yielding.press(flat, _ELASTIC, part * mean)[0] for part in (1 / GREATER, PART))
         gaps = [gap_of(flat, found, _ELASTIC).mean() - gap_of(flat, pressure, _ELASTIC).mean() for found in (less, left)]
         yield Row(
-            *known(spectrum, seed, moments, summits), ratio, area, friction, count, index, hardness,
+            *known(spectrum, seed, moments), ratio, area, friction, count, index, hardness,
             float((GREATER - 1) * mean / (gap.mean() - more.mean())), float((1 - 1 / GREATER) * mean / gaps[0]),
             float(np.count_nonzero(left > 0) / np.count_nonzero(pressure > 0)), float(gaps[1]),
         )  # fmt: skip

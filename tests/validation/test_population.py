@@ -107,18 +107,6 @@ def test_the_gap_is_that_between_mean_planes() -> None:
             assert abs(row.by_moments.gap) < 0.18
 
 
-@pytest.mark.parametrize("pressure", LOADS)
-def test_counted_summits_have_friction_to_12_per_cent_up_to_a_bandwidth_of_6(pressure: float) -> None:
-    """And area two thirds of that of boundary elements at 25."""
-    for spectrum in boundary_elements.RESOLVED:
-        found = [row.by_map for row in FROZEN if row.is_of(spectrum) and row.pressure == pressure]
-        area, friction = (np.mean([getattr(answer, name) for answer in found]) for name in ("area", "friction"))
-        if spectrum.highest < 64:
-            assert friction == pytest.approx(1, abs=0.12)
-        else:
-            assert 0.55 < area < 0.7
-
-
 def test_two_separate_bands_have_larger_patches() -> None:
     """So that friction is overestimated by boundary elements' measure: what the page says of them."""
     rows = [row for row in FROZEN if row.bands == 2 and row.pressure in LOADS]

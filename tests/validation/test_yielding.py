@@ -66,8 +66,8 @@ def test_area_and_friction_are_those_of_saturated_boundary_elements_where_all_fl
     """At a plasticity index of 8, where 5 % of the nominal area touch, and the elastic law has a third of the area."""
     (row,) = yielding.compare(SMALL, 0, 8.0, ratios=(PRESSURES[1],))
     assert 1.6 < row.bandwidth < 1.9 and 0.03 < row.area < 0.07 and row.saturated > 0.85
-    assert row.by_map.area == pytest.approx(1, abs=0.1)
-    assert row.by_map.friction == pytest.approx(1, abs=0.15)
+    assert row.by_moments.area == pytest.approx(1, abs=0.1)
+    assert row.by_moments.friction == pytest.approx(1, abs=0.15)
     assert row.by_elastic.area < 0.4
 
 
@@ -101,19 +101,19 @@ def mean(narrow: bool, index: float, pressure: float, quantity: str, law: str) -
 @pytest.mark.parametrize("pressure", PRESSURES)
 @pytest.mark.parametrize("narrow", [True, False])
 def test_area_is_load_over_hardness_where_all_flows(narrow: bool, pressure: float) -> None:
-    """By both. Friction is higher by the law, since patches that merge are larger, and weaker."""
+    """By both. At large areas friction is higher by the law, since patches that merge are larger, and weaker."""
     rows = [row for row in FROZEN if row.index == 8 and row.pressure == pressure]
     assert all(1 <= row.area_at_the_hardness < 1.03 for row in rows)
-    assert mean(narrow, 8, pressure, "area", "by_map") == pytest.approx(1, abs=0.03)
-    assert 1 < mean(narrow, 8, pressure, "friction", "by_map") < (1.12 if narrow else 1.3)
-    assert mean(narrow, 8, pressure, "area", "by_elastic") < 0.35
+    assert mean(narrow, 8, pressure, "area", "by_moments") == pytest.approx(1, abs=0.06)
+    assert 0.95 < mean(narrow, 8, pressure, "friction", "by_moments") < 1.12
+    assert mean(narrow, 8, pressure, "area", "by_elastic") < 0.4
 
 
 @pytest.mark.parametrize("pressure", PRESSURES)
 @pytest.mark.parametrize("narrow", [True, False])
 def test_summits_of_little_plasticity_are_elastic_by_both(narrow: bool, pressure: float) -> None:
     for quantity in ("area", "friction"):
-        yielding_law = mean(narrow, 0.5, pressure, quantity, "by_map")
+        yielding_law = mean(narrow, 0.5, pressure, quantity, "by_moments")
         assert yielding_law == pytest.approx(mean(narrow, 0.5, pressure, quantity, "by_elastic"), rel=0.02)
 
 
@@ -121,9 +121,9 @@ def test_summits_of_little_plasticity_are_elastic_by_both(narrow: bool, pressure
 @pytest.mark.parametrize("narrow", [True, False])
 def test_between_the_law_yields_before_pressures_are_cut(narrow: bool, pressure: float) -> None:
     """So that it and the elastic law have the boundary elements between them at a plasticity index of 2."""
-    assert mean(narrow, 2, pressure, "area", "by_elastic") < 0.92
-    assert 1 < mean(narrow, 2, pressure, "area", "by_map") < 1.35
-    assert 1 < mean(narrow, 2, pressure, "friction", "by_map") < 1.4
+    assert mean(narrow, 2, pressure, "area", "by_elastic") < 0.96
+    assert 1 < mean(narrow, 2, pressure, "area", "by_moments") < 1.35
+    assert 1 < mean(narrow, 2, pressure, "friction", "by_moments") < 1.4
 
 
 def test_stiffness_is_that_of_boundary_elements_in_loading_and_unloading() -> None:

@@ -75,14 +75,9 @@ class Row(Known):
         return self.predicted(self.from_moments(**self._yielding))
 
     @property
-    def by_map(self) -> Prediction:
-        """By the law of summits that yield, from the summits on the map."""
-        return self.predicted(self.from_map(**self._yielding))
-
-    @property
     def by_elastic(self) -> Prediction:
-        """By the elastic law, from the summits on the map."""
-        return self.predicted(self.from_map())
+        """By the elastic law, from m0 and m2."""
+        return self.predicted(self.from_moments())
 
     @property
     def _yielding(self) -> dict[str, Any]:
@@ -153,7 +148,6 @@ def error(pressure: Field, gap: Field, hardness: float) -> float:
 def compare(spectrum: Spectrum, seed: int, index: float, ratios: tuple[float, ...] = PRESSURES) -> Iterator[Row]:
     """One surface of one plasticity index at pressures over E* and slope."""
     heights, moments = surface(spectrum, seed)
-    summits = boundary_elements.summits(heights)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # of the bias that is measured here
         mccool = Params.from_spectral_moments(
@@ -165,7 +159,7 @@ def compare(spectrum: Spectrum, seed: int, index: float, ratios: tuple[float, ..
         area, friction, count, _ = boundary_elements.patches(pressure, hardness)
         saturated = np.count_nonzero(pressure >= hardness * (1 - 1e-12)) / np.count_nonzero(pressure)
         yield Row(
-            *known(spectrum, seed, moments, summits), ratio, area, friction, count, index, hardness, float(saturated), steps,
+            *known(spectrum, seed, moments), ratio, area, friction, count, index, hardness, float(saturated), steps,
         )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""From a measured height map to the statistics of its summits, which a friction law is made of.
+"""From a measured height map to its heights and slopes, which a friction law is made of.
 
     from asperity import Params, surface
 
@@ -8,20 +8,20 @@
     summits = surface.summits(surface.filter(cleaned.map, cutoff=0.2e-6))
     params = Params.from_topography(summits, E1=160e9, ...)
 
-Here are only the names. The search is in `maps.summit_search`, its statistics in `maps.summit_statistics`, standard errors in
-`maps.tile_errors`, eq (3) in `maps.radius_trend`, files in `maps.instrument_files`, what speaks against a map in `maps.map_warnings`,
-friction against the cutoff in `maps.cutoffs`, the verdict in `maps.analysis`. Needs the extra `topography`, for SciPy and for the files.
+Here are only the names. Heights and slopes at normal scores are in `maps.at_scores`, summits in `maps.summit_search` and `maps.summit_statistics`,
+standard errors in `maps.tile_errors`, files in `maps.instrument_files`, what speaks against a map in `maps.map_warnings`, friction against the
+cutoff in `maps.cutoffs`, the verdict in `maps.analysis`. Needs the extra `topography`, for SciPy and for the files.
 """
 
 from __future__ import annotations
 
 from .maps.analysis import Analysis, Finding, analyse
+from .maps.at_scores import AtScores
 from .maps.cleaning import Cleaned, clean
 from .maps.cutoffs import Cutoffs, cutoffs
 from .maps.filter import filter
 from .maps.instrument_files import HeightMap, read
 from .maps.map_warnings import MapWarning
-from .maps.radius_trend import RadiusTrend
 from .maps.steps import Steps
 from .maps.summit_statistics import summits
 from .maps.summits import Iso25178, SpectralMoments, Summits
@@ -29,6 +29,7 @@ from .maps.tile_errors import Estimate
 
 __all__ = [
     "Analysis",
+    "AtScores",
     "Cleaned",
     "Cutoffs",
     "Estimate",
@@ -36,7 +37,6 @@ __all__ = [
     "HeightMap",
     "Iso25178",
     "MapWarning",
-    "RadiusTrend",
     "SpectralMoments",
     "Steps",
     "Summits",

@@ -44,8 +44,8 @@ def ratio(map_: HeightMap, pressure: float) -> float:
     found = summits(middle, progress=False)
     # Its unit of length is that of the heights.
     contact: dict[str, Any] = dict.fromkeys(("composite_modulus", "effective_shear_modulus"), 1.0) | {"work_of_adhesion": 0.0}
-    lengths = dict.fromkeys(("adhesion_range", "burgers_vector"), found.iso.Sq)
-    with Model(Params.from_topography(found, **contact, **lengths)) as model:
+    contact |= dict.fromkeys(("adhesion_range", "burgers_vector"), found.iso.Sq)
+    with Model(Params.from_topography(found, **contact)) as model:
         area = model.state_at_load(pressure * found.nominal_area).real_area / found.nominal_area
     return area / _area(middle, pressure)
 

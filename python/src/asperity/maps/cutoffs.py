@@ -214,16 +214,19 @@ def table(
         else:
             width = 2 * state.mean_contact_radius / step
             reasons.append(_reason(one / step, width, found, least, [kind.description for kind in failing.kinds]))
-            area = state.real_area / params.nominal_area
-            numbers[-1] = [state.friction_coefficient, state.mean_contact_radius, state.contacting, found.iso.Sdq, area]
+            numbers[-1] = [
+                state.friction_coefficient, state.mean_contact_radius, state.contacting, found.iso.Sdq, state.real_area / params.nominal_area
+            ]  # fmt: skip
             good += [] if reasons[-1] else [one]
         left.append(found)
         surfaces.append(params)
     if len(errors) == len(reasons):
         raise errors[0]
+    mu, radius, contacting, slope, area = np.array(numbers).T
     counts = np.array([0 if one is None else one.count for one in left])
     result = Cutoffs(
-        load, chosen[: len(reasons)], *np.array(numbers).T, counts, tuple(left), tuple(surfaces), tuple(reasons), step, good[0] if good else None
+        load, chosen[: len(reasons)], mu, radius, contacting, slope, area, counts, tuple(left), tuple(surfaces), tuple(reasons), step,
+        good[0] if good else None,
     )  # fmt: skip
     tell(1.0, result.message)
     return result

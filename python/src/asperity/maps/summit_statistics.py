@@ -14,7 +14,6 @@ from ..tools.progress import LARGE, Progress, teller
 from . import map_warnings
 from .at_scores import Sloped, sloped
 from .input import checked, degree
-from .radius_trend import fit
 from .spikes import spikes
 from .steps import Steps, steps
 from .summit_search import Found, find, without_polynomial
@@ -109,7 +108,6 @@ def _statistics(
     up = int(np.count_nonzero(spikes(level) & (level > 0)))
     sigma = height_std.scaled(std).value
     said = map_warnings.remarks(up, level.size, map_warnings.differences(level), sigma, stepped)
-    tell(0.9, "fitting radius against height")
     arrays = (found.column * dx, found.row * dy, found.height)
     curvatures = np.stack([found.first_curvature, found.second_curvature], axis=1)
     for array in (*arrays, curvatures):
@@ -123,7 +121,6 @@ def _statistics(
         skew=skew,
         kurtosis=kurtosis,
         radius=radius,
-        radius_trend=fit(scaled, curvature, tile),
         rms_height=rms_height,
         rms_slope=rms_slope,
         moments=moments,
@@ -165,6 +162,6 @@ def _of_heights(level: Array, dx: float, dy: float) -> tuple[SpectralMoments, fl
 
 def _require_scipy() -> None:
     try:
-        import scipy.optimize  # noqa: F401
+        import scipy.special  # noqa: F401
     except ImportError as error:
         raise ImportError(f"finding summits needs SciPy ({error}): pip install scipy") from None

@@ -10,7 +10,6 @@ import numpy.typing as npt
 from ..results import State
 from .at_scores import AtScores
 from .map_warnings import unresolved
-from .radius_trend import RadiusTrend
 from .tile_errors import Estimate
 
 Array = npt.NDArray[np.float64]
@@ -77,7 +76,6 @@ class Summits:
         skew: of the summit heights.
         kurtosis: of the summit heights; 3 for Gaussian. At most count, so low for few summits.
         radius: R [length]: one over the mean of the mean curvatures, as of Nayak, McCool and Greenwood-Williamson.
-        radius_trend: radius against height, eq (3) of the paper.
         rms_height: Sq of the map [length].
         rms_slope: Sdq of the map.
         moments: spectral moments of the map.
@@ -100,7 +98,6 @@ class Summits:
     skew: Estimate
     kurtosis: Estimate
     radius: Estimate
-    radius_trend: RadiusTrend
     rms_height: Estimate
     rms_slope: Estimate
     moments: SpectralMoments
