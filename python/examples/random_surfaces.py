@@ -92,32 +92,16 @@ class Nayak:
         """One over the mean of the mean summit curvature, which is 8/3 (m4/pi)^(1/2)."""
         return 3 / 8 * math.sqrt(math.pi / self.m4)
 
-    @property
-    def height_mean(self) -> float:
-        """Of the summits over the mean plane."""
-        return 4 * math.sqrt(self.m0 / (math.pi * self.bandwidth))
-
-    @property
-    def height_std(self) -> float:
-        """Of the summits: 1 - 3 sqrt(3) + 16/pi is the 0.8968 of Bush, Gibson and Keogh (1976) in closed form."""
-        return math.sqrt(self.m0 * (1 - (1 - 3 * math.sqrt(3) + 16 / math.pi) / self.bandwidth))
-
     def height_moments(self) -> tuple[float, float, float, float]:
         """Mean, standard deviation, skew and kurtosis of the summit heights, integrated."""
-        z, _, joint = self._joint()
+        z, joint = self._joint()
         weights = joint.sum(axis=1) / joint.sum()
         mean = float(z @ weights)
         square, cube, fourth = (float((z - mean) ** power @ weights) for power in (2, 3, 4))
         return mean, math.sqrt(square), cube / square**1.5, fourth / square**2
 
-    def curvature_at(self, heights: Array) -> Array:
-        """Mean of the mean curvatures of the summits of a height."""
-        z, curvature, joint = self._joint()
-        mean: Array = np.interp(heights, z, joint @ curvature / joint.sum(axis=1))
-        return mean
-
-    def _joint(self) -> tuple[Array, Array, Array]:
-        """Heights z, mean curvatures t, and their joint density on the grid of both.
+    def _joint(self) -> tuple[Array, Array]:
+        """Heights z, and their joint density with mean curvatures t on the grid of both.
 
         With t in (2 m4/3)^(1/2): the two curvatures of a Gaussian surface weighted by their product, over the
         directions, leave exp(-t^2/2) (t^2 - 1 + exp(-t^2)). Heights are Gaussian given t, their correlation with t
@@ -127,4 +111,4 @@ class Nayak:
         t, z = np.linspace(0, 8, 801), np.linspace(-5, 7, 1201)
         density = np.exp(-(t**2) / 2) * (t**2 - 1 + np.exp(-(t**2)))
         density = density * np.exp(-((z[:, None] - correlation * t) ** 2) / (2 * (1 - correlation**2)))
-        return z * math.sqrt(self.m0), t * math.sqrt(2 * self.m4 / 3), density
+        return z * math.sqrt(self.m0), density

@@ -40,8 +40,8 @@ UNITS: dict[str, str] = {
 WHOLE = {"samples", "specimens", "seed", "count", "starts", "points", "detrend", "resamples", "block", "workers"}
 # Arguments that are no numbers; that this is so is a test below.
 NO_NUMBERS = {
-    "pair", "free", "params", "loss", "quantity", "progress", "executor", "sampling", "checkpoint", "warnings", "rows", "spikes", "dust", "counted",
-    "path", "channel", "unit", "physical_sizes", "name", "first", "second", "text", "start", "summits", "heights", "trend", "process", "slope",
+    "pair", "free", "params", "loss", "quantity", "progress", "executor", "sampling", "checkpoint", "warnings", "rows", "spikes", "dust", "check",
+    "path", "channel", "unit", "physical_sizes", "name", "first", "second", "text", "start", "summits", "process", "slope",
     "height_distribution", "attraction", "contact_law", "slip_onset", "interface", "interface_kind", "found", "dtype", "shape", "keep", "details",
 }  # fmt: skip
 # Beside the arguments of `RIGHT`, one at a time: others that are right.
@@ -72,6 +72,7 @@ KEYS = {name: getattr(PAPER, name) for name in (field for field in Surface.__ann
     "Sdq": 0.1, "Ssc": 1e5, "Sds": 1e12, "Ssk": 0.1, "Sku": 3.2, "summit_density": 1e12, "slip_stress_1": 0.02, "slip_stress_2": 0.001, "max_friction_coefficient": 10.0, "hardness": 1e9, "calibration_load": 10.0,
     "calibration_friction_coefficient": 0.2, "table_height": [0.0, 1.0, 2.0], "table_density": [0.1, 1.0, 0.1], "measured": [1000.0, 0.16],
     "size_effect": 0.5, "model_error": 0.1, "known_to": {"hardness": 1.2}, "measured_on": {"hardness": 3e9}, "specimens": 2,
+    "heights_at_scores": [1e-7 * (score - 6) for score in range(13)], "slopes_at_scores": [0.1] * 13, "lay": 2.0,
 }  # fmt: skip
 
 
