@@ -44,7 +44,7 @@ function described({ m0, m2, m4, isotropy }) {
   return (
     `Sq ${withUnit(Math.sqrt(m0), "m")}, Sdq ${Math.sqrt(2 * m2).toPrecision(3)}, ` +
     `bandwidth ${bandwidth.toPrecision(3)}, isotropy ${isotropy.toFixed(2)}` +
-    (isotropy < 0.5 ? ": it has a direction, for which the model does not hold." : ".") +
+    (isotropy < 0.5 ? ": it has a lay, which surface.analyse of the Python package takes into account." : ".") +
     " The slope is that of this distance of points, and grows where it is smaller: calibrate, or area and friction depend on it."
   );
 }

@@ -28,7 +28,7 @@ export function momentsOfAreal({ Sq, Sdq, Sds, Ssc }) {
  * @param {number} dx distance of columns, in the unit of the heights
  * @param {number} [dy] distance of rows; by default dx
  * @returns {Required<Moments> & { area: number, isotropy: number }} also the area of the map, and the lesser over the greater
- *   principal mean square slope: 1 for isotropic surfaces, 0 for grooves, for which the model does not hold
+ *   principal mean square slope: 1 for isotropic surfaces, 0 for grooves
  */
 export function momentsOfMap(heights, columns, dx, dy = dx) {
   const rows = heights.length / numberOf("columns", columns);
@@ -47,8 +47,8 @@ export function momentsOfMap(heights, columns, dx, dy = dx) {
   const bentY = sums.yy / ((rows - 2) * columns) / dy ** 4;
   const m2 = (alongX + alongY) / 2;
   if (!(m0 > 0 && m2 > 0)) throw new RangeError("height map: flat but for its tilt: must be rough");
-  const middles = 4 * (rows - 1) * (columns - 1);
-  const [gxx, gxy, gyy] = [sums.gxx / dx ** 2, sums.gxy / dx / dy, sums.gyy / dy ** 2].map((sum) => sum / middles);
+  const inner = (rows - 2) * (columns - 2);
+  const [gxx, gxy, gyy] = [sums.gxx / dx ** 2, sums.gxy / dx / dy, sums.gyy / dy ** 2].map((sum) => sum / inner);
   const [mean, half] = [(gxx + gyy) / 2, Math.hypot((gxx - gyy) / 2, gxy)];
   const isotropy = mean > 0 ? Math.max((mean - half) / (mean + half), 0) : 0;
   return { m0, m2, m4: (bentX + bentY) / 2, area: rows * dy * columns * dx, isotropy };
@@ -96,13 +96,13 @@ function sumsOf(z, rows, columns) {
       if (below) sums.y += (z[at + columns] - z[at]) ** 2;
       if (j + 2 < columns) sums.xx += (z[at + 2] - 2 * z[at + 1] + z[at]) ** 2;
       if (i + 2 < rows) sums.yy += (z[at + 2 * columns] - 2 * z[at + columns] + z[at]) ** 2;
-      if (!right || !below) continue;
-      // Both slopes in the middle of four points, twice as large.
-      const gx = z[at + 1] - z[at] + z[at + columns + 1] - z[at + columns];
-      const gy = z[at + columns] - z[at] + z[at + columns + 1] - z[at + 1];
-      sums.gxx += gx * gx;
-      sums.gxy += gx * gy;
-      sums.gyy += gy * gy;
+      if (!right || !below || !i || !j) continue;
+      // Both slopes at the four corners that an inner point makes with its neighbours.
+      const [after, before] = [z[at + 1] - z[at], z[at] - z[at - 1]];
+      const [under, over] = [z[at + columns] - z[at], z[at] - z[at - columns]];
+      sums.gxx += (after ** 2 + before ** 2) / 2;
+      sums.gxy += ((after + before) * (under + over)) / 4;
+      sums.gyy += (under ** 2 + over ** 2) / 2;
     }
   return sums;
 }
