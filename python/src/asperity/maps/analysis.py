@@ -454,8 +454,10 @@ def _spread(
             return math.nan, math.nan
 
     tiles = sloped(without_polynomial(map_.height_map, 1), map_.dx, map_.dy, map_.noise).without_each_tile()
-    # What parts of a map do not tell, half of the value stands for.
-    sampling = np.nan_to_num(jackknife(np.log([answers(one) for one in tiles]).T), nan=0.5)
+    each = np.array([answers(one) for one in tiles])
+    each = each[np.isfinite(each).all(axis=1)]
+    # What half of the tiles do not tell, half of the value stands for.
+    sampling = jackknife(np.log(each).T) if 2 * len(each) >= len(tiles) else np.full(2, 0.5)
     cutoffs = (math.log(high / low) / math.sqrt(12) for low, high in (found.spread, found.area_spread))
     mu, area = ({"sampling": float(one), "cutoffs": other} for one, other in zip(sampling, cutoffs))
     return mu, area
