@@ -16,6 +16,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 
 from asperity import Model, Params, State
+from asperity.estimate import estimate
 from asperity.tools.style import BLUE, GREY, saved, style
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -59,32 +60,58 @@ class Surface:
             return KINDS[4 if self.rows[0]["skew"] < 0 else 5]
         return KINDS[0 if lay < LAY else 1 if lay < 4 else 2]
 
+    @property
+    def slope(self) -> float:
+        """Sdq."""
+        return math.sqrt(self.rows[0]["m2x"] + self.rows[0]["m2y"])
+
+    @property
+    def area(self) -> float:
+        """Nominal, in points."""
+        return self.rows[0].get("cell", 512.0) ** 2
+
+    @property
+    def table(self) -> str:
+        """Heights and slopes at scores and the lay, as a text has them."""
+        row, column = self.rows[0], "cabs" if self.is_measured else "c"
+        heights, slopes = ([row[f"{name}{k / 2:+.1f}"] for k in range(-6, 7)] for name in ("T", column))
+        heights, slopes = [one * math.sqrt(row["m0"]) for one in heights], [math.sqrt(one) * self.slope for one in slopes]
+        lay = math.sqrt(row["m2x"] / row["m2y"])
+        return (
+            f"bandwidth = {4 * row['m4'] * row['m0'] / self.slope**4}\n[roughness]\n"
+            f"heights_at_scores = {heights}\nslopes_at_scores = {slopes}\nlay = {lay}\n"
+        )
+
     @cached_property
     def by_table(self) -> list[Ratios]:
         """The library from heights and slopes at scores and the lay."""
-        row = self.rows[0]
-        heights = [row[f"T{k / 2:+.1f}"] * math.sqrt(row["m0"]) for k in range(-6, 7)]
-        column = "cabs" if self.is_measured else "c"
-        slopes = [math.sqrt(row[f"{column}{k / 2:+.1f}"] * (row["m2x"] + row["m2y"])) for k in range(-6, 7)]
-        bandwidth = 4 * row["m4"] * row["m0"] / (row["m2x"] + row["m2y"]) ** 2
-        lay = math.sqrt(row["m2x"] / row["m2y"])
-        return self.ratios(f"bandwidth = {bandwidth}\n[roughness]\nheights_at_scores = {heights}\nslopes_at_scores = {slopes}\nlay = {lay}")
+        return self.ratios(self.table)
 
     @cached_property
     def by_two(self) -> list[Ratios]:
         """The library from Sq and Sdq."""
-        row = self.rows[0]
-        return self.ratios(f"[roughness]\nSq = {math.sqrt(row['m0'])}\nSdq = {math.sqrt(row['m2x'] + row['m2y'])}")
+        return self.ratios(f"[roughness]\nSq = {math.sqrt(self.rows[0]['m0'])}\nSdq = {self.slope}\n")
+
+    def text(self, rough: str) -> str:
+        """Of a surface, in the units of the file."""
+        return (
+            "composite_modulus = 1\neffective_shear_modulus = 1\nwork_of_adhesion = 0\nadhesion_range = 0.01\nburgers_vector = 0.01\n"
+            f"slip_stress_1 = {1 / 43}\nslip_stress_2 = {1 / 1290}\nnominal_area = {self.area}\n{rough}"
+        )
 
     def ratios(self, rough: str) -> list[Ratios]:
         """Of a model over boundary elements."""
-        area = self.rows[0].get("cell", 512.0) ** 2
-        contact = "composite_modulus = 1\neffective_shear_modulus = 1\nwork_of_adhesion = 0\nadhesion_range = 0.01\nburgers_vector = 0.01\n"
-        strength = f"slip_stress_1 = {1 / 43}\nslip_stress_2 = {1 / 1290}\nnominal_area = {area}\n"
-        with Model(Params.from_text(contact + strength + rough)) as model:
-            slope = math.sqrt(self.rows[0]["m2x"] + self.rows[0]["m2y"])
-            loads = [row["x"] * slope * area for row in self.rows]
-            return [Ratios.of(model.state_at_load(load), model.state_at_load(1.1 * load), row, area) for load, row in zip(loads, self.rows)]
+        with Model(Params.from_text(self.text(rough))) as model:
+            loads = [row["x"] * self.slope * self.area for row in self.rows]
+            return [Ratios.of(model.state_at_load(load), model.state_at_load(1.1 * load), row, self.area) for load, row in zip(loads, self.rows)]
+
+    @property
+    def is_in_the_band(self) -> bool:
+        """Whether an estimate that has friction of boundary elements at one load has theirs at the other in its band, from the table."""
+        friction = {row["x"]: row["friction_hk"] / (row["x"] * self.slope) for row in self.rows}
+        unit = self.slope * self.area
+        found = estimate(self.text(f"measured = [{CALIBRATED * unit}, {friction[CALIBRATED]}]\n{self.table}"), PREDICTED * unit)
+        return bool(found.low <= friction[PREDICTED] <= found.high)
 
     def calibrated(self, ratios: list[Ratios]) -> float:
         """Friction that was calibrated, over boundary elements."""
@@ -156,7 +183,8 @@ def counts() -> str:
         )
         lines.append(
             f"- **{len(some)} surfaces that were {called}**: area is within 15 % at all loads on {after[0]} from the table and on {before[0]} "
-            f"from Sq and Sdq; calibrated friction, at a twelfth of the load, is within 10 % on {after[1]} and {before[1]}."
+            f"from Sq and Sdq; calibrated friction, at a twelfth of the load, is within 10 % on {after[1]} and {before[1]}. The 95 % band of an estimate "
+            f"that was calibrated has it on {sum(one.is_in_the_band for one in some)}."
         )
     return "\n".join(lines)
 
