@@ -36,6 +36,9 @@ public:
         elastic.contact_law = ASPERITY_CONTACT_MAUGIS;
         made("Sq and Sdq, elastic", 40.5, elastic);
         made("Sq and Sdq, plastic", 60.5, plastic);
+        const std::string skewed = "Sq = 0.4e-6\nSdq = 0.1\nSsk = -1\nSku = 5\n";
+        elastic = estimated("pair = \"steel/steel\"\n", skewed);
+        made("skewed at 13 scores", 103.0, estimated("pair = \"steel/steel\"\n", skewed));
         made("Sq and Sdq, adhesive", 88.0, estimated("pair = \"Si/Si\"\n", "Sq = 5e-9\nSdq = 0.02\n"));
         made("100 bins", 357.0, histogram_.params());
         calls();

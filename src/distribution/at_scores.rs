@@ -174,10 +174,12 @@ impl AtScores {
         Place { score: (g - MEAN) / SPREAD, rate: rate / SPREAD, log_ratio, log_ratio_rate: by_score * rate }
     }
 
-    /// How far it is from one height of the table to the next around z; infinite beyond the ends.
+    /// How far it is from one height of the table to the next around z; below all of them to the first, or between the first two if that is
+    /// more, and infinite above.
     pub fn width(&self, z: f64) -> f64 {
         match self.knots.partition_point(|&knot| knot <= z) {
-            0 | SCORES => f64::INFINITY,
+            0 => (self.knots[0] - z).max(self.knots[1] - self.knots[0]),
+            SCORES => f64::INFINITY,
             next => self.knots[next] - self.knots[next - 1],
         }
     }

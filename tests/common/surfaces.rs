@@ -77,6 +77,9 @@ pub fn params_of(surface: &Surface) -> Params {
             Heights::Table(table) => {
                 HeightFamily::Tabulated { height: table.height.clone().into(), density: table.density.clone().into() }
             }
+            Heights::Scores(scores) => {
+                HeightFamily::AtScores { height: scores.height.clone().into(), slope: scores.slope.clone().into() }
+            }
         },
         attraction: surface.attraction,
         radius_amplitude: surface.epsilon,

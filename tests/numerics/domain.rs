@@ -4,7 +4,7 @@
 //!
 //! `cargo test` takes 500 surfaces of a Sobol sequence, `make domain` 20,000 and writes a table of what came of them:
 //! ASPERITY_DOMAIN_SETS says how many, ASPERITY_DOMAIN_MAP where the tables go. A quarter as many have
-//! heights of Johnson's system or of a table.
+//! heights of Johnson's system or of a table, and as many are at normal scores, answered to 5e-8.
 
 use super::domain_map::{Answer, Map, Outcome};
 use super::found_by_sweeps;
@@ -12,6 +12,7 @@ use crate::common::number_from_environment;
 use crate::common::processor_time::{self, processor_time};
 use crate::common::reference_rows::{read, Case};
 use crate::common::second_evaluation::heights::{Heights, Johnson, Table};
+use crate::common::second_evaluation::scores::Scores;
 use crate::common::second_evaluation::{Sums, Surface};
 use crate::common::sobol::Sobol;
 use crate::common::splitmix::SplitMix;
@@ -21,6 +22,8 @@ use std::time::{Duration, Instant};
 
 /// What the library promises of exact states against the second evaluation, and of the compiled law against exact states.
 const ACCURACY: f64 = 1e-8;
+/// The same of a surface at normal scores, whose panels are short and have fewer points.
+const ACCURACY_AT_SCORES: f64 = 5e-8;
 const COMPILED: f64 = 1e-6;
 /// What is promised of a call, in processor time.
 const PROMISED: Duration = Duration::from_secs(1);
@@ -76,7 +79,7 @@ fn johnson_or_table(x: &[f64]) -> Surface {
     let third = (3.0 * x[4]) as u32;
     let within = 3.0 * x[4] - f64::from(third);
     let heights = if third == 2 {
-        Heights::Table(table(&mut SplitMix((within * 2f64.powi(32)) as u64 ^ (x[9] * 2f64.powi(62)) as u64)))
+        Heights::Table(table(&mut random(within, x[9])))
     } else {
         let bounded = third == 1;
         let mut delta = log_part(within, if bounded { 0.5 } else { 0.85 }, 10.0);
@@ -105,6 +108,25 @@ fn table(random: &mut SplitMix) -> Table {
         }
     }
     Table::new(height, density)
+}
+
+/// Random numbers that follow from two parts.
+fn random(one: f64, other: f64) -> SplitMix {
+    SplitMix((one * 2f64.powi(32)) as u64 ^ (other * 2f64.powi(62)) as u64)
+}
+
+/// A surface at normal scores, each stretch of it up to twice as steep as its neighbour, in height and in slope.
+fn at_scores(x: &[f64]) -> Surface {
+    let mut random = random(x[4], x[9]);
+    let [mut at, mut rise, mut slope] = [0.0, 1.0, 1.0];
+    let rows = (0..13).map(|_| {
+        at += rise;
+        rise *= random.log_between(0.5, 2.0);
+        slope *= random.log_between(0.7, 1.4);
+        (at, slope)
+    });
+    let (height, slope) = rows.unzip();
+    surface(x, Heights::Scores(Scores::new(height, slope)))
 }
 
 /// The promise where the map is drawn, on a machine that has time for it; ten times that on any other.
@@ -172,7 +194,7 @@ fn examine(surface: &Surface, part: f64) -> Outcome {
                 Error::OutOfRange { name: "pull-off load", value: Value::Real(load), .. } => {
                     parts_in_steps(surface, *load)
                 }
-                Error::OutOfRange { name: "radius_rate", .. } => surface.least_break_away_rate() < LEAST_RATE,
+                Error::OutOfRange { name: "radius_rate" | "score", .. } => surface.least_break_away_rate() < LEAST_RATE,
                 _ => false,
             };
             return Outcome::Refused { error, after, founded };
@@ -313,7 +335,7 @@ fn fall_beyond(surface: &Surface, end: f64) -> f64 {
 }
 
 /// Examines so many surfaces of a Sobol sequence; writes the table.
-fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surface) {
+fn sweep(name: &str, accuracy: f64, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surface) {
     let mut map = Map::default();
     let mut sobol = Sobol::new(dimensions);
     let start = Instant::now();
@@ -329,7 +351,7 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
         map.add(&surface, outcome);
         if done % PROGRESS == 0 {
             println!("{name}: {done} of {sets} surfaces in {:.0?}", start.elapsed());
-            for failure in map.failures(ACCURACY, longest_call()) {
+            for failure in map.failures(accuracy, longest_call()) {
                 println!("  {failure}");
             }
         }
@@ -343,19 +365,25 @@ fn sweep(name: &str, sets: usize, dimensions: usize, surface: fn(&[f64]) -> Surf
     let worst = map.table_error();
     println!("{name}: table_error at most {worst:.1e}");
     assert!(worst <= COMPILED, "{worst:e}");
-    let failures = map.failures(ACCURACY, longest_call());
+    let failures = map.failures(accuracy, longest_call());
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures[..failures.len().min(40)].join("\n"));
 }
 
 #[test]
 fn every_surface_of_the_box_is_answered_to_1e_8_or_refused() {
-    sweep("domain", number_from_environment("ASPERITY_DOMAIN_SETS", SETS), DIMENSIONS, gaussian_or_weibull);
+    sweep("domain", ACCURACY, number_from_environment("ASPERITY_DOMAIN_SETS", SETS), DIMENSIONS, gaussian_or_weibull);
 }
 
 #[test]
 fn and_so_is_every_one_with_other_heights() {
     let sets = number_from_environment("ASPERITY_DOMAIN_SETS", SETS) / PER_OTHER_HEIGHTS;
-    sweep("domain-heights", sets, DIMENSIONS_OF_OTHER_HEIGHTS, johnson_or_table);
+    sweep("domain-heights", ACCURACY, sets, DIMENSIONS_OF_OTHER_HEIGHTS, johnson_or_table);
+}
+
+#[test]
+fn and_so_is_every_one_at_normal_scores() {
+    let sets = number_from_environment("ASPERITY_DOMAIN_SETS", SETS) / PER_OTHER_HEIGHTS;
+    sweep("domain-scores", ACCURACY_AT_SCORES, sets, DIMENSIONS_OF_OTHER_HEIGHTS, at_scores);
 }
 
 #[test]

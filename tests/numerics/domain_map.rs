@@ -158,6 +158,7 @@ fn describe(s: &Surface) -> String {
         Heights::Weibull { shape, .. } => format!("omega {shape}"),
         Heights::Johnson(curve) => format!("skew {}, kurtosis {}", curve.skew, curve.kurtosis),
         Heights::Table(table) => format!("table {:?} {:?}", table.height, table.density),
+        Heights::Scores(table) => format!("at scores {:?} {:?}", table.height, table.slope),
     };
     let lambda = (4.5 / std::f64::consts::PI * s.beta * s.gamma * s.gamma * s.b_over_h.powi(3) / s.alpha).cbrt();
     format!(

@@ -1,6 +1,7 @@
 //! Standardised height distributions a second time. A family that the library gains becomes a variant here: its log
 //! density, where it begins, which heights matter, where it is not smooth.
 
+use super::scores::Scores;
 use std::f64::consts::PI;
 
 /// Contributions below exp of minus this of the largest are left out.
@@ -19,6 +20,8 @@ pub enum Heights {
     Johnson(Johnson),
     /// Heights and densities at them, standardised, with the density between.
     Table(Table),
+    /// A surface at normal scores.
+    Scores(Scores),
 }
 
 /// Heights z of which u = gamma + delta f(mean + deviation z) is normal, with f(y) = arsinh y, or ln(y/(1 - y)) where
@@ -191,13 +194,14 @@ impl Heights {
             }
             Heights::Johnson(ref curve) => curve.log_density(z),
             Heights::Table(ref table) => table.density(z).max(0.0).ln(),
+            Heights::Scores(ref scores) => scores.log_density(z),
         }
     }
 
     /// Where the support begins.
     pub fn foot(&self) -> f64 {
         match *self {
-            Heights::Gaussian => f64::NEG_INFINITY,
+            Heights::Gaussian | Heights::Scores(_) => f64::NEG_INFINITY,
             Heights::Weibull { mean, .. } => -mean,
             Heights::Johnson(ref curve) => curve.height(f64::NEG_INFINITY),
             Heights::Table(ref table) => table.knots[0],
@@ -239,6 +243,17 @@ impl Heights {
                 let largest = knots.chain([lower, 0.5 * (lower + head)]).map(|z| table.density(z)).fold(0.0, f64::max);
                 (lower, head, largest.max(1e-300).ln())
             }
+            Heights::Scores(ref scores) => {
+                let half = (2.0 * NEGLIGIBLE).sqrt();
+                let lower = lowest.max(scores.beyond(-half));
+                let upper = scores.beyond(scores.radius(lower).0.max(0.0).hypot(half) + 2.0).max(lower);
+                let largest = (0..=400)
+                    .map(|i| lower + (upper - lower) * f64::from(i) / 400.0)
+                    .chain(scores.knots().into_iter().filter(|z| *z > lower))
+                    .map(|z| scores.log_density(z))
+                    .fold(-1e300, f64::max);
+                (lower, upper, largest)
+            }
         }
     }
 
@@ -254,6 +269,10 @@ impl Heights {
                 [-8.0, -4.0, -1.5, 0.0, 1.5, 4.0, 8.0].iter().map(|&u| curve.height(u)).collect()
             }
             Heights::Table(ref table) => table.knots.clone(),
+            Heights::Scores(ref scores) => {
+                let beyond = [-12.0, -8.0, -6.0, -5.0, 2.5, 4.0, 6.0, 8.0, 12.0].map(|u| scores.beyond(u));
+                scores.knots().into_iter().chain(beyond).collect()
+            }
         }
     }
 }

@@ -7,6 +7,7 @@
 
 pub mod heights;
 mod quadrature;
+pub mod scores;
 
 use heights::Heights;
 use quadrature::{integrate, Values, COMPONENTS};
@@ -167,6 +168,11 @@ impl Surface {
         Self { alpha, beta, gamma, b_over_h, heights, epsilon, rho, attraction: true, slip, pressure: 0.0 }
     }
 
+    /// Whether radii vary with height.
+    fn has_radii(&self) -> bool {
+        self.epsilon != 0.0 || matches!(self.heights, Heights::Scores(_))
+    }
+
     /// h/sigma.
     fn reach(&self) -> f64 {
         1.0 / (self.alpha * self.beta * self.b_over_h)
@@ -174,9 +180,13 @@ impl Surface {
 
     /// g(z), without cancellation where it goes to 0.
     fn radius_factor(&self, z: f64) -> f64 {
+        let (z, factor) = match &self.heights {
+            Heights::Scores(scores) => scores.radius(z),
+            _ => (z, 1.0),
+        };
         let decay = (-2.0 * self.rho * z.abs()).exp();
         let size = if z >= 0.0 { self.epsilon } else { -self.epsilon };
-        (((1.0 + size) + (1.0 - size) * decay) / (1.0 + decay)).max(1e-60)
+        (factor * ((1.0 + size) + (1.0 - size) * decay) / (1.0 + decay)).max(1e-60)
     }
 
     /// L/b and kappa at a height.
@@ -207,10 +217,15 @@ impl Surface {
     pub fn least_break_away_rate(&self) -> f64 {
         const STEPS: i32 = 4000;
         const SMALLEST_LOG_DENSITY: f64 = -700.0;
-        let step = 0.005 / self.rho;
         // tanh is level beyond.
-        (-STEPS / 2..STEPS / 2)
-            .map(|i| f64::from(i) * step)
+        let (from, step) = match &self.heights {
+            Heights::Scores(scores) => {
+                (scores.beyond(-14.0), (scores.beyond(14.0) - scores.beyond(-14.0)) / f64::from(STEPS))
+            }
+            _ => (-10.0 / self.rho, 0.005 / self.rho),
+        };
+        (0..STEPS)
+            .map(|i| from + f64::from(i) * step)
             .filter(|&z| self.heights.log_density(z) > SMALLEST_LOG_DENSITY)
             .map(|z| (self.depth(z + step, 0.0) - self.depth(z, 0.0)) / step)
             .fold(1.0, f64::min)
@@ -239,15 +254,23 @@ impl Surface {
     /// Heights where contact begins or ends at a separation, from low to high.
     fn edges(&self, separation: f64) -> Vec<f64> {
         let reach = self.reach();
-        if self.epsilon == 0.0 {
+        if !self.has_radii() {
             return vec![separation + reach * break_away(self.scale(0.0).1).w];
         }
         // No summit breaks away at a smaller overlap than that of the largest radius.
-        let largest = if self.epsilon > 0.0 { self.scale(1e9).1 } else { self.scale(-1e9).1 };
+        let ends = self.heights.cuts();
+        let spread = (0..=1000).map(|i| ends[0] + (ends[ends.len() - 1] - ends[0]) * f64::from(i) / 1000.0);
+        let largest = match self.heights {
+            Heights::Scores(_) => {
+                1.05 * spread.chain(ends.iter().copied()).map(|z| self.scale(z).1).fold(0.0, f64::max)
+            }
+            _ if self.epsilon > 0.0 => self.scale(1e9).1,
+            _ => self.scale(-1e9).1,
+        };
         let lowest = separation + 1.001 * reach * break_away(largest).w - 1e-9 * (1.0 + separation.abs());
         let highest = separation + 1e-9 * (1.0 + separation.abs());
         let mut points: Vec<f64> = (0..=300).map(|i| lowest + (highest - lowest) * f64::from(i) / 300.0).collect();
-        let near = (-120..=120).map(|i| f64::from(i) * 0.05 / self.rho);
+        let near = (-120..=120).map(|i| f64::from(i) * 0.05 / self.rho).chain(ends.iter().copied());
         points.extend(near.filter(|z| *z > lowest && *z < highest));
         points.sort_by(f64::total_cmp);
         let mut depths: Vec<(f64, f64)> = points.iter().map(|&z| (z, self.depth(z, separation))).collect();
@@ -316,7 +339,7 @@ impl Surface {
         let mut cuts = vec![lower, upper];
         let inside = |z: &f64| *z > lower && *z < upper;
         cuts.extend(edges.iter().copied().chain([begin, 0.0]).chain(self.heights.cuts()).filter(inside));
-        if self.epsilon != 0.0 {
+        if self.has_radii() {
             cuts.extend([-3.0, -0.7, 0.7, 3.0].map(|x| x / self.rho).into_iter().filter(inside));
         }
         cuts.sort_by(f64::total_cmp);
