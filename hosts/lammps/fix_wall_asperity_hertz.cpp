@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "error.h"
+#include "force.h"
 #include "update.h"
 #include "utils.h"
 
@@ -23,7 +24,7 @@ int axis_of(const std::string &word) { return word == "x" ? 0 : word == "y" ? 1 
 
 }    // namespace
 
-FixWallAsperityHertz::FixWallAsperityHertz(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
+FixWallAsperityHertz::FixWallAsperityHertz(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), told_(lmp) {
     const Law::Words words = read_planes(narg, arg);
     try {
         law_ = Law::of(update->unit_style, words);
@@ -77,13 +78,14 @@ Law::Words FixWallAsperityHertz::read_planes(int narg, char **arg) {
     return words;
 }
 
-int FixWallAsperityHertz::setmask() { return FixConst::POST_FORCE; }
+int FixWallAsperityHertz::setmask() { return FixConst::POST_FORCE | FixConst::POST_RUN; }
 
 void FixWallAsperityHertz::init() {
     if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
         error->all(FLERR, "fix {} wall/asperity/hertz: grains need radius, mass and spin (atom_style sphere)", id);
     sums_ = Sums();
     driving_ = 0;
+    told_.begin();
 }
 
 void FixWallAsperityHertz::setup(int vflag) { post_force(vflag); }
@@ -113,7 +115,13 @@ void FixWallAsperityHertz::post_force(int) {
         }
     }
     apply(waiting, contacts, dt);
+    told_.add(sums_);
     driving_ += 0.5 * dt * dot(force_, velocity_);
+}
+
+// The pair style has told what is so at every load.
+void FixWallAsperityHertz::post_run() {
+    told_.say(std::string("fix ") + id + " wall/asperity/hertz", !force->pair_match("asperity/hertz", 0));
 }
 
 void FixWallAsperityHertz::meet(int i, double overlap, double side, double *history, Contact &c) const {

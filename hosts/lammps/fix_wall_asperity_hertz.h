@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fix.h"
-#include "law.h"
+#include "told.h"
 
 namespace LAMMPS_NS {
 
@@ -20,6 +20,7 @@ public:
     void init() override;
     void setup(int) override;
     void post_force(int) override;
+    void post_run() override;
     double compute_vector(int) override;
 
     void grow_arrays(int) override;
@@ -48,6 +49,7 @@ private:
     int of_grain_ = 0;                  // numbers of the histories of a grain at all walls
     std::vector<double> histories_;     // of_grain_ numbers of each grain
     asperity_lammps::Sums sums_;
+    asperity_lammps::Told told_;
     double force_[3] = {0, 0, 0};       // of the walls on the grains of this rank
     double driving_ = 0;                // work of the walls on these
 };

@@ -24,18 +24,10 @@ namespace {
 
 const char *const place = "_PLACE";
 enum { EXTRA = 8, SINGLE = 9 };
-// A run is warned of if the model holds for less of the load: a few light contacts, of which there are always some, say little.
-const double least_held = 0.99;
-
-std::string said_by(std::uint64_t warning) {
-    char text[512];
-    asperity_warnings_text(warning, text, sizeof text);
-    return text;
-}
 
 }    // namespace
 
-PairAsperityHertz::PairAsperityHertz(LAMMPS *lmp) : Pair(lmp) {
+PairAsperityHertz::PairAsperityHertz(LAMMPS *lmp) : Pair(lmp), told_(lmp) {
     single_enable = 1;
     no_virial_fdotr_compute = 1;
     centroidstressflag = CENTROID_NOTAVAIL;
@@ -133,8 +125,7 @@ void PairAsperityHertz::init_style() {
     freeze_bit_ = freezing.empty() ? 0 : freezing.front()->groupbit;
     find_radii();
     sums_ = Sums();
-    run_load_ = run_held_ = 0;
-    std::fill_n(run_few_, 3, 0.0);
+    told_.begin();
 }
 
 // The fix that keeps the histories, as long as the longest of them.
@@ -241,10 +232,7 @@ void PairAsperityHertz::compute(int eflag, int vflag) {
     }
     if (waiting > 0) apply(*law, waiting, contacts);
     if (!eflag_either) return;
-    run_load_ += sums_.load;
-    run_held_ += sums_.held;
-    const double few[] = {sums_.few, sums_.few_summits, sums_.few_scatter};
-    for (int k = 0; k < 3; k++) run_few_[k] += few[k];
+    told_.add(sums_);
     const double extra[EXTRA] = {sums_.elastic_energy, sums_.stick_energy, sums_.friction_work, sums_.damping_work,
                                  sums_.contacts, sums_.slipping, sums_.load, sums_.held};
     std::copy(extra, extra + EXTRA, pvector);
@@ -316,26 +304,8 @@ double PairAsperityHertz::single(int i, int j, int itype, int jtype, double, dou
     return r.elastic_energy(c.overlap);
 }
 
-// Says at the end of a run where the model does not hold, from the steps at which energies were printed.
-void PairAsperityHertz::finish() {
-    const double mine[5] = {run_load_, run_held_, run_few_[0], run_few_[1], run_few_[2]};
-    double all[5];
-    std::uint64_t warnings = 0, told = 0;
-    MPI_Allreduce(mine, all, 5, MPI_DOUBLE, MPI_SUM, world);
-    MPI_Allreduce(&sums_.warnings, &warnings, 1, MPI_UINT64_T, MPI_BOR, world);
-    MPI_Allreduce(&sums_.told, &told, 1, MPI_UINT64_T, MPI_BOR, world);
-    for (std::uint64_t bit = 1; comm->me == 0 && bit <= told; bit *= 2)
-        if (told & bit) error->warning(FLERR, "pair_style asperity/hertz: {}", said_by(bit));
-    if (comm->me == 0 && all[2] > (1 - least_held) * all[0])
-        error->warning(FLERR, "pair_style asperity/hertz: {:.3g} % of the load is on grains that touch on fewer than {:g} summits, {:.2g} on average: "
-                       "they have the mean friction of such contacts; expect +-{:.2g} % of a single one (95 %)",
-                       100 * all[2] / all[0], fewest_summits, all[3] / all[2], 100 * all[4] / all[2]);
-    if (comm->me != 0 || !(all[1] < least_held * all[0])) return;
-    for (std::uint64_t bit = 1; bit <= warnings; bit *= 2)
-        if (warnings & bit)
-            error->warning(FLERR, "pair_style asperity/hertz: the model holds for contacts with {:.3g} % of the load: {}",
-                           100 * all[1] / all[0], said_by(bit));
-}
+// From the steps at which energies were printed.
+void PairAsperityHertz::finish() { told_.say("pair_style asperity/hertz", true); }
 
 // ---- Restart files: the words of the script, from which the laws are made anew ----
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "law.h"
+#include "told.h"
 #include "pair.h"
 
 namespace LAMMPS_NS {
@@ -52,8 +52,7 @@ private:
     FixAsperityHistory *fix_history_ = nullptr;
     int freeze_bit_ = 0;
     asperity_lammps::Sums sums_;
-    double run_load_ = 0, run_held_ = 0;                           // summed over the steps that are printed
-    double run_few_[3] = {};    // the same of contacts of few summits, and times their number and scatter
+    asperity_lammps::Told told_;
 };
 
 }    // namespace LAMMPS_NS
