@@ -30,6 +30,7 @@ run_host() {
         status=1
     else
         "hosts/$host/run.sh" >"$logs/$host.log" 2>&1 || status=$?
+        [ "$status" -ne 0 ] || python3 hosts/page_numbers.py "$host" "$logs/$host.log" >>"$logs/$host.log" || status=$?
     fi
     echo "$status $((SECONDS - start))" >"$logs/$host.ended"
 }

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -52,3 +54,17 @@ def test_every_page_with_a_default_has_it_from_a_program(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     told = re.findall(rf"by default ({NUMBER})", text) + re.findall(rf"(?:at least|or) ({NUMBER}) steps", text)
     assert not [number for number in told if float(number) not in sources]
+
+
+@pytest.mark.parametrize("words, holds", [
+    ("within 3e-4 of it", True), ("within 1e-4 of it", False), ("within 4e-3 of it", False), ("0.2341 N", True), ("0.2351 N", False),
+    ("23.4 %", True), ("23.5 %", False), ("`0.777`, on 7 March 2026", True), ("of 117 runs", False),
+])  # fmt: skip
+def test_a_number_of_a_page_that_no_run_printed_is_found(words: str, holds: bool, root: Path, tmp_path: Path) -> None:
+    (tmp_path / "hosts" / "mock").mkdir(parents=True)
+    program = tmp_path / "hosts" / "page_numbers.py"
+    program.write_text((root / "hosts" / "page_numbers.py").read_text(encoding="utf-8"), encoding="utf-8")
+    (tmp_path / "hosts" / "mock" / "README.md").write_text(f"The friction is {words}.\n", encoding="utf-8")
+    (tmp_path / "log").write_text("friction 0.23412, off by 2.6e-04\n", encoding="utf-8")
+    done = subprocess.run([sys.executable, program, "mock", tmp_path / "log"], capture_output=True, text=True, check=False)
+    assert (done.returncode == 0) == holds, done.stdout
