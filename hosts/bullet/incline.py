@@ -19,7 +19,7 @@ def bodies():
     pybullet.resetSimulation()
     pybullet.setTimeStep(STEP)
     pybullet.setGravity(incline.DOWNHILL, 0, -incline.NORMAL)
-    floor = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[10, 10, 1])
+    floor = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[50, 10, 1])
     shape = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=incline.HALF_LENGTHS)
     plane = pybullet.createMultiBody(0, floor, basePosition=[0, 0, -1])
     box = pybullet.createMultiBody(incline.MASS, shape, basePosition=[0, 0, incline.HALF_LENGTHS[2]])
