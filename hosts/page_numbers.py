@@ -25,7 +25,7 @@ def numbers(text):
 
 def prose(page):
     """The page without its programs, links and dates."""
-    for code in (r"```.*?```", r"^ {4}(?! *\w+  PASS).*$", r"`[^`]*`", r"\]\([^)]*\)", r"\d+ [A-Z][a-z]+ 20\d\d", r"\(limit[^)]*\)", r"\d+\.\d s$"):
+    for code in (r"```.*?```", r"^ {4}(?! *\w+  PASS).*$", r"`[^`]*`", r"\]\([^)]*\)", r"\d+ [A-Z][a-z]+ 20\d\d", r"\d+\.\d s$"):
         page = re.sub(code, " ", page, flags=re.S if "```" in code else re.M)
     return page
 

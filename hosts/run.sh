@@ -2,7 +2,7 @@
 # Runs the law inside real solvers, two at a time, and prints one line for each; fails if one fails.
 #
 # usage: hosts/run.sh [HOST...]        all hosts/*/run.sh when none is named
-# The packages are those of `tests/setup.sh hosts`; what a host printed is left in target/hosts/HOST.log.
+# The packages are those of `tests/setup.sh hosts`; what a host printed is left in target/hosts/HOST.log, and its page is held to it.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 logs=$(realpath -m "${CARGO_TARGET_DIR:-target}")/hosts

@@ -64,20 +64,14 @@ def fit_over_integral(height):
 
 
 def main():
-    page = " ".join((Path(__file__).resolve().parent / "README.md").read_text(encoding="utf-8").split())
     print("  the fit over the integral F_5/2:", *(round(fit_over_integral(height), 3) for height in (0, 2, 3, 3.5)))
-    told = [f"{fit_over_integral(height):.3f}" for height in (0, 2, 3, 3.5)]
-    if f"{', '.join(told[:3])} and {told[3]} of the integral" not in page:
-        raise RuntimeError(f"README.md: the fit is {told} of the integral")
     law = asperity.Model(surface(AREA).replace(work_of_adhesion=0.0))  # oil wets the summits
     demand(law, PRESSURE * AREA / 2, 20 * PRESSURE * AREA)
-    curve, known = [], 0
+    curve = []
     for speed in np.geomspace(1e-7, 1, 15):
         outlet, (fluid, drag, contact, summits) = balanced(law, speed)
         curve.append((drag + summits) / (fluid + contact))
-        row = f"{speed:.0e} m/s | {outlet / SIGMA:.2f} sigma | {100 * contact / (fluid + contact):.2f} % | {curve[-1]:.4f} |"
-        print(f"  {row}")
-        known += row.replace("e-0", "e-").replace("1e+00", "1") in page
+        print(f"  {speed:.0e} m/s | {outlet / SIGMA:.2f} sigma | {100 * contact / (fluid + contact):.2f} % | {curve[-1]:.4f} |")
     fluid, drag, _, _ = pad(law, 1000 * SIGMA, 1.0)
     unit, log = VISCOSITY * LENGTH / (1000 * SIGMA), math.log(1 + WEDGE)
     smooth = 6 / WEDGE**2 * (log - 2 * WEDGE / (2 + WEDGE)) * unit * LENGTH / (1000 * SIGMA), (4 * log / WEDGE - 6 / (2 + WEDGE)) * unit
@@ -87,8 +81,6 @@ def main():
     exact = np.array([law.state_at_load(load).friction_force if load > 0 else 0 for load in loads]) / AREA
     slow = abs((drag + summits) / (np.sum(exact[1:] + exact[:-1]) / 2 * 40 * X[1]) - 1)
     same = abs(balanced(law, 1e-3)[0] / balanced(law, 1e-4, 10 * VISCOSITY)[0] - 1)  # only viscosity times speed counts
-    if known != page.count("sigma |"):
-        raise RuntimeError(f"README.md: {known} rows of the table are as found")
     good = film <= FILM_LIMIT and slow <= SLOW_LIMIT and same <= 1e-9 and min(curve) < curve[-1] and min(curve) < 0.1 * curve[0]
     return good, (
         f"friction {curve[0]:.3f} on summits, {min(curve):.4f} at least, {curve[-1]:.4f} on the film; film alone within {film:.0e} of "

@@ -1,4 +1,4 @@
-"""The numbers on the pages of hosts that programs and the library decide: limits, keys and lengths of states."""
+"""The numbers on the pages of hosts that the library decides, and the program that looks at all others, `hosts/page_numbers.py`."""
 
 from __future__ import annotations
 
@@ -11,29 +11,9 @@ import pytest
 
 from asperity import Model, Params
 
-NUMBER = r"\d+(?:\.\d+)?(?:e[-+]?\d+)?"
-PAGES = sorted(Path(__file__).parents[2].glob("hosts/*/README.md"))
 # Text of a page around the number that the library decides, and what is kept of a contact beside that of the library: held_pair of
 # mujoco/microslip.h, and SUMMITS of lammps/law.h.
 STATES = {"abaqus": (r"DEPVAR=(\d+)", 0), "lammps": (r"A contact has (\d+) numbers", 12), "mujoco": (r"State is (\d+) doubles", 10)}
-
-
-def literals(folder: Path) -> set[float]:
-    """The numbers in the programs of a host, and in those of all."""
-    programs = [path for path in (*folder.rglob("*"), *folder.parent.glob("*")) if path.is_file() and path.suffix != ".md"]
-    text = "\n".join(path.read_text(encoding="utf-8") for path in programs)
-    # Fortran's epsilon in single precision, as it is printed.
-    rounding = {1e-7} if re.search(r"\bepsilon\(", text) else set()
-    return rounding | {float(number) for number in re.findall(rf"(?<![\w.]){NUMBER}", text)}
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
-def test_every_limit_on_a_page_is_one_of_its_programs(page: Path) -> None:
-    known = literals(page.parent)
-    told = re.findall(rf"\(limit ({NUMBER}) ?(%)?", page.read_text(encoding="utf-8"))
-    wrong = [number + unit for number, unit in told if not any(
-        abs(float(number) * (0.01 if unit else 1) - each) <= 1e-9 * each for each in known)]  # fmt: skip
-    assert not wrong, f"{page}: limits that no program has: {wrong}"
 
 
 @pytest.mark.parametrize("host", STATES)
@@ -43,17 +23,6 @@ def test_the_length_of_a_state_is_that_of_the_library(host: str, root: Path) -> 
     with Model(Params.from_toml(root / "hosts" / "surface.toml")) as model:
         length = len(model.microslip().state)
     assert told and set(map(int, told)) == {length + beside}
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
-def test_every_page_with_a_default_has_it_from_a_program(page: Path) -> None:
-    """`by default 0.05 s, at least 40 steps`, `0.05 s, or 40 steps if that is more`."""
-    sources = literals(page.parent)
-    for path in (page.parents[2] / "python" / "src" / "asperity" / "hosts").glob("*.py"):
-        sources |= {float(number) for number in re.findall(rf"(?<![\w.]){NUMBER}", path.read_text(encoding="utf-8"))}
-    text = page.read_text(encoding="utf-8")
-    told = re.findall(rf"by default ({NUMBER})", text) + re.findall(rf"(?:at least|or) ({NUMBER}) steps", text)
-    assert not [number for number in told if float(number) not in sources]
 
 
 @pytest.mark.parametrize("words, holds", [
