@@ -68,6 +68,12 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_SLIP_PARTIAL = 0
   ! Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them
   integer(c_int32_t), parameter, public :: ASPERITY_SLIP_WHOLE = 1
+  ! Waves whose shape is not known: there may be none
+  integer(c_int32_t), parameter, public :: ASPERITY_WAVINESS_UNKNOWN = 0
+  ! Waves with long crests side by side, as turning and grinding leave: cos x
+  integer(c_int32_t), parameter, public :: ASPERITY_WAVINESS_RIDGES = 1
+  ! Waves in two directions, as lapping and scraping leave: cos x + cos y
+  integer(c_int32_t), parameter, public :: ASPERITY_WAVINESS_HILLS = 2
   ! Kind of names: parameters that are one number, in an order in which all can be copied
   integer(c_int32_t), parameter, public :: ASPERITY_NAMES_PARAMETERS = 0
   integer(c_int32_t), parameter, public :: ASPERITY_NAMES_MATERIALS = 1  ! Kind of names: materials
@@ -247,6 +253,14 @@ module asperity
                                                     ! surface [length], >= 0; 0, the default, means not known
     real(c_double) :: rms_slope                     ! Root mean square slope of the surface [-], Sdq, 0 to 5, with which
                                                     ! warnings judge; 0, the default, means not known
+    real(c_double) :: waviness_height               ! Wq [length], >= 0: root mean square height of the waves on which
+                                                    ! the roughness stands, of both surfaces together; 0, the default,
+                                                    ! means none
+    real(c_double) :: waviness_width                ! WSm [length], the width of a wave, with which the bodies give way;
+                                                    ! 0 by default
+    integer(c_int32_t) :: waviness_shape            ! What the waves are like, one of ASPERITY_WAVINESS_; unknown by
+                                                    ! default
+    integer(c_int32_t) :: reserved                  ! Not read
     real(c_double) :: length_unit                   ! Unit of all lengths, in metres [-], > 0; 1 by default
     real(c_double) :: force_unit                    ! Unit of all forces, in newtons [-], > 0; 1 by default
   end type asperity_params

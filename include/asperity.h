@@ -112,6 +112,12 @@
 #define ASPERITY_SLIP_PARTIAL 0
 /** Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them. */
 #define ASPERITY_SLIP_WHOLE 1
+/** Waves whose shape is not known: there may be none. */
+#define ASPERITY_WAVINESS_UNKNOWN 0
+/** Waves with long crests side by side, as turning and grinding leave: cos x. */
+#define ASPERITY_WAVINESS_RIDGES 1
+/** Waves in two directions, as lapping and scraping leave: cos x + cos y. */
+#define ASPERITY_WAVINESS_HILLS 2
 /** Kind of names: parameters that are one number, in an order in which all can be copied. */
 #define ASPERITY_NAMES_PARAMETERS 0
 /** Kind of names: materials. */
@@ -337,6 +343,15 @@ typedef struct asperity_params {
   double summit_mean_height;
   /** Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known. */
   double rms_slope;
+  /** Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces together; 0, the default,
+   * means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30 `height_std`, with `waviness_width`,
+   * `waviness_shape` and `nominal_area`, and without adhesion. */
+  double waviness_height;
+  /** WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of
+   * summits, and the mean wave of the roughness; at most the root of `nominal_area`. */
+  double waviness_width;
+  /** What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default. */ int32_t waviness_shape;
+  /** Not read. */ int32_t reserved;
   /** Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it. */
   double length_unit;
   /** Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it. */

@@ -672,6 +672,24 @@ public:
     /// Sets it.
     Params &rms_slope(double value) noexcept { return assign(c_.rms_slope, value); }
 
+    /// Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces
+    /// together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30
+    /// `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
+    double waviness_height() const noexcept { return c_.waviness_height; }
+    /// Sets it.
+    Params &waviness_height(double value) noexcept { return assign(c_.waviness_height, value); }
+
+    /// WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the
+    /// distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
+    double waviness_width() const noexcept { return c_.waviness_width; }
+    /// Sets it.
+    Params &waviness_width(double value) noexcept { return assign(c_.waviness_width, value); }
+
+    /// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default.
+    bool waviness_shape() const noexcept { return c_.waviness_shape != 0; }
+    /// Sets it.
+    Params &waviness_shape(bool value) noexcept { return assign(c_.waviness_shape, value ? 1 : 0); }
+
     /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
     double length_unit() const noexcept { return c_.length_unit; }
     /// Sets it.

@@ -65,5 +65,5 @@ pub use model::validity::{
 };
 pub use model::{Model, State, Summary};
 pub use params::spectrum::SpectralMoments;
-pub use params::{ContactLawKind, HeightFamily, Params};
+pub use params::{ContactLawKind, HeightFamily, Params, Waviness, WavinessShape};
 pub use specimens::{spread, Held, Specimens};

@@ -31,6 +31,9 @@ export const CONSTANTS = /** @type {const} */ ({
   "CONTACT_ELASTIC_PLASTIC": 1,
   "SLIP_PARTIAL": 0,
   "SLIP_WHOLE": 1,
+  "WAVINESS_UNKNOWN": 0,
+  "WAVINESS_RIDGES": 1,
+  "WAVINESS_HILLS": 2,
   "NAMES_PARAMETERS": 0,
   "NAMES_MATERIALS": 1,
   "NAMES_PAIRS": 2,
@@ -117,7 +120,7 @@ export const LAYOUTS = {
     ],
   },
   asperity_params: {
-    size: 280,
+    size: 304,
     fields: [
       { name: "struct_size", type: "uint64_t", offset: 0 },
       { name: "composite_modulus", type: "double", offset: 8 },
@@ -155,8 +158,12 @@ export const LAYOUTS = {
       { name: "calibration_error", type: "double", offset: 240 },
       { name: "summit_mean_height", type: "double", offset: 248 },
       { name: "rms_slope", type: "double", offset: 256 },
-      { name: "length_unit", type: "double", offset: 264 },
-      { name: "force_unit", type: "double", offset: 272 },
+      { name: "waviness_height", type: "double", offset: 264 },
+      { name: "waviness_width", type: "double", offset: 272 },
+      { name: "waviness_shape", type: "int32_t", offset: 280 },
+      { name: "reserved", type: "int32_t", offset: 284 },
+      { name: "length_unit", type: "double", offset: 288 },
+      { name: "force_unit", type: "double", offset: 296 },
     ],
   },
   asperity_microslip: {
@@ -416,6 +423,9 @@ export const FUNCTIONS = {
  * @property {number} [calibration_error] Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
  * @property {number} [summit_mean_height] Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
  * @property {number} [rms_slope] Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
+ * @property {number} [waviness_height] Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
+ * @property {number} [waviness_width] WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
+ * @property {boolean} [waviness_shape] What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default.
  * @property {number} [length_unit] Unit of all lengths, in metres [-], > 0; 1 by default.
  * @property {number} [force_unit] Unit of all forces, in newtons [-], > 0; 1 by default.
  */

@@ -4,7 +4,7 @@ use super::draft::{Draft, NO_FAMILY};
 use crate::asperity::slip::SlipOnset;
 use crate::error::Error;
 use crate::materials::names::c_string;
-use crate::params::ContactLawKind;
+use crate::params::{ContactLawKind, WavinessShape};
 use std::ffi::CStr;
 
 /// A parameter that is one number.
@@ -55,6 +55,10 @@ macro_rules! with_fields {
             calibration_error: params.calibration_error;
             summit_mean_height "length": params.summit_mean_height;
             rms_slope: params.rms_slope;
+            waviness_height "length": params.waviness.height;
+            waviness_width "length": params.waviness.width;
+            waviness_shape: params.waviness.shape as &["unknown", "ridges", "hills"],
+                    "must be one of ASPERITY_WAVINESS_: UNKNOWN (0), RIDGES (1), HILLS (2)";
             contact_law: params.contact_law as &["maugis", "elastic-plastic"],
                     "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)";
             slip_onset: params.slip_onset as &["partial", "whole"],
@@ -83,7 +87,7 @@ macro_rules! fields {
     };
 }
 
-pub static FIELDS: &[Field; 32] = with_fields!(fields);
+pub static FIELDS: &[Field; 35] = with_fields!(fields);
 
 /// A number of a parameter, whatever its type.
 pub trait Number {
@@ -129,6 +133,7 @@ macro_rules! choice {
 
 choice! { bool: false, true }
 choice! { ContactLawKind: ContactLawKind::Maugis, ContactLawKind::ElasticPlastic }
+choice! { WavinessShape: WavinessShape::Unknown, WavinessShape::Ridges, WavinessShape::Hills }
 choice! { SlipOnset: SlipOnset::Partial, SlipOnset::Whole }
 
 impl Field {

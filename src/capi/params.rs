@@ -28,6 +28,13 @@ pub const ASPERITY_SLIP_PARTIAL: i32 = 0;
 /// Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them.
 pub const ASPERITY_SLIP_WHOLE: i32 = 1;
 
+/// Waves whose shape is not known: there may be none.
+pub const ASPERITY_WAVINESS_UNKNOWN: i32 = 0;
+/// Waves with long crests side by side, as turning and grinding leave: cos x.
+pub const ASPERITY_WAVINESS_RIDGES: i32 = 1;
+/// Waves in two directions, as lapping and scraping leave: cos x + cos y.
+pub const ASPERITY_WAVINESS_HILLS: i32 = 2;
+
 /// Two rough surfaces in contact, as one equivalent rough surface against a flat.
 ///
 /// Start from `asperity_params_init`, which sets `struct_size` and every default. Then set the eight physical inputs,
@@ -134,6 +141,17 @@ pub struct asperity_params {
     pub summit_mean_height: f64,
     /// Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
     pub rms_slope: f64,
+    /// Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces together; 0, the default,
+    /// means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30 `height_std`, with `waviness_width`,
+    /// `waviness_shape` and `nominal_area`, and without adhesion.
+    pub waviness_height: f64,
+    /// WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of
+    /// summits, and the mean wave of the roughness; at most the root of `nominal_area`.
+    pub waviness_width: f64,
+    /// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0.
+    pub waviness_shape: i32,
+    /// Not read.
+    pub reserved: i32,
     /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
     pub length_unit: f64,
     /// Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it.

@@ -5,17 +5,19 @@
 
 mod fall;
 mod pull_off;
+mod waves;
 
 pub use pull_off::PullOff;
+pub use waves::{hills, ridges, Even, Local, Place, Waves};
 
 use crate::asperity::slip::Slip;
 use crate::error::Error;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::root::MOST_STEPS;
-use crate::population::{Population, Sums};
+use crate::population::{Microslip, Population, Statistics, Sums};
 use fall::Fall;
 use pull_off::End;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// No separation on the branch is smaller, in sigma: the softest summits that flow carry more than the heaviest load there.
 const CLOSEST: f64 = -1e90;
@@ -30,6 +32,8 @@ const LOG_LIGHTEST_LOAD: f64 = -690.0;
 #[derive(Debug, Clone)]
 pub struct Branch {
     population: Population,
+    /// Those on which the population stands, if any.
+    waves: Option<Arc<Waves>>,
     kinks: Vec<f64>,
     end: End,
     /// The load minus the pull-off load near that, if there is one, once it is asked for.
@@ -45,6 +49,8 @@ pub struct BranchPoint {
     pub rate: f64,
     /// The sums over the summits.
     pub sums: Sums,
+    /// The gap between the mean planes, in sigma, where waves tell it at once.
+    pub gap: Option<f64>,
 }
 
 impl Branch {
@@ -69,7 +75,15 @@ impl Branch {
 
     fn ending(population: Population, end: End) -> Self {
         let kinks = population.kinks();
-        Self { population, kinks, end, fall: OnceLock::new() }
+        Self { population, waves: None, kinks, end, fall: OnceLock::new() }
+    }
+
+    /// The branch of the same population on waves, without adhesion.
+    pub fn on_waves(self, waves: Waves) -> Self {
+        let mut kinks: Vec<f64> = self.kinks.iter().flat_map(|&kink| waves.separations_at(kink)).collect();
+        kinks.sort_by(f64::total_cmp);
+        let end = End { farthest: self.end.farthest + waves.highest(), ..self.end };
+        Self { waves: Some(Arc::new(waves)), kinks, end, ..self }
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
@@ -78,12 +92,12 @@ impl Branch {
         Ok(Self { end, fall: OnceLock::new(), ..self })
     }
 
-    /// The branch of the same summits with other slip stresses at the same radii.
+    /// The branch of the same summits with other slip stresses at the same radii, of which sums are asked and not what is compiled.
     pub fn with_slip(&self, slip: Slip) -> Self {
         let population = self.population.with_slip(slip);
         let sums = |point: PullOff| PullOff { sums: population.at_separation(point.separation), ..point };
         let end = End { pull_off: self.end.pull_off.map(sums), ..self.end };
-        Self { end, kinks: self.kinks.clone(), fall: OnceLock::new(), population }
+        Self { end, waves: self.waves.clone(), kinks: self.kinks.clone(), fall: OnceLock::new(), population }
     }
 
     /// Gives back what is tabulated of the population until sums are asked for.
@@ -118,13 +132,77 @@ impl Branch {
 
     /// The state at a separation on the branch; next to pull-off with few digits of ln(load - pull-off load).
     pub fn point(&self, separation: f64) -> BranchPoint {
-        let sums = self.population.at_separation(separation);
-        Self::point_of(sums, sums.load() - self.pull_off_load())
+        let (sums, gap) = match &self.waves {
+            Some(waves) => {
+                let (sums, gap) = waves.compiled(separation);
+                (sums, Some(gap))
+            }
+            None => (self.population.at_separation(separation), None),
+        };
+        BranchPoint { gap, ..Self::point_of(sums, sums.load() - self.pull_off_load()) }
+    }
+
+    /// The sums at a separation.
+    pub fn sums(&self, separation: f64) -> Sums {
+        let exact = |separation: f64| self.population.at_separation(separation);
+        self.waves
+            .as_ref()
+            .map_or_else(|| exact(separation), |waves| waves.mean(separation, |at| exact(at.separation)).0)
+    }
+
+    /// The gap between the mean planes at a separation, in sigma, where waves tell it.
+    pub fn gap(&self, separation: f64) -> Option<f64> {
+        self.waves.as_ref().map(|waves| waves.compiled(separation).1)
+    }
+
+    /// The parts of the surface that touch, each at its separation, where it has these sums.
+    fn places(&self, separation: f64, sums: &Sums) -> Vec<Place> {
+        match &self.waves {
+            Some(waves) => waves.places(separation, |separation| self.population.at_separation(separation)),
+            None => vec![Place { part: 1.0, separation, displaced: 1.0, sums: *sums }],
+        }
+    }
+
+    /// The contacts at a separation with these sums, of which `number` are expected on the surface.
+    ///
+    /// # Errors
+    /// As [`Population::statistics`], and the next as [`Population::microslip`].
+    pub fn statistics(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
+        let places = self.places(separation, sums);
+        let all: f64 = places.iter().map(|at| at.part * at.sums.contacting).sum();
+        let mut mean = Statistics::default();
+        for Place { part, separation, sums, .. } in places {
+            let part = part * sums.contacting / all;
+            mean.add(&self.population.statistics(separation, number * part)?, part);
+        }
+        Ok(mean)
+    }
+
+    /// The contacts at a separation with these sums, displaced so far that one that sticks bears this force times its radius; and the force as
+    /// patches that have merged bear it.
+    pub fn microslip(&self, separation: f64, sums: &Sums, force_over_radius: f64) -> Result<Microslip, Error> {
+        let mut all = Microslip::default();
+        for Place { part, separation, displaced, sums } in self.places(separation, sums) {
+            let merging = 1.0 - sums.lost_to_merging;
+            let one = self.population.microslip(separation, force_over_radius * displaced / merging)?;
+            all.force += part * merging * one.force;
+            all.sticking += part * displaced * one.sticking;
+            all.radius += part * displaced * one.radius;
+        }
+        Ok(all)
+    }
+
+    /// As [`Population::lost_to_slip`]. On waves, of which each place is displaced as if all stuck, to some three digits.
+    pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; 3]; N]> {
+        match &self.waves {
+            Some(waves) => waves.lost_to_slip(separation, force_over_radius),
+            None => self.population.lost_to_slip(separation, force_over_radius),
+        }
     }
 
     /// The state at a separation on the branch.
     pub fn log_excess(&self, separation: f64) -> BranchPoint {
-        let sums = self.population.at_separation(separation);
+        let sums = self.sums(separation);
         let difference = sums.load() - self.pull_off_load();
         let is_near = difference < FARTHEST_FALL * -self.pull_off_load();
         let fall = self.end.pull_off.filter(|_| is_near).and_then(|pull_off| {
@@ -136,7 +214,7 @@ impl Branch {
 
     fn point_of(sums: Sums, excess: f64) -> BranchPoint {
         // A logarithm as small as can be stands for that of nothing, but not in its slope.
-        BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums }
+        BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums, gap: None }
     }
 
     /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by
@@ -154,7 +232,7 @@ impl Branch {
         };
         let mut last_step = f64::MAX;
         for _ in 0..MOST_STEPS {
-            let BranchPoint { log_excess, rate, sums } = self.log_excess(separation);
+            let BranchPoint { log_excess, rate, sums, .. } = self.log_excess(separation);
             sums.known(separation)?;
             let residual = log_excess - target;
             if residual >= 0.0 {

@@ -11,8 +11,8 @@ use super::position::Positions;
 use super::states::{Knots, States, Stretch, Unfollowed, SHORTEST};
 use super::tolerance::larger;
 use super::{Quantity, Reach};
-use crate::equilibrium::Branch;
-use crate::numerics::elementary::{exp_each, log};
+use crate::equilibrium::{Branch, Local};
+use crate::numerics::elementary::{exp, exp_each, log};
 
 /// Slopes over a panel shorter than this hardly change values: they may be off by more, as the root of how often it is shorter.
 const SHORT: f64 = 0.02;
@@ -159,7 +159,7 @@ impl Curve {
 
     /// The gap of a separation.
     pub fn gap(&self, separation: f64) -> f64 {
-        self.planes.as_ref().map_or(separation, |planes| planes.gap(separation))
+        self.planes.as_ref().map_or(separation, |planes| planes.gap(separation).0)
     }
 
     /// The load and d(load)/d(gap) at neighbouring gaps, dimensionless.
@@ -208,6 +208,43 @@ impl Curve {
     /// The separation at which the load is 0, to a few digits, where adhesion makes it negative at the end.
     pub fn separation_of_zero_load(&self) -> Option<f64> {
         self.separation(self.coordinate.log_pull_off?)
+    }
+
+    /// Load and gap at a separation, with their slopes. Beyond the heavy end these, as the next, go on as straight lines.
+    pub fn local(&self, separation: f64) -> Local {
+        let position = self.positions.position(separation);
+        let gap = self.planes.as_ref().map_or((separation, 1.0), |planes| planes.gap_at(separation, position));
+        let load = self.at(separation, position, |panel, position| {
+            let (s, rate) = panel.s_at(position);
+            let (load, by_s) = self.coordinate.load(s);
+            (load, by_s * rate)
+        });
+        Local { separation, gap, load }
+    }
+
+    /// The quantities at a separation, with their slopes.
+    pub fn quantities(&self, separation: f64) -> [(f64, f64); Quantity::COUNT] {
+        let position = self.positions.position(separation);
+        Quantity::ALL.map(|quantity| {
+            self.at(separation, position, |panel, position| {
+                let (s, rate) = panel.s_at(position);
+                let [(log_value, slope)] = panel.log_value_at(quantity, [s]);
+                let value = exp(log_value);
+                (value, value * slope * rate)
+            })
+        })
+    }
+
+    /// What has a value and a slope by position at a separation and its position, with its slope by separation: 0 beyond the light end.
+    fn at(&self, separation: f64, position: f64, of: impl Fn(&CurvePanel, f64) -> (f64, f64)) -> (f64, f64) {
+        let Some(panel) = self.panels.get(self.panels.partition_point(|panel| panel.end < position)) else {
+            return (0.0, 0.0);
+        };
+        let is_beyond = position < panel.begin;
+        let at = if is_beyond { self.positions.separation(panel.begin) } else { separation };
+        let (value, by_position) = of(panel, position.max(panel.begin));
+        let slope = by_position / self.positions.rates(at).0;
+        (value + slope * (separation - at), slope)
     }
 
     fn panel(&self, s: f64) -> &CurvePanel {

@@ -19,9 +19,9 @@ mod states;
 mod table;
 pub mod tolerance;
 
-use crate::equilibrium::Branch;
+use crate::equilibrium::{Branch, Even, Local};
 use crate::memory::Limits;
-use crate::numerics::elementary::{exp, log};
+use crate::numerics::elementary::{exp, log, log1p};
 use crate::population::Sums;
 pub use continuation::Beyond;
 #[cfg(target_arch = "x86_64")]
@@ -30,6 +30,7 @@ use curve::Curve;
 use fill::{Filling, Source};
 pub use gap::Gap;
 use planes::Planes;
+use std::sync::Arc;
 
 pub use gap::Lengths;
 pub use row::{polynomial, Row};
@@ -57,6 +58,9 @@ const LIGHTEST_PULL_OFF: f64 = 1e-30;
 const DEEPEST_OF_RADIUS: f64 = 1.0 / 200.0;
 const DEEPEST: f64 = 1e6;
 const HEAVIEST_OF_PULL_OFF: f64 = 1e4;
+/// Places of waves bear loads that are lighter and heavier than these, as logarithms; crests more, where nothing gives way.
+const LIGHTER_PLACES: f64 = 40.0;
+const HEAVIER_PLACES: f64 = 3.0;
 /// The curve is farther from exact states than at those that it is compared with by up to so many times, and rows from the curve.
 const FARTHEST_OF_CURVE: f64 = 5.0;
 const FARTHEST_OF_ROW: f64 = 1.5;
@@ -159,16 +163,22 @@ impl Law {
             Compiled::new(branch, &curve, reach, quantity, scale)
         });
         let table = &compiled[Quantity::Friction as usize].table;
-        let contacts = |x: f64| {
-            let log_excess = log(x) - log(load);
-            let separation = curve.separation(log_excess)?;
-            let [[(friction, _)], [(radius, _)]] = Quantity::ALL.map(|quantity| curve.at_each(quantity, [log_excess]));
-            Some([separation, friction / radius])
-        };
-        let ends = [table.begin_of(0), table.begin_of(table.row_count)];
-        let limits = Limits::new(branch.population(), ends, &contacts);
+        let limits = limits(branch, &curve, [table.begin_of(0), table.begin_of(table.row_count)], load);
         let gap = Gap::new(branch, &curve, reach, lengths, load);
         Ok(Self { compiled, gap, planes: curve.into_planes(), limits })
+    }
+
+    /// The law of a branch as waves of this height at most, in sigma, are followed by.
+    ///
+    /// # Errors
+    /// As [`Law::new`].
+    pub fn even(branch: &Branch, highest: f64) -> Result<Arc<dyn Even>, Unfollowed> {
+        let reach = Reach::of(branch);
+        let log_lightest = reach.log_lightest - LIGHTER_PLACES;
+        let log_heaviest = reach.log_heaviest + HEAVIER_PLACES + 1.5 * log1p(highest);
+        let curve = Curve::new(branch, &Reach { log_lightest, log_heaviest, ..reach }, None)?;
+        let limits = limits(branch, &curve, [reach.log_lightest, log_heaviest].map(exp), 1.0);
+        Ok(Arc::new(Flat { curve, limits }))
     }
 
     /// The table of a quantity.
@@ -196,7 +206,7 @@ impl Law {
 
     /// A separation and its gap, in sigma.
     pub fn anchor(&self, separation: f64) -> (f64, f64) {
-        (separation, self.planes.as_ref().map_or(separation, |planes| planes.gap(separation)))
+        (separation, self.planes.as_ref().map_or(separation, |planes| planes.gap(separation).0))
     }
 
     /// The separation of the population at a gap in the caller's unit.
@@ -219,6 +229,38 @@ impl Law {
     /// The largest relative error found when the table of a quantity was built.
     pub fn error(&self, quantity: Quantity) -> f64 {
         self.compiled[quantity as usize].error
+    }
+}
+
+/// The limits of the levels of stiffness between two values of load - pull-off, in units of load.
+fn limits(branch: &Branch, curve: &Curve, ends: [f64; 2], load: f64) -> Limits {
+    let contacts = |x: f64| {
+        let log_excess = log(x) - log(load);
+        let separation = curve.separation(log_excess)?;
+        let [[(friction, _)], [(radius, _)]] = Quantity::ALL.map(|quantity| curve.at_each(quantity, [log_excess]));
+        Some([separation, friction / radius])
+    };
+    Limits::new(branch, ends, &contacts)
+}
+
+/// What waves follow of the surface that they carry.
+#[derive(Debug)]
+struct Flat {
+    curve: Curve,
+    limits: Limits,
+}
+
+impl Even for Flat {
+    fn local(&self, separation: f64) -> Local {
+        self.curve.local(separation)
+    }
+
+    fn quantities(&self, separation: f64) -> [(f64, f64); Quantity::COUNT] {
+        self.curve.quantities(separation)
+    }
+
+    fn lost_to_slip(&self, load: f64, displacement: f64) -> [f64; 2] {
+        self.limits.lost(load, displacement)
     }
 }
 

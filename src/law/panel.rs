@@ -21,6 +21,8 @@ pub type PerQuantity = [f64; Quantity::COUNT];
 pub struct Sample {
     pub separation: f64,
     pub position: f64,
+    /// Where it is known without an integral.
+    pub gap: Option<f64>,
     /// d(gap)/d(position).
     pub gap_rate: f64,
     /// 1 - psi, and its slope by position.

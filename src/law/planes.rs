@@ -2,7 +2,7 @@
 //! surface gives way by from d to infinity (`population::crowding`), and the separation of a gap. Without a nominal area both are the same.
 //!
 //! In each panel of the curve 1 - psi is a polynomial through the panel's exact states, with its slopes; load and contact radius are
-//! those of the curve. From pull-off on, or beyond the lightest load, gaps are separations. Farther in compression than the first
+//! those of the curve. On waves the gaps of these states are known. From pull-off on, or beyond the lightest load, gaps are separations. Farther in compression than the first
 //! panel, gaps change at the rate with which it begins. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
 use super::coordinate::Coordinate;
@@ -55,6 +55,14 @@ impl PlanesPanel {
     ) -> Self {
         let of = |number: fn(&Sample) -> f64| nodes.each_ref().map(number);
         let (places, rates) = (of(|node| node.position), of(|node| node.gap_rate));
+        let (begin, end) = (places[0], places[PANEL_NODES - 1]);
+        let through = |rises: [f64; PANEL_NODES]| {
+            let rise = Hermite::new(places, rises, rates);
+            Self { begin, end, begin_gap: 0.0, end_gap: rises[PANEL_NODES - 1], rise }
+        };
+        if let Some(first) = nodes[0].gap {
+            return through(nodes.each_ref().map(|node| node.gap.unwrap_or(f64::NAN) - first));
+        }
         let crowding = Hermite::new(places, of(|node| node.crowding.0), of(|node| node.crowding.1));
         let rate = |position: f64| {
             let (off, (s, s_rate)) = (crowding.at(position).0, panel.s_at(position));
@@ -64,13 +72,11 @@ impl PlanesPanel {
             positions.rates(positions.separation(position)).0 + off * load_rate.min(0.0) / elastic
         };
         let (mut rise, mut last) = (0.0, places[0]);
-        let rises = places.map(|position| {
+        through(places.map(|position| {
             rise += integrate_short(last, position, rate);
             last = position;
             rise
-        });
-        let rise = Hermite::new(places, rises, rates);
-        Self { begin: places[0], end: last, begin_gap: 0.0, end_gap: rises[PANEL_NODES - 1], rise }
+        }))
     }
 
     /// How far the rate is off at a state that is not a node, over the tolerance of what that makes of gaps and of their slopes.
@@ -80,9 +86,10 @@ impl PlanesPanel {
         larger(of_gap / tolerance::VALUE, off / state.gap_rate / tolerance::SLOPE)
     }
 
-    /// The gap at a position.
-    fn gap(&self, position: f64) -> f64 {
-        self.begin_gap + self.rise.at(position).0
+    /// The gap at a position, and its slope by that.
+    fn gap(&self, position: f64) -> (f64, f64) {
+        let (rise, rate) = self.rise.at(position);
+        (self.begin_gap + rise, rate)
     }
 
     /// The position at each of several gaps, and its slope.
@@ -125,7 +132,7 @@ impl Planes {
 
     /// With gaps so much larger that one is that of a separation.
     pub fn anchored(mut self, (separation, gap): (f64, f64)) -> Self {
-        let lead = gap - self.gap(separation);
+        let lead = gap - self.gap(separation).0;
         for panel in &mut self.panels {
             panel.begin_gap += lead;
             panel.end_gap += lead;
@@ -158,13 +165,23 @@ impl Planes {
         }
     }
 
-    /// The gap at a separation.
-    pub fn gap(&self, separation: f64) -> f64 {
-        let position = self.positions.position(separation);
+    /// The gap at a separation, and its slope.
+    pub fn gap(&self, separation: f64) -> (f64, f64) {
+        self.gap_at(separation, self.positions.position(separation))
+    }
+
+    /// The same at a separation of which this is the position.
+    pub fn gap_at(&self, separation: f64, position: f64) -> (f64, f64) {
         match self.panels.get(self.panels.partition_point(|panel| panel.end < position)) {
-            Some(panel) if position >= panel.begin => panel.gap(position),
-            Some(panel) => panel.begin_gap + (separation - self.positions.separation(panel.begin)) * self.first_rate,
-            None => separation + self.lead,
+            Some(panel) if position >= panel.begin => {
+                let (gap, rate) = panel.gap(position);
+                (gap, rate / self.positions.rates(separation).0)
+            }
+            Some(panel) => {
+                let beyond = separation - self.positions.separation(panel.begin);
+                (panel.begin_gap + beyond * self.first_rate, self.first_rate)
+            }
+            None => (separation + self.lead, 1.0),
         }
     }
 }

@@ -29,13 +29,14 @@ impl Positions {
         }
     }
 
-    /// The position of a separation.
+    /// The position of a separation; infinite where nothing is left.
     pub fn position(self, separation: f64) -> f64 {
         match self {
             Self::Around { middle, turn } => {
                 let size = ((separation - middle) / turn).abs();
                 (TURN * log1p(size + size * size / (1.0 + (1.0 + size * size).sqrt()))).copysign(separation - middle)
             }
+            Self::Below { highest } if separation >= highest => f64::INFINITY,
             Self::Below { highest } => -log(highest - separation),
         }
     }

@@ -83,7 +83,7 @@ impl States<'_> {
     /// The state at a position on the branch, of which this is the separation.
     fn of(&mut self, position: f64, separation: f64) -> Result<Sample, Unfollowed> {
         self.count += 1;
-        let BranchPoint { log_excess, rate, sums } = self.branch.point(separation);
+        let BranchPoint { log_excess, rate, sums, gap } = self.branch.point(separation);
         // A load below that of the end is as far above it as can be told.
         if !(rate < 0.0 && sums.friction > 0.0 && log_excess > log(f64::MIN_POSITIVE)) {
             return Err(Unfollowed { separation });
@@ -94,6 +94,7 @@ impl States<'_> {
         Ok(Sample {
             separation,
             position,
+            gap,
             gap_rate: sums.approach_of_planes() * position_rate,
             crowding: (sums.crowding.0, sums.crowding.1 * position_rate),
             log_excess,
@@ -122,6 +123,7 @@ impl States<'_> {
         Some(Sample {
             separation,
             position: self.positions.position(separation),
+            gap: None,
             gap_rate: position_rate,
             crowding: (sums.crowding.0, sums.crowding.1 * position_rate),
             log_excess: f64::NEG_INFINITY,

@@ -2,9 +2,9 @@
 
 use super::strengths::{self, Strengths, LEVEL_NODES};
 use super::{PerLevel, LEVELS};
+use crate::equilibrium::Branch;
 use crate::numerics::float_bits::{power_of_two, MANTISSA_BITS};
 use crate::numerics::four::Four;
-use crate::population::Population;
 
 /// There is a row at each load that is a power of two; the contacts are asked at every so many in any case.
 const MOST_BINADES: usize = 16;
@@ -23,11 +23,11 @@ pub struct Limits {
 impl Limits {
     /// The limits between two values of load - pull-off. `contacts` gives the separation at such a value, and the friction force over
     /// the sum of contact radii; `None` where they are not known.
-    pub fn new(population: &Population, ends: [f64; 2], contacts: &dyn Fn(f64) -> Option<[f64; 2]>) -> Self {
+    pub fn new(branch: &Branch, ends: [f64; 2], contacts: &dyn Fn(f64) -> Option<[f64; 2]>) -> Self {
         let [first, last] = ends.map(|x| x.to_bits() >> MANTISSA_BITS);
         let at = |row: usize, near: &Strengths| {
             let [separation, unit] = contacts(power_of_two(first + row as u64))?;
-            strengths::of_contacts(population, separation, unit, near)
+            strengths::of_contacts(branch, separation, unit, near)
         };
         let (end, equal) = ((last - first).max(1) as usize - 1, strengths::of_equal_contacts());
         // What is not known is taken from the next lighter load; most likely the lightest is the one that is not.
@@ -80,6 +80,14 @@ impl Limits {
             }
         }
         strengths::shares_of_cut::<V, SLOPES>(&nodes, &node_slopes, cut, shares, slopes);
+    }
+
+    /// By how much less than contacts that stick those at load - pull-off resist a displacement, over strength by stiffness: the force
+    /// over the strength, and the part of the stiffness.
+    pub fn lost(&self, x: f64, displacement: f64) -> [f64; 2] {
+        let (before, after, part, _) = self.around(x);
+        let (from, to) = (before.lost(displacement), after.lost(displacement));
+        [0, 1].map(|i| from[i] + part * (to[i] - from[i]))
     }
 
     /// The rows around load - pull-off, what part of the way it is from one to the next, and its slope.

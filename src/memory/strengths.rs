@@ -9,9 +9,9 @@
 //! ```
 
 use super::{PerEdge, PerLevel, EDGES, LEVELS, NO_EDGE};
+use crate::equilibrium::Branch;
 use crate::numerics::float_bits::{power_of_two, MANTISSA_BITS};
 use crate::numerics::four::{Four, Portable};
-use crate::population::Population;
 
 /// H is tabulated against s, at nodes found from the bits of v = 1/s - 1: at 0, and at powers of two from 2^-7 to 2^5.
 const LEAST_EXPONENT: u64 = 1023 - 7;
@@ -62,6 +62,27 @@ impl Strengths {
         Self::of_nodes(std::array::from_fn(|i| [of(i, 0), of(i, 1)]))
     }
 
+    /// x - Phi and 1 - its slope at a displacement, over strength by stiffness.
+    pub fn lost(&self, x: f64) -> [f64; 2] {
+        let at = |node: usize| {
+            let ([above, limit], given_up) = (self.nodes[node].map(f64::from), 1.0 - NODES_AT[node]);
+            [limit, given_up * limit - above, given_up]
+        };
+        let last = at(LEVEL_NODES - 1);
+        // Beyond the last node the slope of Phi falls evenly.
+        let end = last[0] + 2.0 * (1.0 - last[0] + last[1]) / (1.0 - last[2]);
+        let node = (1..LEVEL_NODES).find(|&node| at(node)[0] > x).unwrap_or(LEVEL_NODES);
+        let [from, to] = [at(node - 1), if node < LEVEL_NODES { at(node) } else { [end, end - 1.0, 1.0] }];
+        let width = to[0] - from[0];
+        if x >= to[0] || width <= 0.0 {
+            return [x - 1.0, 1.0];
+        }
+        let (t, low, high, rise) = ((x - from[0]) / width, width * from[2], width * to[2], to[1] - from[1]);
+        let (c, d) = (3.0 * rise - 2.0 * low - high, low + high - 2.0 * rise);
+        let lost = from[1] + t * (low + t * (c + t * d));
+        [lost.max(x - 1.0), ((low + t * (2.0 * c + 3.0 * t * d)) / width).clamp(0.0, 1.0)]
+    }
+
     /// X at the nodes and between them, about.
     fn places(&self) -> [f64; SAMPLES] {
         let at = |node: usize| f64::from(self.nodes[node][1]);
@@ -79,10 +100,10 @@ impl Strengths {
 
 /// The strength of the levels of the contacts at a separation, which may be near to this; `None` where they cannot be asked. `unit` is
 /// the friction force over the sum of contact radii: it says about how far displacements go.
-pub fn of_contacts(population: &Population, separation: f64, unit: f64, near: &Strengths) -> Option<Strengths> {
+pub fn of_contacts(branch: &Branch, separation: f64, unit: f64, near: &Strengths) -> Option<Strengths> {
     // The samples at places, ascending, and the places of the limits by what is known then.
     let asked = |samples: &mut Vec<[f64; 3]>, places: [f64; SAMPLES]| {
-        let lost = population.lost_to_slip(separation, places)?;
+        let lost = branch.lost_to_slip(separation, places)?;
         let length = places[0] / lost[0][0];
         samples.extend(lost);
         samples.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));

@@ -139,14 +139,13 @@ impl Model {
         if force_over_radius < SMALLEST_DISPLACEMENT {
             return Ok((stiffness * displacement, stiffness));
         }
-        let merging = 1.0 - sums.lost_to_merging;
-        let slipping = self.branch.population().microslip(separation, force_over_radius / merging)?;
+        let slipping = self.branch.microslip(separation, &sums, force_over_radius)?;
         if slipping.radius == 0.0 {
             return Ok((0.0, 0.0));
         }
         // Where the load is so light that the state is one of a heavier load, scaled down, this is scaled too.
         let part = sums.radius / slipping.radius;
-        let tangential = (slipping.force * part * merging * self.units.force).min(force);
+        let tangential = (slipping.force * part * self.units.force).min(force);
         Ok((tangential.copysign(displacement), slipping.sticking / slipping.radius * stiffness))
     }
 
@@ -156,7 +155,7 @@ impl Model {
     /// [`Error::InvalidParameter`] for a gap that is not finite, [`Error::OutOfRange`].
     pub fn state_at_gap(&self, gap: f64) -> Result<State, Error> {
         let separation = self.separation_at(gap)?;
-        let sums = self.branch.population().at_separation(separation);
+        let sums = self.branch.sums(separation);
         let load = sums.load() * self.units.load;
         Ok(State { gap: self.law.gap_at(separation), ..self.surfaces.state(load, separation, &sums)? })
     }
@@ -201,7 +200,7 @@ impl Surfaces {
         let pull_off = self.pull_off_load();
         if let Some(point) = self.branch.pull_off() {
             if load == pull_off {
-                return Ok((point.separation, self.branch.population().at_separation(point.separation)));
+                return Ok((point.separation, self.branch.sums(point.separation)));
             }
         } else if load == 0.0 {
             let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
@@ -253,7 +252,7 @@ impl Surfaces {
     }
 
     fn measures_at(&self, separation: f64) -> Result<Measures, Error> {
-        let sums = self.branch.population().at_separation(separation);
+        let sums = self.branch.sums(separation);
         self.measures_of(sums.load() * self.units.load, separation, &sums)
     }
 
@@ -261,8 +260,10 @@ impl Surfaces {
     pub(crate) fn widening(&self, separation: f64) -> f64 {
         // Beyond it hardly a summit touches.
         const FARTHEST: f64 = 8.0;
-        let population = self.branch.population();
-        let of = |(at, weight): (f64, f64)| weight * population.at_separation(at).given_way;
+        if let Some(gap) = self.branch.gap(separation) {
+            return gap - separation;
+        }
+        let of = |(at, weight): (f64, f64)| weight * self.branch.sums(at).given_way;
         match self.params.nominal_area > 0.0 {
             true => quadrature::nodes_of_part(0.3, separation, FARTHEST.max(separation + 2.0)).map(of).sum(),
             false => 0.0,
@@ -321,7 +322,7 @@ impl Surfaces {
     fn contacts(&self, separation: f64, sums: &Sums, number: f64) -> Result<Statistics, Error> {
         sums.known(separation)?;
         match number > 0.0 {
-            true => self.branch.population().statistics(separation, number),
+            true => self.branch.statistics(separation, sums, number),
             false => Ok(Statistics::default()),
         }
     }

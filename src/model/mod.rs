@@ -9,7 +9,7 @@ mod microslip;
 pub mod validity;
 
 use crate::asperity::groups::Groups;
-use crate::equilibrium::Branch;
+use crate::equilibrium::{Branch, Waves};
 use crate::error::{Error, LOAD};
 use crate::law::tolerance::{self, larger};
 use crate::law::{Beyond, Law, Lengths, Quantity, Table, Unfollowed};
@@ -156,6 +156,9 @@ impl Model {
         if self.params.work_of_adhesion > 0.0 {
             return refused("unloading of surfaces with adhesion is not modelled: set work_of_adhesion to 0");
         }
+        if self.params.waviness.height > 0.0 {
+            return refused("unloading of wavy surfaces is not modelled: set waviness_height to 0");
+        }
         if largest_load <= 0.0 || largest_load >= self.law.table(Quantity::Friction).range().1 {
             return refused("must be > 0 and below max_table_load of the summary");
         }
@@ -195,10 +198,7 @@ impl Model {
             surfaces.branch = surfaces.branch.ending_near(separation)?;
             law = compile(&surfaces.branch);
         }
-        let law = law.map_err(|Unfollowed { separation }| Error::NotConverged {
-            what: "load on the branch at separation",
-            value: separation,
-        })?;
+        let law = law?;
         let error = Quantity::ALL.map(|quantity| law.error(quantity)).into_iter().fold(0.0, larger);
         if error > tolerance::MOST {
             return Err(Error::NotConverged { what: "table_error", value: error });
@@ -373,6 +373,12 @@ impl Model {
     }
 }
 
+impl From<Unfollowed> for Error {
+    fn from(Unfollowed { separation }: Unfollowed) -> Self {
+        Self::NotConverged { what: "load on the branch at separation", value: separation }
+    }
+}
+
 impl Surfaces {
     /// A surface pair without a compiled law.
     ///
@@ -393,7 +399,13 @@ impl Surfaces {
     fn with_branch(params: &Params, branch: impl Fn(Population) -> Result<Branch, Error>) -> Result<Self, Error> {
         let (groups, heights, radius) = params.surface()?;
         let population = Population::new(&groups, params.slip_law(), heights, radius, params.attraction)?;
-        let (units, branch) = (Units::new(params), branch(population)?);
+        let (units, mut branch) = (Units::new(params), branch(population)?);
+        if params.waviness.height > 0.0 {
+            let (places, width) = params.waviness.places(units.length);
+            let stiffness_of_radius = 2.0 * groups.alpha * groups.beta;
+            let even = Law::even(&branch, places[0].0)?;
+            branch = branch.on_waves(Waves::new(even, places, width / groups.nominal_area, stiffness_of_radius));
+        }
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(TAMEST);
         Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest, largest_load: 0.0 })

@@ -38,6 +38,7 @@ impl Params {
         self.check_slip_grows()?;
         self.check_contact_law()?;
         unit_slips::check(self)?;
+        self.waviness.check_on(self)?;
         let groups = self.groups();
         check_groups(&groups)?;
         Ok((groups, heights, radius))
@@ -87,6 +88,7 @@ impl Params {
             return Err(Error::invalid("bandwidth", self.bandwidth, no_bandwidth));
         }
         self.check_calibration()?;
+        self.waviness.check()?;
         Ok((heights, radius))
     }
 

@@ -8,6 +8,7 @@ mod numbers;
 pub(crate) mod shapes;
 pub(crate) mod spectrum;
 mod unit_slips;
+mod waviness;
 
 use crate::asperity::slip::{Slip, SlipConstants, SlipOnset};
 use crate::distribution::at_scores::AtScores;
@@ -25,6 +26,7 @@ use spectrum::{SpectralMoments, Summits};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use unit_slips::BROADEST;
+pub use waviness::{Waviness, WavinessShape};
 
 /// The law of one summit in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,6 +98,8 @@ pub struct Params {
     pub summit_mean_height: f64,
     /// Root mean square slope of the surface, Sdq = (2 m2)^(1/2), to judge slopes and waves on the nominal area; 0 if not known.
     pub rms_slope: f64,
+    /// Waves on which the roughness stands. A solver whose mesh carries the waves leaves them out here.
+    pub waviness: Waviness,
     /// The unit of all lengths [m]: 1, or what [`Params::set_units`] has converted them into.
     pub length_unit: f64,
     /// The unit of all forces [N]: 1, or what [`Params::set_units`] has converted them into.
@@ -176,6 +180,7 @@ impl Params {
             calibration_error: USUAL_ERROR,
             summit_mean_height: 0.0,
             rms_slope: 0.0,
+            waviness: Waviness::default(),
             length_unit: 1.0,
             force_unit: 1.0,
         };

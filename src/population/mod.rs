@@ -26,6 +26,7 @@ mod walk;
 pub use one_summit::{LoadTable, OneSummit, Pressed};
 pub use statistics::Statistics;
 pub use sums::Sums;
+pub use tangential::Microslip;
 
 use crate::asperity::attraction::Attraction;
 use crate::asperity::contact::{Contact, ContactLaw, Rates, KINKS};

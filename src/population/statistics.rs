@@ -29,6 +29,18 @@ pub struct Statistics {
     pub flowing: f64,
 }
 
+impl Statistics {
+    /// Adds those of a part of all contacts; the largest is the largest of all parts.
+    pub fn add(&mut self, other: &Self, part: f64) {
+        self.mean_radius += part * other.mean_radius;
+        self.mean_steepness += part * other.mean_steepness;
+        self.largest_radius = self.largest_radius.max(other.largest_radius);
+        self.by_regime = std::array::from_fn(|i| self.by_regime[i] + part * other.by_regime[i]);
+        self.elastic += part * other.elastic;
+        self.flowing += part * other.flowing;
+    }
+}
+
 /// Counts contacts, and keeps every contact radius that it sees with its height.
 struct Counting<'a> {
     population: &'a Population,

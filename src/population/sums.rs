@@ -78,23 +78,42 @@ impl Sums {
 
     /// The sums of so many times as many contacts.
     pub fn scaled(self, factor: f64) -> Self {
-        Self {
-            load_contacting: factor * self.load_contacting,
-            load_attracted: factor * self.load_attracted,
-            friction: factor * self.friction,
-            hertz_load: factor * self.hertz_load,
-            area: factor * self.area,
-            radius: factor * self.radius,
-            contacting: factor * self.contacting,
-            attracted: factor * self.attracted,
-            load_slope: factor * self.load_slope,
-            friction_slope: factor * self.friction_slope,
-            hertz_load_slope: factor * self.hertz_load_slope,
-            radius_slope: factor * self.radius_slope,
-            area_slope: factor * self.area_slope,
+        let mut scaled = Self {
             crowding: self.crowding,
-            lost_to_merging: self.lost_to_merging,
             given_way: self.given_way,
+            lost_to_merging: self.lost_to_merging,
+            ..Self::default()
+        };
+        scaled.add(&self, factor, 1.0);
+        scaled
+    }
+
+    /// Adds the sums of a part of the surface, of which the separation changes by so many times as much.
+    pub fn add(&mut self, other: &Self, part: f64, rate: f64) {
+        for (sum, more) in [
+            (&mut self.load_contacting, other.load_contacting),
+            (&mut self.load_attracted, other.load_attracted),
+            (&mut self.friction, other.friction),
+            (&mut self.hertz_load, other.hertz_load),
+            (&mut self.area, other.area),
+            (&mut self.radius, other.radius),
+            (&mut self.contacting, other.contacting),
+            (&mut self.attracted, other.attracted),
+            (&mut self.load_slope, rate * other.load_slope),
+            (&mut self.friction_slope, rate * other.friction_slope),
+            (&mut self.hertz_load_slope, rate * other.hertz_load_slope),
+            (&mut self.radius_slope, rate * other.radius_slope),
+            (&mut self.area_slope, rate * other.area_slope),
+        ] {
+            *sum += part * more;
+        }
+    }
+
+    /// Makes the contact radius over psi this, with its slope.
+    pub fn spread_over(&mut self, (spread, slope): (f64, f64)) {
+        if spread > 0.0 {
+            let psi = self.radius / spread;
+            self.crowding = (1.0 - psi, (psi * slope - self.radius_slope) / spread);
         }
     }
 

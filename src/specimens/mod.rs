@@ -106,6 +106,11 @@ impl Surfaces {
         is_exact: bool,
         take: &mut dyn FnMut(Option<Standing>, f64),
     ) -> Result<(), Error> {
+        let waves = self.params().waviness.height;
+        if waves > 0.0 {
+            let allowed = "must be 0: single specimens of wavy surfaces are not modelled; ask for the mean";
+            return Err(Error::out_of_range("waviness_height", waves, allowed));
+        }
         let count = self.units().count;
         if count < 1.0 {
             let allowed = "a specimen needs its number of summits, 1 or more: give its nominal_area";

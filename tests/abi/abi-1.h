@@ -33,6 +33,9 @@
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 #define ASPERITY_SLIP_PARTIAL 0
 #define ASPERITY_SLIP_WHOLE 1
+#define ASPERITY_WAVINESS_UNKNOWN 0
+#define ASPERITY_WAVINESS_RIDGES 1
+#define ASPERITY_WAVINESS_HILLS 2
 #define ASPERITY_NAMES_PARAMETERS 0
 #define ASPERITY_NAMES_MATERIALS 1
 #define ASPERITY_NAMES_PAIRS 2
@@ -147,9 +150,13 @@ typedef struct asperity_params {
   double calibration_error; /* 248, 8 */
   double summit_mean_height; /* 256, 8 */
   double rms_slope; /* 264, 8 */
-  double length_unit; /* 272, 8 */
-  double force_unit; /* 280, 8 */
-} asperity_params; /* 288 */
+  double waviness_height; /* 272, 8 */
+  double waviness_width; /* 280, 8 */
+  int32_t waviness_shape; /* 288, 4 */
+  int32_t reserved; /* 292, 4 */
+  double length_unit; /* 296, 8 */
+  double force_unit; /* 304, 8 */
+} asperity_params; /* 312 */
 
 typedef struct asperity_microslip {
   uint64_t struct_size; /* 0, 8 */

@@ -16,4 +16,5 @@ mod specimens;
 mod tangential;
 mod unloading;
 mod validity;
+mod waviness;
 mod yielding;

@@ -37,6 +37,9 @@ ASPERITY_CONTACT_MAUGIS = 0
 ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
 ASPERITY_SLIP_PARTIAL = 0
 ASPERITY_SLIP_WHOLE = 1
+ASPERITY_WAVINESS_UNKNOWN = 0
+ASPERITY_WAVINESS_RIDGES = 1
+ASPERITY_WAVINESS_HILLS = 2
 ASPERITY_NAMES_PARAMETERS = 0
 ASPERITY_NAMES_MATERIALS = 1
 ASPERITY_NAMES_PAIRS = 2
@@ -159,6 +162,10 @@ class asperity_params(Structure):
         ("calibration_error", c_double),
         ("summit_mean_height", c_double),
         ("rms_slope", c_double),
+        ("waviness_height", c_double),
+        ("waviness_width", c_double),
+        ("waviness_shape", c_int32),
+        ("reserved", c_int32),
         ("length_unit", c_double),
         ("force_unit", c_double),
     ]
@@ -365,6 +372,8 @@ UNITS = {
     "calibration_load": "force",
     "calibration_friction_force": "force",
     "summit_mean_height": "length",
+    "waviness_height": "length",
+    "waviness_width": "length",
     "load": "force",
     "gap": "length",
     "friction_force": "force",

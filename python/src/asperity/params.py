@@ -52,6 +52,9 @@ class Options(TypedDict, total=False):
     calibration_error: float
     summit_mean_height: float
     rms_slope: float
+    waviness_height: float
+    waviness_width: float
+    waviness_shape: bool
     length_unit: float
     force_unit: float
     # end of options
@@ -194,6 +197,12 @@ class Params:
             default, means not known.
         rms_slope: Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default,
             means not known.
+        waviness_height: Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both
+            surfaces together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01
+            to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
+        waviness_width: WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq,
+            4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
+        waviness_shape: What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default.
         length_unit: Unit of all lengths, in metres [-], > 0; 1 by default.
         force_unit: Unit of all forces, in newtons [-], > 0; 1 by default.
         in_si: Whether all quantities are in SI units, as a surface file has them; False by default.
@@ -234,6 +243,9 @@ class Params:
     calibration_error: float = _DEFAULT.calibration_error
     summit_mean_height: float = _DEFAULT.summit_mean_height
     rms_slope: float = _DEFAULT.rms_slope
+    waviness_height: float = _DEFAULT.waviness_height
+    waviness_width: float = _DEFAULT.waviness_width
+    waviness_shape: bool = True
     length_unit: float = _DEFAULT.length_unit
     force_unit: float = _DEFAULT.force_unit
     # end of fields

@@ -105,6 +105,8 @@ impl Bytes<'_> {
         params = self.tabulated(params);
         params.height_distribution = i32::from(self.byte() as i8) >> 5;
         params.attraction = i32::from(self.byte() as i8) >> 6;
+        (params.waviness_height, params.waviness_width) = (self.any_float(), self.any_float());
+        params.waviness_shape = i32::from(self.byte() as i8) >> 5;
         params
     }
 
@@ -137,6 +139,13 @@ impl Bytes<'_> {
         }
         params.attraction = i32::from(self.below(8) != 0);
         params.slip_onset = i32::from(self.below(8) == 0);
+        if gamma == 0.0 && self.below(2) == 0 {
+            let spacing = params.height_std * self.log_between(3.0, 300.0);
+            params.nominal_area = params.asperity_count * spacing * spacing;
+            params.waviness_height = params.height_std * self.log_between(0.01, 40.0);
+            params.waviness_width = params.nominal_area.sqrt() * self.log_between(0.01, 2.0);
+            params.waviness_shape = self.below(3) as i32;
+        }
         match self.below(16) {
             0 => params.cap(f64::INFINITY),
             1 => params.cap(self.log_between(1e-6, 1e6)),
