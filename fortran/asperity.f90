@@ -259,7 +259,7 @@ module asperity
     real(c_double) :: waviness_width                ! WSm [length], the width of a wave, with which the bodies give way;
                                                     ! 0 by default
     integer(c_int32_t) :: waviness_shape            ! What the waves are like, one of ASPERITY_WAVINESS_; unknown by
-                                                    ! default
+                                                    ! default, and then the height must be 0
     integer(c_int32_t) :: reserved                  ! Not read
     real(c_double) :: length_unit                   ! Unit of all lengths, in metres [-], > 0; 1 by default
     real(c_double) :: force_unit                    ! Unit of all forces, in newtons [-], > 0; 1 by default

@@ -350,7 +350,8 @@ typedef struct asperity_params {
   /** WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of
    * summits, and the mean wave of the roughness; at most the root of `nominal_area`. */
   double waviness_width;
-  /** What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default. */ int32_t waviness_shape;
+  /** What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0. */
+  int32_t waviness_shape;
   /** Not read. */ int32_t reserved;
   /** Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it. */
   double length_unit;

@@ -685,7 +685,7 @@ public:
     /// Sets it.
     Params &waviness_width(double value) noexcept { return assign(c_.waviness_width, value); }
 
-    /// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default.
+    /// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0.
     bool waviness_shape() const noexcept { return c_.waviness_shape != 0; }
     /// Sets it.
     Params &waviness_shape(bool value) noexcept { return assign(c_.waviness_shape, value ? 1 : 0); }

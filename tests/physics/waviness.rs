@@ -93,8 +93,14 @@ fn states_and_what_is_compiled_are_sums_over_places() {
         ] {
             let params = wavy(&params, shape, height, part);
             let wavy = model(&params);
-            // Of high waves, and of heights that end, some 5 digits are had by either way.
-            let tolerance = if height > 4.0 || i == 2 { 4e-5 } else { 3e-6 };
+            // Of high waves some 5 digits are had by either way, of heights that end some 4 by 24 places.
+            let tolerance = if i == 2 {
+                5e-4
+            } else if height > 4.0 {
+                3e-5
+            } else {
+                3e-6
+            };
             for separation in [-2.0, 0.5, 3.0] {
                 let crest = params.summit_mean_height + separation * params.height_std + 1.2 * params.waviness.height;
                 let expected = summed(&even, params.waviness, crest);
@@ -105,8 +111,8 @@ fn states_and_what_is_compiled_are_sums_over_places() {
                 let name = |of: &str| format!("{of} of {i} {shape:?} {height} at {separation}");
                 near(&name("F"), state.friction_force, expected.friction, tolerance);
                 near(&name("A"), state.real_area, expected.area, tolerance);
-                near(&name("K"), -state.dload_dgap, expected.stiffness, 30.0 * tolerance);
-                near(&name("K_t"), state.tangential_stiffness, expected.tangential, 10.0 * tolerance);
+                near(&name("K"), -state.dload_dgap, expected.stiffness, 20.0 * tolerance);
+                near(&name("K_t"), state.tangential_stiffness, expected.tangential, tolerance);
                 assert!((state.gap - expected.gap).abs() < 1e-5 * params.height_std, "{} {}", state.gap, expected.gap);
                 near(&name("compiled F"), wavy.friction_force_at_load(state.load), expected.friction, tolerance);
                 near(

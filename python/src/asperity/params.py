@@ -202,7 +202,8 @@ class Params:
             to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
         waviness_width: WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq,
             4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
-        waviness_shape: What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default.
+        waviness_shape: What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height
+            must be 0.
         length_unit: Unit of all lengths, in metres [-], > 0; 1 by default.
         force_unit: Unit of all forces, in newtons [-], > 0; 1 by default.
         in_si: Whether all quantities are in SI units, as a surface file has them; False by default.
