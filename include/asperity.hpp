@@ -351,6 +351,16 @@ enum class SlipOnset : std::int32_t {
     /// Before gross slip each contact sticks until all of it slips: contacts so small that one dislocation moves them.
     whole = ASPERITY_SLIP_WHOLE,
 };
+
+/// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0.
+enum class WavinessShape : std::int32_t {
+    /// Waves whose shape is not known: there may be none.
+    unknown = ASPERITY_WAVINESS_UNKNOWN,
+    /// Waves with long crests side by side, as turning and grinding leave: cos x.
+    ridges = ASPERITY_WAVINESS_RIDGES,
+    /// Waves in two directions, as lapping and scraping leave: cos x + cos y.
+    hills = ASPERITY_WAVINESS_HILLS,
+};
 // end of enumerations
 
 /// Two rough elastic surfaces, in one consistent system of units of your choice.
@@ -686,9 +696,11 @@ public:
     Params &waviness_width(double value) noexcept { return assign(c_.waviness_width, value); }
 
     /// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0.
-    bool waviness_shape() const noexcept { return c_.waviness_shape != 0; }
+    WavinessShape waviness_shape() const noexcept { return static_cast<WavinessShape>(c_.waviness_shape); }
     /// Sets it.
-    Params &waviness_shape(bool value) noexcept { return assign(c_.waviness_shape, value ? 1 : 0); }
+    Params &waviness_shape(WavinessShape value) noexcept {
+        return assign(c_.waviness_shape, static_cast<std::int32_t>(value));
+    }
 
     /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
     double length_unit() const noexcept { return c_.length_unit; }

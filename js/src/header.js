@@ -271,6 +271,7 @@ export const WORDS = {
   height_distribution: { "gaussian": 0, "weibull": 1, "johnson": 2, "tabulated": 3, "at-scores": 4 },
   contact_law: { "maugis": 0, "elastic-plastic": 1 },
   slip_onset: { "partial": 0, "whole": 1 },
+  waviness_shape: { "unknown": 0, "ridges": 1, "hills": 2 },
 };
 
 /** The C functions: what each returns, then its arguments. @type {Record<string, string[]>} */
@@ -425,7 +426,7 @@ export const FUNCTIONS = {
  * @property {number} [rms_slope] Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
  * @property {number} [waviness_height] Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
  * @property {number} [waviness_width] WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
- * @property {boolean} [waviness_shape] What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0.
+ * @property {"unknown" | "ridges" | "hills"} [waviness_shape] What the waves are like, one of "unknown", "ridges", "hills"; unknown by default, and then the height must be 0.
  * @property {number} [length_unit] Unit of all lengths, in metres [-], > 0; 1 by default.
  * @property {number} [force_unit] Unit of all forces, in newtons [-], > 0; 1 by default.
  */

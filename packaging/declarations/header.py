@@ -112,7 +112,7 @@ class Header:
             for one in self.structs["asperity_params"].fields
             for group, words in groups.items()
             # HEIGHTS are those of height_distribution.
-            if one.type == "int32_t" and one.name.startswith(group.lower().rstrip("s") + "_")
+            if one.type == "int32_t" and one.name.startswith((f"{group.lower()}_", f"{group.lower().rstrip('s')}_"))
         }
 
     @property

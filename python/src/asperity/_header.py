@@ -355,6 +355,11 @@ WORDS: dict[str, dict[str, int]] = {
         "partial": ASPERITY_SLIP_PARTIAL,
         "whole": ASPERITY_SLIP_WHOLE,
     },
+    "waviness_shape": {
+        "unknown": ASPERITY_WAVINESS_UNKNOWN,
+        "ridges": ASPERITY_WAVINESS_RIDGES,
+        "hills": ASPERITY_WAVINESS_HILLS,
+    },
 }
 
 # The dimensions of parameters, states and summaries; what is not here is a number without one.

@@ -54,7 +54,7 @@ class Options(TypedDict, total=False):
     rms_slope: float
     waviness_height: float
     waviness_width: float
-    waviness_shape: bool
+    waviness_shape: Literal["unknown", "ridges", "hills"]
     length_unit: float
     force_unit: float
     # end of options
@@ -202,8 +202,8 @@ class Params:
             to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
         waviness_width: WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq,
             4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
-        waviness_shape: What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height
-            must be 0.
+        waviness_shape: What the waves are like, one of "unknown", "ridges", "hills"; unknown by default, and then the
+            height must be 0.
         length_unit: Unit of all lengths, in metres [-], > 0; 1 by default.
         force_unit: Unit of all forces, in newtons [-], > 0; 1 by default.
         in_si: Whether all quantities are in SI units, as a surface file has them; False by default.
@@ -246,7 +246,7 @@ class Params:
     rms_slope: float = _DEFAULT.rms_slope
     waviness_height: float = _DEFAULT.waviness_height
     waviness_width: float = _DEFAULT.waviness_width
-    waviness_shape: bool = True
+    waviness_shape: Literal["unknown", "ridges", "hills"] = "unknown"
     length_unit: float = _DEFAULT.length_unit
     force_unit: float = _DEFAULT.force_unit
     # end of fields
