@@ -232,9 +232,13 @@ impl Entries<'_> {
         let before = draft.clone();
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
         without_adhesion(&mut draft.params);
-        let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
         let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
         let has_adhesion = given(&["work_of_adhesion"]);
+        if draft.params.waviness.height > 0.0 && !has_adhesion && draft.params.plasticity_index() > PLASTIC_INDEX {
+            // Metal that more probably yields, on waves, does not adhere by what its pair has.
+            draft.params.work_of_adhesion = 0.0;
+        }
+        let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
         let has_law = given(&["contact_law"]) || (has_adhesion && params.work_of_adhesion > 0.0);
         let points = self.points(&numbers, params.error_of_point())?;
         let described = Described {

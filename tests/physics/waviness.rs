@@ -113,7 +113,12 @@ fn states_and_what_is_compiled_are_sums_over_places() {
                 near(&name("A"), state.real_area, expected.area, tolerance);
                 near(&name("K"), -state.dload_dgap, expected.stiffness, 20.0 * tolerance);
                 near(&name("K_t"), state.tangential_stiffness, expected.tangential, tolerance);
-                assert!((state.gap - expected.gap).abs() < 3.0 * tolerance * params.height_std, "{} {}", state.gap, expected.gap);
+                assert!(
+                    (state.gap - expected.gap).abs() < 3.0 * tolerance * params.height_std,
+                    "{} {}",
+                    state.gap,
+                    expected.gap
+                );
                 near(&name("compiled F"), wavy.friction_force_at_load(state.load), expected.friction, tolerance);
                 near(
                     &name("compiled K_t"),
