@@ -12,6 +12,8 @@ const MOST_DISTANCE_GROWTH: f64 = 4.0;
 /// Between two extrema of the contact radius friction is hardly changed by passing a kink if they are nearer to each other than a panel
 /// halved so often.
 const STEPS_TO_TURN: u32 = 9;
+/// Between two scores of a table, or less, a summit is looked at so often for being nearest to a kink.
+const LOOKS_FOR_TURNS: u32 = 8;
 
 impl Population {
     /// The same panel, or its first part up to a kink. Where radii vary with height it ends at an extremum of the contact
@@ -120,7 +122,9 @@ impl Population {
         start_kink: Option<usize>,
     ) -> SummitPanel {
         for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
-            if !self.radius.is_constant() {
+            if self.radius.scores.is_some() {
+                self.cut_at_turn(separation, &mut panel, kink);
+            } else if !self.radius.is_constant() {
                 self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
             }
             if start_kink != Some(RADII + index) {
@@ -129,6 +133,22 @@ impl Population {
             }
         }
         panel
+    }
+
+    /// The same where there may be more of them, since radii are cubics: at the first that shows in steps.
+    fn cut_at_turn(&self, separation: f64, panel: &mut SummitPanel, kink: f64) {
+        let rate = |z: f64| 1.0 - kink * self.radius.at(z).1;
+        let (from, to) = (panel.from.z, panel.to.z);
+        let place = |step: u32| from + (to - from) * f64::from(step) / f64::from(LOOKS_FOR_TURNS);
+        let steps = (1..=LOOKS_FOR_TURNS).map(|step| (place(step - 1), place(step)));
+        let turns = steps
+            .filter(|&(lower, upper)| (rate(lower) < 0.0) != (rate(upper) < 0.0))
+            .map(|(lower, upper)| root::bracketed(rate, lower, upper));
+        // A panel that begins at one may show it again.
+        if let Some(turn) = turns.into_iter().find(|&turn| is_inside(turn, from, to)) {
+            panel.to = self.at_height(separation, turn, panel.to.contact.parameter);
+            panel.kink = None;
+        }
     }
 
     /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum. Returns whether it does.

@@ -181,3 +181,29 @@ fn sums_over_a_table_at_scores_are_integrals_of_its_density() {
         }
     }
 }
+
+/// Radii are cubics between two scores, so that a summit is nearest to a kink of the law of contact more than once within a panel.
+#[test]
+fn models_of_yielding_summits_are_made_of_any_table_at_scores() {
+    let mut random = 1_u64;
+    let mut between = |least: f64, most: f64| {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        least + (most - least) * ((random >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    for _ in 0..if cfg!(miri) { 1 } else { 60 } {
+        let [mut height, mut rise, mut log_slope] = [0.0, 1.0, 0.0];
+        let rows = (0..SCORES).map(|_| {
+            height += rise;
+            rise *= between(-1.1, 1.1).exp();
+            log_slope += between(-0.8, 0.8);
+            (height, log_slope.exp())
+        });
+        let (height, slope): (Vec<f64>, Vec<f64>) = rows.unzip();
+        let heights = HeightFamily::AtScores { height: height.into(), slope: slope.into() };
+        let [alpha, beta] = [between(-5.0, -2.0).exp(), between(4.0, 10.0).exp()];
+        let mut params = yielding([alpha, beta, 0.0, 1.0], heights, [-0.61, 0.9]);
+        params.hardness = params.composite_modulus * between(-5.0, -2.0).exp();
+        let error = crate::Model::new(&params).map(|model| model.summary().table_error);
+        assert!(matches!(error, Ok(error) if error <= 1e-6), "{params:?}: {error:?}");
+    }
+}
