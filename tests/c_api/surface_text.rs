@@ -329,6 +329,38 @@ fn one_measured_point_sets_the_strength_and_is_kept() {
     assert_same(&surface(&format!("{point}{CARBON}")), &expected, "a point on an interface");
 }
 
+/// A joint of two lapped faces, at the line of what is wrong with its waves; metal that yields on them has no adhesion of its pair.
+#[test]
+fn waves_are_given_whole_or_refused_at_their_line() {
+    let joint = |waves: &str| {
+        format!("pair = \"steel/steel\"\nnominal_area = 4e-4\n{waves}\n[roughness]\nRa = 1e-6\nRdq = 0.1\n")
+    };
+    let good = "waviness_height = 1e-6\nwaviness_width = 4e-3\nwaviness_shape = \"hills\"";
+    let found = surface(&joint(good));
+    assert_eq!((found.waviness_height, found.waviness_width, found.waviness_shape), (1e-6, 4e-3, 2));
+    assert_eq!(found.work_of_adhesion, 0.0);
+    let mut params = asperity_params::unset();
+    for (from, to, told) in [
+        ("\"hills\"", "\"waves\"", "line 5: waviness_shape = \"waves\": must be "),
+        ("waviness_shape = \"hills\"", "", "measure the waves along two directions"),
+        ("1e-6", "1", "line 3: waviness_height = 1: must be at most 30 height_std"),
+        ("1e-6", "-1e-6", "line 3: waviness_height = -1e-6: must be "),
+        ("4e-3", "4", "line 2: nominal_area = 0.0004: must be at least waviness_width^2"),
+        ("4e-3", "4e-6", "line 4: waviness_width = "),
+        ("waviness_width = 4e-3", "", "waviness_width = 0"),
+        (
+            "waviness_width = 4e-3",
+            "waviness_width = 4e-3\nwaviness_width = 4e-3",
+            "line 5: waviness_width: given twice",
+        ),
+        ("waviness_shape", "work_of_adhesion = 0.05\nwaviness_shape", "line 5: work_of_adhesion = 0.05: must be 0"),
+    ] {
+        let text = joint(&good.replacen(from, to, 1));
+        assert_ne!(set(&mut params, text.as_bytes()), OK, "{text}");
+        assert!(message().contains(told), "{}, not {told}", message());
+    }
+}
+
 #[test]
 fn what_is_wrong_is_named_with_line_and_key() {
     let changed = |from: &str, to: &str| CARBON.replacen(from, to, 1);
