@@ -8,9 +8,10 @@ use super::keys::{Entries, Table};
 use super::toml::{Outcome, Problem, Value};
 use crate::distribution::at_scores::AtScores;
 use crate::estimate::known::{machined_slope, Process, PROCESSES};
+use crate::estimate::priors::{self, Shape};
 use crate::params::shapes::{self, Heights};
 use crate::params::spectrum::SpectralMoments;
-use crate::params::{check_lay, positive, STEEPEST_SURFACE};
+use crate::params::{check_lay, positive, HeightFamily, Params, STEEPEST_SURFACE};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::fmt::Arguments;
 use std::ops::RangeInclusive;
@@ -95,6 +96,20 @@ const PROFILE: Kind = Kind {
     called: "parameters of a profile",
 };
 const KINDS: [&Kind; 3] = [&MOMENTS, &AREAL, &PROFILE];
+
+/// What a table tells of the shape of heights that parameters were made of.
+pub fn shape(entries: &Entries, table: Table, params: &Params, machined: Option<&Machined>) -> &'static Shape {
+    let has = |names: &[&str]| names.iter().any(|name| entries.find(table, name).is_some());
+    let is_said = entries.find(Table::Top, "height_distribution").is_some();
+    match (&params.heights, machined) {
+        (HeightFamily::AtScores { .. }, _) if has(&["Sdq_top"]) => &priors::TOP,
+        (HeightFamily::AtScores { .. }, _) if has(&["Sdq"]) && !has(&[SLOPES]) => &priors::HEIGHTS,
+        (HeightFamily::AtScores { .. }, _) => &priors::TABLE,
+        (_, Some(machined)) if !machined.process.leaves_plateaus() => &priors::SUMMITS,
+        _ if !is_said && params.rms_slope > 0.0 && params.heights == HeightFamily::Gaussian => &priors::ALONE,
+        _ => &priors::SUMMITS,
+    }
+}
 
 impl Roughness {
     /// What [roughness], or another table like it, gives, which begins at a byte of the text, with the bandwidth that the text gives beside it.

@@ -4,12 +4,12 @@ use super::draft::{Draft, AT_SCORES, TABULATED};
 use super::fields::{FIELDS, FLAG};
 use super::keys::{Entries, Entry, Table};
 use super::numbers::{names, Numbers};
-use super::roughness::{Machined, Roughness};
+use super::roughness::{shape, Machined, Roughness};
 use super::toml::{text, Outcome, Problem, Value};
 use crate::distribution::tabulated;
 use crate::error::Error;
 use crate::estimate::known::SUMMIT_PRODUCT;
-use crate::estimate::priors::{Class, CLASSES, ROW_PRESSURE, USUAL_WORK};
+use crate::estimate::priors::{Class, Shape, CLASSES, ROW_PRESSURE, USUAL_WORK};
 use crate::materials::{no_interface, no_material, Bodies, Interface, Material, NoPair};
 use crate::model::calibration::MeasuredPoint;
 use crate::numerics::float_bits::nan;
@@ -88,6 +88,8 @@ pub struct Described {
     pub size_effect: Option<f64>,
     pub class: &'static Class,
     pub known_to: KnownTo,
+    /// What is told of the shape of the heights.
+    pub shape: &'static Shape,
     /// How far real interfaces leave the law, over what is usual.
     pub model_error: f64,
     /// Probability of a band.
@@ -115,6 +117,8 @@ pub struct Described {
 pub struct Measured {
     pub params: Params,
     pub machined: Option<Machined>,
+    /// What is told of the shape of its heights, where it has a roughness of its own.
+    pub shape: Option<&'static Shape>,
 }
 
 /// Factors within which 95 % of the true inputs are, where a text gives them.
@@ -249,6 +253,7 @@ impl Entries<'_> {
             pressure_is_free: is_whole && !given(&["pressure_coefficient"]) && params.pressure_coefficient == 0.0,
             size_effect: self.size_effect()?,
             class: self.class()?,
+            shape: shape(self, Table::Roughness, &params, machined.as_ref()),
             known_to: self.known_to()?,
             model_error: self.model_error()?,
             coverage: self.coverage()?,
@@ -375,7 +380,8 @@ impl Entries<'_> {
         for entry in self.of(Table::MeasuredOn).filter(is_number) {
             numbers.give_named(entry.name, entry.number()?);
         }
-        if self.of(Table::MeasuredOn).any(|entry| !is_number(&entry)) {
+        let is_rough = self.of(Table::MeasuredOn).any(|entry| !is_number(&entry));
+        if is_rough {
             let Roughness { moments, machined: found, at_scores, lay, .. } =
                 Roughness::of(self, Table::MeasuredOn, begin, None)?;
             (numbers.at_scores, numbers.lay) = (at_scores, lay);
@@ -386,7 +392,9 @@ impl Entries<'_> {
         }
         let params = numbers.set(&mut draft).map(|()| without_adhesion(&mut draft.params));
         let params = params.and_then(|()| draft.into_params()).and_then(|params| params.surface().map(|_| params));
-        Ok(Some(Measured { params: params.map_err(|error| Problem::of(begin, error))?, machined }))
+        let params = params.map_err(|error| Problem::of(begin, error))?;
+        let shape = is_rough.then(|| shape(self, Table::MeasuredOn, &params, machined.as_ref()));
+        Ok(Some(Measured { params, machined, shape }))
     }
 
     fn coverage(&self) -> Outcome<f64> {
@@ -756,6 +764,7 @@ impl GivenSurface<'_> {
         self.numbers.lay = lay;
         let Some(table) = at_scores else { return Ok(()) };
         entries.exclude(SHAPES, "[roughness]")?;
+        entries.exclude(&["height_distribution"], "[roughness]")?;
         if self.numbers.has_mccool_summits {
             return Err(Problem::new(
                 begin,

@@ -22,6 +22,8 @@ pub const YOUNG_INPUT: usize = 3;
 const THERE: usize = 4;
 /// Besides, of which nothing is changed here, the strength.
 pub const STRENGTH_INPUT: usize = 6;
+/// And how far the area of the law is off, where that of a measured surface is not as far off.
+pub const AREA_INPUT: usize = 7;
 /// All of the roughness.
 pub const SLOPES: [usize; 4] = [SLOPE_INPUT, HEIGHT_INPUT, THERE + SLOPE_INPUT, THERE + HEIGHT_INPUT];
 
@@ -65,6 +67,8 @@ pub struct Law {
     /// How many specimens are drawn, and with how many contacts they are alike.
     specimens: usize,
     pub alike: f64,
+    /// The deviation of ln of their area from that of what was measured.
+    pub area: f64,
     /// What they are drawn from.
     heights: Rc<OnceCell<Heights>>,
 }
@@ -74,6 +78,8 @@ pub struct Law {
 pub struct OfLaw {
     /// Of the surfaces as they most probably are, on the mean.
     pub separation: Option<f64>,
+    /// As of the law.
+    pub area: f64,
     /// The mean of the model, or where few summits touch that of the specimens.
     models: Vec<Terms>,
     middle: usize,
@@ -294,7 +300,16 @@ impl Law {
         let models = self.models.iter().enumerate().map(&mut others).collect::<Result<Vec<_>, _>>()?;
         let changed = self.changed_by(|surfaces| at(surfaces))?;
         let middle = self.middle;
-        Ok(OfLaw { separation, models, middle, unchanged, changed, specimens: Vec::new(), pulls: Vec::new() })
+        Ok(OfLaw {
+            separation,
+            area: self.area,
+            models,
+            middle,
+            unchanged,
+            changed,
+            specimens: Vec::new(),
+            pulls: Vec::new(),
+        })
     }
 
     /// What is made of the surfaces that are changed.
@@ -326,7 +341,16 @@ impl Law {
         let changed = self.changed_by(|surfaces| draw(surfaces, COMPARED).map(|(all, _)| Terms::mean(&all)))?;
         let unchanged = Terms::mean(&specimens[self.middle][..COMPARED]);
         let models = specimens.iter().map(|all| Terms::mean(all)).collect();
-        Ok(OfLaw { separation: None, models, middle: self.middle, unchanged, changed, specimens, pulls })
+        Ok(OfLaw {
+            separation: None,
+            area: self.area,
+            models,
+            middle: self.middle,
+            unchanged,
+            changed,
+            specimens,
+            pulls,
+        })
     }
 }
 
@@ -419,19 +443,27 @@ pub fn laws(described: &Described, measured_there: bool) -> Result<Vec<Law>, Err
     };
     let mut params = params.clone();
     params.pressure_coefficient = 0.0;
-    let first = if measured_there { THERE } else { 0 };
+    // Only what has a roughness of its own is steeper or less steep by itself.
+    let is_other = described.measured_on.as_ref().is_some_and(|there| there.shape.is_some());
+    let first = if measured_there && is_other { THERE } else { 0 };
     // The laws of two specimens are the same: those of the one that is asked for.
     let yielding = match described.law_is_open {
         true => yields(described.params.plasticity_index()),
         false => 0.0,
     };
+    let area = match (&described.measured_on, measured_there) {
+        (_, true) => 0.0,
+        (None, _) => described.shape.area,
+        (Some(there), _) => there.shape.map_or(0.0, |there| (described.shape.area.powi(2) + there.area.powi(2)).sqrt()),
+    };
+    let area = described.model_error * area;
     let mut laws: Vec<Law> = Vec::new();
     for (probability, yields) in [(1.0 - yielding, false), (yielding, true)].into_iter().filter(|one| one.0 > 0.0) {
         if yields {
             params.set_elastic_plastic(params.hardness)?;
         }
         let heights = laws.first().map(|law| Rc::clone(&law.heights)).unwrap_or_default();
-        laws.push(Law { probability, heights, ..law(described, &params, machined, first)? });
+        laws.push(Law { probability, heights, area, ..law(described, &params, machined, first)? });
     }
     Ok(laws)
 }
@@ -468,7 +500,7 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
     let is_known = !is_open && !described.pressure_is_free && described.model_error == 0.0;
     let specimens = if is_known { SPECIMENS[is_told] } else { FEWER_SPECIMENS };
     let heights = Rc::default();
-    Ok(Law { probability: 1.0, works, models, middle, changed, specimens, alike: ALIKE[is_told], heights })
+    Ok(Law { probability: 1.0, works, models, middle, changed, specimens, alike: ALIKE[is_told], area: 0.0, heights })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.

@@ -47,6 +47,11 @@ impl Process {
         PROCESSES.iter().find(|process| process.name == name)
     }
 
+    /// Whether it cuts the hills off and leaves plateaus, so that the surface is not Gaussian.
+    pub fn leaves_plateaus(&self) -> bool {
+        ["honed", "superfinished"].contains(&self.name)
+    }
+
     /// The middle of the range, and the factor from it to either end, within which 95 % are taken to be.
     pub fn middle_and_factor(&self) -> (f64, f64) {
         let [least, most] = self.mean_deviation;

@@ -18,10 +18,11 @@ use crate::by_name::{describe, Described};
 use crate::error::{CalibrationFailure, Error, LOAD};
 use crate::model::calibration::MeasuredPoint;
 use crate::model::Surfaces;
+use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{Params, OF_OTHER_MATERIALS};
-use cases::{laws, Law, OfLaw, Terms, Work, HARDNESS_INPUT, NOTHING, SLOPES, STRENGTH_INPUT, YOUNG_INPUT};
+use cases::{laws, Law, OfLaw, Terms, Work, AREA_INPUT, HARDNESS_INPUT, NOTHING, SLOPES, STRENGTH_INPUT, YOUNG_INPUT};
 use known::deviation;
 use posterior::{Kernel, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
 use std::cell::RefCell;
@@ -67,6 +68,8 @@ pub struct Shares {
     pub measurement: f64,
     pub model: f64,
     pub specimen: f64,
+    /// The part of `model` that a table of heights and slopes would take away.
+    pub shape: f64,
 }
 
 /// A number with its band.
@@ -183,6 +186,8 @@ struct Reference {
     /// The deviation of the strength, and whether that is all of the friction or what is not by pressure.
     strength: f64,
     is_part: bool,
+    /// Whether it is of the area of other surfaces, or of none.
+    is_elsewhere: bool,
 }
 
 /// What a solver gets: one law.
@@ -378,12 +383,15 @@ impl Estimate {
                 let force = terms.force(size);
                 let gains = if is_stress { [0.0; INPUTS] } else { of.gains(|terms| terms.force(size)) };
                 let (strength, is_part) = (self.strength.deviation, self.has_known_pressure());
-                let reference = Reference { force, hertz: terms.hertz, gains, strength, is_part };
+                let is_elsewhere = is_stress || self.laws_there.is_some();
+                let reference = Reference { force, hertz: terms.hertz, gains, strength, is_part, is_elsewhere };
                 let pressures = self.pressures(force, terms.hertz).into_iter().enumerate();
                 for (at_pressure, (pressed, of_pressure, log_force)) in pressures {
                     for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
-                        let leaves = |rate: f64| if is_stress { 0.0 } else { (error * times * rate).powi(2) };
-                        let kernel = Kernel { drift: leaves(class.drift), wander: leaves(class.wander) };
+                        let leaves = |rate: f64| if is_stress { 0.0 } else { (error * rate).powi(2) };
+                        let (drift, wander) = (leaves(times * class.drift), leaves(times * class.wander));
+                        // How real surfaces leave the law was measured on such as are told no better.
+                        let kernel = Kernel { drift, wander: wander.max(leaves(self.described.shape.wander)) };
                         let node = Node {
                             law: at_law,
                             work: *work,
@@ -474,7 +482,7 @@ impl Estimate {
     fn looked(&self, at: &[OfLaw], load: f64, is_another: bool) -> (Mixture, Shares) {
         let decades = self.decades(at, load);
         let mut within = [0.0; PARTS];
-        let mut of_specimens = 0.0;
+        let (mut of_specimens, mut of_shape) = (0.0, 0.0);
         // The probability and the mean of all nodes that have one thing alike.
         let mut alike = [[(0.0, 0.0); PRESSURES as usize + 1]; 5];
         let mut mixture = Mixture::default();
@@ -489,6 +497,10 @@ impl Estimate {
             let parts = node.solved.parts(&seen);
             let weight = node.weight / all;
             within.iter_mut().zip(parts).for_each(|(sum, part)| *sum += weight * part);
+            let leaving = node.kernel.covariance(&Seen { gains: [0.0; INPUTS], ..seen }, &seen).max(CERTAIN);
+            let own = (self.described.model_error * node.more.0 * self.described.class.wander).powi(2);
+            let part = (node.kernel.wander - own).max(0.0) * decades.abs() / leaving;
+            of_shape += weight * (parts[AREA_INPUT] + part * parts[INPUTS + 1]);
             let mut means = node.solved.means(&seen, &specimens.1, is_another);
             if !specimens.1.is_empty() {
                 means.iter_mut().for_each(|(_, mean)| *mean += node.more.1 * decades);
@@ -500,7 +512,7 @@ impl Estimate {
             }
             let deviation = parts.iter().sum::<f64>().sqrt();
             let of = Normal { weight, mean, deviation, part: node.part(at) };
-            mixture.add(means, of, MOST_NORMALS / self.nodes.len().max(1) + 1);
+            mixture.add(&means, of, MOST_NORMALS / self.nodes.len().max(1) + 1);
         }
         let (mean, variance) = mixture.moments();
         if variance < CERTAIN {
@@ -523,7 +535,8 @@ impl Estimate {
             hardness: share(within[HARDNESS_INPUT] + within[YOUNG_INPUT] + law),
             slope: share(SLOPES.iter().map(|&input| within[input]).sum()),
             measurement: share(within[INPUTS]),
-            model: share(within[INPUTS + 1] + more),
+            model: share(within[INPUTS + 1] + within[AREA_INPUT] + more),
+            shape: share(of_shape),
             specimen: share(of_specimens),
         };
         (mixture, shares)
@@ -539,7 +552,8 @@ impl Estimate {
         if answer.whose == Whose::Measured {
             answer.another = self.force_of(self.looked(&at, load, true).0);
         }
-        let error = self.described.model_error * deviation(priors::STIFFNESS);
+        let of_shape = self.described.shape.area;
+        let error = self.described.model_error * (deviation(priors::STIFFNESS).powi(2) + of_shape * of_shape).sqrt();
         answer.stiffness =
             std::array::from_fn(|i| self.of_surfaces(&at, error, |terms| terms.stiffness[i]).map(some_exp));
         let widening = self.widening(&at);
@@ -966,6 +980,7 @@ impl Node {
         let (mean, part) = self.log_force(&of.terms(&self.work));
         let mut gains = of.gains(|terms| terms.force(self.size));
         gains.iter_mut().zip(from.gains).for_each(|(gain, from)| *gain = part * (*gain - from));
+        gains[AREA_INPUT] = if from.is_elsewhere { part * of.area } else { 0.0 };
         gains[STRENGTH_INPUT] = if from.is_part { part * from.strength } else { from.strength };
         Seen { mean: mean + self.more.1 * decades, gains, decades }
     }
@@ -1015,8 +1030,12 @@ fn merged(points: &[MeasuredPoint]) -> Vec<Point> {
         scatter: 0.0,
         more: 0,
     };
-    let mut found: Vec<Point> = points.iter().map(of).collect();
-    found.sort_by(|one, other| one.load.total_cmp(&other.load).then(one.log_force.total_cmp(&other.log_force)));
+    let sorted = |points: Vec<Point>, by: fn(&Point) -> f64| {
+        let order = ascending(&points.iter().map(by).collect::<Vec<_>>());
+        order.into_iter().map(|i| points[i]).collect::<Vec<_>>()
+    };
+    let found = sorted(points.iter().map(of).collect(), |point| point.log_force);
+    let mut found = sorted(found, |point| point.load);
     let apart = |pair: &[Point]| {
         if pair[0].load > 0.0 {
             log(pair[1].load / pair[0].load)

@@ -8,8 +8,8 @@ use crate::numerics::elementary::{exp, log};
 use std::f64::consts::PI;
 
 /// What is normal in its logarithm: the slope and the height of the surface, hardness, E; the slope and the height of the surface that was
-/// measured, where it is another; and the strength of the interface.
-pub const INPUTS: usize = 7;
+/// measured, where it is another; the strength of the interface; and how far the area of the law is off.
+pub const INPUTS: usize = 8;
 /// What makes a variance: these, the errors of the points, how real interfaces leave the law.
 pub const PARTS: usize = INPUTS + 2;
 
@@ -241,40 +241,44 @@ const UNLIKELY: f64 = 1e-7;
 
 impl Mixture {
     /// Adds some of one deviation, with their weights and means: of many those that are next to each other as one.
-    pub fn add(&mut self, mut means: Vec<(f64, f64)>, of: Normal, most: usize) {
+    pub fn add(&mut self, means: &[(f64, f64)], of: Normal, most: usize) {
+        let mut order: Vec<usize> = (0..means.len()).collect();
         if means.len() > most {
-            means.sort_by(|one, other| one.1.total_cmp(&other.1));
+            order = ascending(&means.iter().map(|one| one.1).collect::<Vec<_>>());
         }
-        let each = means.len().div_ceil(most);
-        self.0.extend(means.chunks(each).map(|alike| {
-            let all: f64 = alike.iter().map(|one| one.0).sum();
-            let mean = alike.iter().map(|one| one.0 * one.1).sum::<f64>() / all;
+        self.0.extend(order.chunks(means.len().div_ceil(most)).map(|alike| {
+            let all: f64 = alike.iter().map(|&i| means[i].0).sum();
+            let mean = alike.iter().map(|&i| means[i].0 * means[i].1).sum::<f64>() / all;
             Normal { weight: of.weight * all, mean, ..of }
         }));
     }
 
     /// The same with those as one that are next to each other, where there are many.
-    pub fn condensed(mut self) -> Self {
+    pub fn condensed(self) -> Self {
         const MANY: usize = 128;
         const FINENESS: f64 = 0.1;
+        // Within a class, wherever all of it is.
+        const BESIDE: f64 = 0.37;
+        // Of more classes of means the last is one.
+        const MEANS: f64 = 1e6;
         if self.0.len() <= MANY {
             return self;
         }
-        // Within a class, wherever all of it is.
-        const BESIDE: f64 = 0.37;
         let (middle, _) = self.moments();
-        let key = |one: &Normal| {
+        let class = |one: &Normal| {
             let width = (log(one.deviation.max(SHARPEST)) / FINENESS).floor();
             let place = (one.mean - middle) / (FINENESS * exp(FINENESS * width)) + BESIDE;
-            (width as i64, place.floor() as i64, one.part.to_bits())
+            3.0 * MEANS * width + place.floor().clamp(-MEANS, MEANS)
         };
-        self.0.sort_by_cached_key(key);
-        let together = |alike: &[Normal]| {
+        let classes: Vec<f64> = self.0.iter().map(class).collect();
+        let is_like = |&i: &usize, &k: &usize| classes[i] == classes[k] && self.0[i].part == self.0[k].part;
+        let together = |alike: &[usize]| {
+            let alike: Vec<Normal> = alike.iter().map(|&i| self.0[i]).collect();
             let weight: f64 = alike.iter().map(|one| one.weight).sum();
-            let (mean, variance) = Self::moments_of(alike, weight);
+            let (mean, variance) = Self::moments_of(&alike, weight);
             Normal { weight, mean, deviation: variance.sqrt(), ..alike[0] }
         };
-        Self(self.0.chunk_by(|one, other| key(one) == key(other)).map(together).collect())
+        Self(ascending(&classes).chunk_by(is_like).map(together).collect())
     }
 
     fn likely(&self) -> impl Iterator<Item = &Normal> {
@@ -315,14 +319,13 @@ impl Mixture {
 
     /// The same of numbers without a deviation.
     fn sharp_quantile(&self, probability: f64) -> f64 {
-        let mut sorted: Vec<(f64, f64)> = self.0.iter().map(|one| (one.mean, one.weight)).collect();
-        sorted.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let mut above: f64 = sorted.iter().map(|one| one.1).sum::<f64>() * (1.0 - probability);
-        let found = sorted.iter().rev().find(|(_, weight)| {
-            above -= weight;
+        let order = ascending(&self.0.iter().map(|one| one.mean).collect::<Vec<_>>());
+        let mut above: f64 = self.0.iter().map(|one| one.weight).sum::<f64>() * (1.0 - probability);
+        let found = order.iter().rev().find(|&&i| {
+            above -= self.0[i].weight;
             above <= 0.0
         });
-        found.map_or(f64::NAN, |(number, _)| *number)
+        found.map_or(f64::NAN, |&i| self.0[i].mean)
     }
 
     /// What it is below of with a probability: by Newton's method within a bracket that is halved where it leads outside.

@@ -70,6 +70,27 @@ const FILM: Class = Class {
     carries_over: true,
 };
 
+/// What is told of heights and slopes, and how far the law is off boundary elements of such surfaces (docs/validation.md): in ln of the
+/// real area at a load, and, of friction that is measured at another, in ln(F/P) over the root of a decade between the loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shape {
+    pub called: &'static str,
+    pub area: f64,
+    pub wander: f64,
+}
+
+const fn shape(called: &'static str, area: f64, wander: f64) -> Shape {
+    Shape { called, area, wander }
+}
+
+/// Summits that are given one by one, and machined surfaces that are Gaussian.
+pub static SUMMITS: Shape = shape("", 0.0, 0.0);
+pub static TABLE: Shape = shape("heights and slopes at normal scores", 0.05, 0.055);
+pub static TOP: Shape = shape("heights at normal scores, and the slope of the top", 0.1, 0.1);
+pub static HEIGHTS: Shape = shape("heights that are not Gaussian, and one slope", 0.2, 0.1);
+/// 31 surfaces of boundary elements of which height and slope are known: Gaussian ones, with a lay, skewed ones, plateaus, but no flat tops.
+pub static ALONE: Shape = shape("height and slope alone", 0.49, 0.26);
+
 /// Slopes of machined surfaces where only the process is known (docs/when-to-use.md), and slopes that were measured.
 pub const SLOPE: f64 = 4.0;
 pub const MEASURED_SLOPE: f64 = 1.5;

@@ -43,9 +43,9 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
 fn bands_are_those_of_an_independent_computation() {
     let ground = |points: &str| format!("{STEEL}measured = {points}\n{ROUGH}");
     // So large that many summits touch, at the pressures of 1 mN on 100 um square.
-    let silicon = "measured = [10, 0.3]\npair = \"Si/Si\"\nnominal_area = 1e-4\n[roughness]\nSq = 5e-9\nSdq = 0.05\n";
+    let silicon = "height_distribution = \"gaussian\"\nmeasured = [10, 0.3]\npair = \"Si/Si\"\nnominal_area = 1e-4\n[roughness]\nSq = 5e-9\nSdq = 0.05\n";
     let wafers =
-        "measured = [0.01079, 0.35]\npair = \"Si/Si\"\nnominal_area = 2.05e-5\n[roughness]\nSq = 1e-9\nSdq = 0.02\n";
+        "height_distribution = \"gaussian\"\nmeasured = [0.01079, 0.35]\npair = \"Si/Si\"\nnominal_area = 2.05e-5\n[roughness]\nSq = 1e-9\nSdq = 0.02\n";
     let (exact, rising) = (ground("[[1000, 0.16, 0.01], [10, 0.24, 0.01]]"), ground("[[1000, 0.16], [10, 0.08]]"));
     let one = ground("[1000, 0.16]");
     let titanium = format!("pair = \"Ti/Ti\"\nnominal_area = 1e-4\n{ROUGH}");
@@ -225,12 +225,12 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
     let is_load = "check: the measured friction coefficient is 0.001, dry surfaces have more: is it the load? A point is [load, coefficient]";
     type Row<'a> = (&'a str, &'a str, &'a str, &'a [f64], &'a [&'a str]);
     let rows: &[Row] = &[
-        ("", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about 0.328, 0.0321 to 3.35", "0.3 to a factor of 10 either way", "no asperities yield"]),
-        ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["strength of the interface: as given", "dominated by: the slope of the surface"]),
+        ("", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about 0.328, 0.0307 to 3.51", "0.3 to a factor of 10 either way", "no asperities yield"]),
+        ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["strength of the interface: as given", "dominated by: what is not told of the shape of the heights"]),
         // Slip stresses that a text of parameters has, which nobody measured.
         ("slip_stress_1 = 0.023255813953488372\n", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about", "not measured: slip stresses as given, to a factor of 10 either way", "UNCALIBRATED"]),
         ("slip_stress_1 = 0.02\ncalibration_error = 1\n", SILICON, SMOOTH, &[1e-3], &["to a factor of 10 either way", "UNCALIBRATED"]),
-        ("slip_stress_1 = 0.02\nwork_of_adhesion = 0.06\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\n[known_to]\nslope = 1\n", &[1e-3], &["no band: all inputs count as known"]),
+        ("model_error = 0\nslip_stress_1 = 0.02\nwork_of_adhesion = 0.06\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\n[known_to]\nslope = 1\n", &[1e-3], &["no band: all inputs count as known"]),
         ("", STEEL, ROUGH, &[10.0], &["steel/steel dry 0.57 at 12 N", "clean 0.78", "oxidised 0.27", "from the 3 rows", "no grease", "no ZDDP", yields]),
         // That which is named stands alone, at its load; a measurement here is worth more than any.
         ("interface = \"steel/steel dry\"\n", STEEL, ROUGH, &[12.0], &["measured on other specimens: steel/steel dry 0.57 at 12 N\nmu(12 N) = 0.57, "]),
@@ -259,6 +259,12 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("asperity_count = 1\n", silicon, summits, &[1e-3], &["no check"]),
         ("asperity_count = 1e13\n", silicon, summits, &[1e-3], &["check: the nominal pressure is 0.001 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and asperity_count a number"]),
         ("", STEEL, "[roughness]\nprocess = \"ground\"\nRa = 10e-6\n", &[10.0], &["check: Ra = 10 um: ground surfaces have 0.1 to 1.6 um: is it of this process"]),
+        // What is told of the shape of the heights, and what more of it would be worth.
+        ("measured = [1e-2, 0.3]\n", SILICON, SMOOTH, &[1e-4], &["rests on: roughness: height and slope alone, as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at 0.0001 N to some 0.213 to"]),
+        ("measured = [1e-2, 0.3]\nheight_distribution = \"gaussian\"\n", SILICON, SMOOTH, &[1e-4], &["no rests on: roughness"]),
+        ("measured = [1e-2, 0.3]\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\nSsk = -0.8\nSku = 4\n", &[1e-4], &["rests on: roughness: heights that are not Gaussian, and one slope\n", "no a table of the height map"]),
+        ("measured = [1000, 0.16]\n", STEEL, ROUGH, &[10.0], &["no rests on: roughness", "no plateaus"]),
+        ("measured = [1000, 0.16]\n", STEEL, "[roughness]\nprocess = \"honed\"\nRa = 0.4e-6\n", &[10.0], &["a table of the height map", "check: honed surfaces have plateaus and are not Gaussian: give heights_at_scores, or Spq, Svq and Smq"]),
         ("", SILICON, "[roughness]\nSq = 5e-9\nSdq = 1.5\n", &[1e-3], &["check: the slope of the surface is 1.5: is it in degrees"]),
         ("work_of_adhesion = 6.3\n", SILICON, SMOOTH, &[1e-3], &["check: work_of_adhesion is 6.3: is it in mJ/m^2?"]),
         ("pressure_coefficient = 24\n", SILICON, SMOOTH, &[1e-3], &["check: pressure_coefficient is 24: is it in per cent?"]),
@@ -350,7 +356,7 @@ fn a_given_pressure_coefficient_is_no_part_of_the_doubt() {
         );
         let params = Params::from_toml(&text).expect("parameters");
         let by_pressure = Model::new(&params).expect("a model").state_at_load(1.0).expect("a state").hertz_load * kappa;
-        for text in [text, format!("{}{known}", params.to_toml())] {
+        for text in [text, format!("model_error = 0\n{}{known}", params.to_toml())] {
             let Band { value, low, high } = answer(&text, 1.0).friction;
             for (end, factor) in [(low, 0.1), (high, 10.0)] {
                 assert_near(end, by_pressure + factor * (value - by_pressure), 2e-4);
@@ -360,6 +366,37 @@ fn a_given_pressure_coefficient_is_no_part_of_the_doubt() {
     // What is not given is not known either: a solver's law has none, and its doubt is that of all friction.
     let params = Params::from_toml(&format!("{SILICON}{SMOOTH}")).expect("parameters");
     assert_eq!(params.pressure_coefficient, 0.0);
+}
+
+/// The more is told of the shape of heights, the narrower the band; what the measured surface has in common is no doubt.
+#[test]
+fn bands_have_what_is_not_told_of_the_shape_of_heights() {
+    let told = |shape: &str, before: &str, more: &str| {
+        let silicon = "pair = \"Si/Si\"\nnominal_area = 1e-4\nwork_of_adhesion = 0\nmeasured = [10, 0.3]\n";
+        let Band { low, high, .. } = answer(&format!("{before}{silicon}[roughness]\n{shape}{more}"), 0.1).friction;
+        (high / low).ln()
+    };
+    let (alone, skewed) = ("Sq = 5e-9\nSdq = 0.08\n", "Sq = 5e-9\nSdq = 0.08\nSsk = -0.1\nSku = 3.02\n");
+    let heights: Vec<String> = (-6..=6).map(|i| format!("{}e-9", 2.5 * f64::from(i))).collect();
+    let heights = format!("heights_at_scores = [{}]\n", heights.join(", "));
+    let slopes = format!("slopes_at_scores = [{}]\n", ["0.08"; 13].join(", "));
+    let texts =
+        [alone.into(), skewed.into(), format!("{heights}Sdq = 0.08\nSdq_top = 0.08\n"), format!("{heights}{slopes}")];
+    let widths = texts.each_ref().map(|text: &String| told(text, "", ""));
+    assert!(widths[0] > 1.3 * widths[1] && widths[1] >= widths[2] && widths[2] > widths[3], "{widths:?}");
+    let gaussian = told(alone, "height_distribution = \"gaussian\"\n", "");
+    assert!(widths[3] < 1.05 * gaussian && gaussian <= widths[3], "{gaussian} {widths:?}");
+    // Where nothing else is in doubt there is no band.
+    let known = "[known_to]\nslope = 1\nhardness = 1\n";
+    assert!(
+        told(alone, "model_error = 0\nsize_effect = 1\npressure_coefficient = 0\n", known) < told(alone, "", known)
+    );
+    // Another surface has another shape, but the same surface with another area has not.
+    let at = |more: &str| told(alone, "", &format!("[measured_on]\n{more}"));
+    assert!(at("Sq = 5.001e-9\nSdq = 0.08\n") > 1.2 * at("nominal_area = 1.001e-4\n"));
+    for one in [at(""), at("nominal_area = 1.0001e-4\n")] {
+        assert_near(one, widths[0], 1e-3);
+    }
 }
 
 /// Where adhesion would press so hard that a pressure coefficient alone makes more than was measured, there is none.
@@ -461,6 +498,17 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         ("slip_stress_1 = 0.01\nsize_effect = 0.5\n", ROUGH, "line 1: slip_stress_1: size_effect sets it already"),
         ("interface = \"steel/steel dry\"\nsize_effect = 0.5\n", ROUGH, "line 1: interface: size_effect sets it already"),
         ("interface_kind = \"greased\"\n", ROUGH, "line 1: interface_kind = \"greased\": must be \"film\", \"clean\", \"dry metal\" or \"rock\""),
+        ("interface_kind = \"FILM\"\n", ROUGH, "line 1: interface_kind = \"FILM\": must be \"film\", \"clean\""),
+        ("size_effect = \"0.5\"\n", ROUGH, "line 1: size_effect = \"0.5\": must be a number, without quotes"),
+        ("size_effect = 0.5\nslip_stress_2 = 0.01\n", ROUGH, "line 2: slip_stress_2: size_effect sets it already"),
+        ("measured = [1000, 0.16]\nmeasured = [10, 0.2]\n", ROUGH, "line 2: measured: given twice, also in line 1"),
+        ("length_unit = 1e-3\nmeasured = [1000, 0.16]\n", ROUGH, "length_unit = 0.001: must be 1 for this, which needs SI units"),
+        ("measured = [10, 0.1]\n", "[measured_on]\nRa = 1e-6\nprocess = \"ground\"\n", "height_std: must be set; a roughness with a nominal_area sets it"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nprocess = \"ground\"\nRa = 1.6", "line 8: [measured_on] Ra = 1.6: must be in m, and at most 1e-3"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\npair = \"Si/Si\"", "line 7: [measured_on] pair: belongs above the first table"),
+        ("height_distribution = \"gaussian\"\n", "[roughness]\nSq = 1e-7\nSdq = 0.1\nSsk = -1\nSku = 5", "line 1: height_distribution: [roughness] sets it already"),
+        ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nslope = 0\n", "line 6: [known_to] slope = 0: must be a factor from 1, exact, to 1000"),
+        ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nslope = \"2\"\n", "line 6: [known_to] slope = \"2\": must be a number, without quotes"),
         ("interface_kind = 3\n", ROUGH, "line 1: interface_kind = 3: must be \"film\""),
         ("model_error = -1\n", ROUGH, "line 1: model_error = -1: must be from 0, none, to 100"),
         ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nslope = 0.5\n", "line 6: [known_to] slope = 0.5: must be a factor from 1, exact, to 1000: 1.2 is"),

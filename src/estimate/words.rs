@@ -1,13 +1,14 @@
 //! An estimate for people: the number, its band, what it rests on, what would narrow it.
 
 use super::cases::{hardness_factor, slope_factor, work_factor};
-use super::priors::{MAYBE_LUBRICATED, USUAL_WORK};
-use super::{Answer, Estimate, Rests, Shares, Whose, LARGE};
+use super::priors::{ALONE, MAYBE_LUBRICATED, USUAL_WORK};
+use super::{Answer, Band, Estimate, Rests, Shares, Whose, LARGE};
 use crate::error::{CalibrationFailure, Error};
 use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
 use crate::model::calibration::MeasuredPoint;
 use crate::model::validity::WARNING_TEXTS;
+use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
 use std::fmt::{Display, Formatter, Result, Write};
@@ -85,6 +86,7 @@ fn write_ground(
     if estimate.is_of_pressures() {
         writeln!(out, "rests on: loads are nominal pressures in Pa: no nominal_area was given")?;
     }
+    write_shape(estimate, answers, out)?;
     write_roughness(estimate, out)?;
     write_bodies(estimate, out)?;
     write_assumed(estimate, out)?;
@@ -189,14 +191,14 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
         (of(|shares| shares.hardness), "whether and how asperities yield"),
         (of(|shares| shares.slope), "the slope of the surface"),
         (of(|shares| shares.measurement), "the errors of the measured points"),
-        (of(|shares| shares.model), "how real interfaces leave the law between loads"),
+        (of(|shares| shares.model - shares.shape), "how real interfaces leave the law between loads"),
+        (of(|shares| shares.shape), "what is not told of the shape of the heights"),
         (of(|shares| shares.specimen), "which summits a specimen happens to have"),
     ];
-    let mut sorted = shares;
-    sorted.sort_by(|one, other| other.0.total_cmp(&one.0));
     let (load, unit) = (Figures(widest.load), estimate.unit());
-    let _ =
-        writeln!(out, "dominated by: {} ({:.0} % of the variance at {load} {unit})", sorted[0].1, 100.0 * sorted[0].0);
+    let order = ascending(&shares.map(|(share, _)| share));
+    let (share, what) = shares[order[order.len() - 1]];
+    let _ = writeln!(out, "dominated by: {what} ({:.0} % of the variance at {load} {unit})", 100.0 * share);
     let mut remedies = Vec::new();
     let loads: Vec<f64> = banded.iter().map(|answer| answer.load).take(MOST_LOOKED_AT).collect();
     if let Some((load, gain)) = estimate.next_point(&loads)? {
@@ -213,14 +215,11 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
         Some(machined) if !machined.has_slope => "the mean width of the elements of the profile: RSm",
         _ => "the slope of the surface: [known_to] slope, where it is known better than to a factor of 1.5",
     };
-    for (share, what) in
-        [(shares[5].0, slope), (shares[3].0, "adhesion: work_of_adhesion"), (shares[4].0, "the hardness: hardness")]
-    {
-        remedies.push((share, what.to_owned()));
-    }
-    remedies.sort_by(|one, other| other.0.total_cmp(&one.0));
-    for (share, remedy) in remedies.into_iter().filter(|(share, _)| *share >= WORTHWHILE) {
-        out.push_str(&format!("to narrow it: {remedy} ({:.0} % of the variance)\n", 100.0 * share));
+    let inputs = [(5, slope), (3, "adhesion: work_of_adhesion"), (4, "the hardness: hardness")];
+    remedies.extend(inputs.map(|(i, what)| (shares[i].0, what.to_owned())));
+    let order = ascending(&remedies.iter().map(|(share, _)| -share).collect::<Vec<_>>());
+    for (share, remedy) in order.into_iter().map(|i| &remedies[i]).filter(|(share, _)| *share >= WORTHWHILE) {
+        let _ = writeln!(out, "to narrow it: {remedy} ({:.0} % of the variance)", 100.0 * share);
     }
     Ok(())
 }
@@ -543,6 +542,37 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
         writeln!(out, "check: the nominal pressure is {shown} Pa, above the hardness, which no contact bears: {units}")
     } else {
         Ok(())
+    }
+}
+
+/// What is told of the shape of heights, and what a table of it would be worth.
+fn write_shape(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+    let shape = estimate.described.shape;
+    if shape.called.is_empty() {
+        return Ok(());
+    }
+    write!(out, "rests on: roughness: {}", shape.called)?;
+    let worth = |answer: &&Answer| answer.friction.low < answer.friction.high && answer.shares.shape > WORTHWHILE;
+    let most = answers.iter().filter(worth).max_by(|one, other| one.shares.shape.total_cmp(&other.shares.shape));
+    if let Some(answer) = most.filter(|_| *shape == ALONE) {
+        let (Band { value, low, high }, left) = (answer.friction, (1.0 - answer.shares.shape).max(0.0).sqrt());
+        let [load, low, high] =
+            [answer.load, value * exp(left * log(low / value)), value * exp(left * log(high / value))].map(Figures);
+        let unit = estimate.unit();
+        write!(
+            out,
+            ", as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at {load} {unit} to \
+             some {low} to {high}"
+        )?;
+    }
+    writeln!(out)?;
+    match &estimate.described.machined {
+        Some(machined) if machined.process.leaves_plateaus() => writeln!(
+            out,
+            "check: {} surfaces have plateaus and are not Gaussian: give heights_at_scores, or Spq, Svq and Smq",
+            machined.process.name
+        ),
+        _ => Ok(()),
     }
 }
 
