@@ -85,7 +85,7 @@ def test_roughness_is_taken_in_several_forms() -> None:
     assert friction("Si/Si", **mean, load=1e5).value == pytest.approx(expected, rel=1e-9)
     summits: dict[str, Any] = {"height_std": params.height_std, "summit_radius": params.summit_radius, "summit_density": params.asperity_count}
     radii: dict[str, Any] = {"radius_amplitude": params.radius_amplitude, "radius_rate": params.radius_rate}
-    assert friction("Si/Si", **summits, **radii, load=1e5).value == pytest.approx(expected, rel=1e-9)
+    assert friction("Si/Si", **summits, **radii, load=1e5).value == pytest.approx(expected, rel=1e-6)
     two = friction("Si/Si", Rq=np.array([5e-9, 4e-9]), RSm=[600e-9, 900e-9], load=1e5)
     assert two.value != friction("Si/Si", Rq=5e-9, RSm=600e-9, load=1e5).value
 
@@ -134,7 +134,7 @@ def test_two_bodies_without_a_pair_adhere_as_bodies_do() -> None:
 
 
 def test_an_interface_brings_its_strength() -> None:
-    found = friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", work_of_adhesion=0.063, known_to={"slope": 1})
+    found = friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", work_of_adhesion=0.063, known_to={"slope": 1}, model_error=0)
     expected = model_friction(model_of(PAIRS["Si/Si"].contact).with_interface("Al2O3/Si in air"))
     assert found.value == pytest.approx(expected, rel=1e-6) and found.strength == "table"
     assert found.high / found.value == pytest.approx(3.0, rel=1e-4)
@@ -151,8 +151,8 @@ def test_another_roughness_keeps_the_strength_in_pascal() -> None:
     assert plain.value == pytest.approx(0.16, rel=1e-3)
     assert friction(**rough, **same, measured_on=same).value == pytest.approx(0.16, rel=1e-3)
     other = friction(**rough, Ra=0.1e-6, RSm=80e-6, measured_on=same)
-    assert other.value > 0.25 and other.high / other.low > plain.high / plain.low and other.shares["slope"] > 0.3
-    assert other.curve == pytest.approx(other.value, rel=0.05)
+    assert other.value > 0.25 and other.high / other.low > plain.high / plain.low and other.shares["slope"] > 0.1 and other.shares["model"] > 0.5
+    assert other.curve == pytest.approx(other.value, rel=0.1)
     with Model(Params.from_text(other.surface)) as model:
         assert model.friction_at_load(1000.0) == pytest.approx(other.curve, rel=3e-6)
 
@@ -216,8 +216,10 @@ def test_one_measured_point_narrows_the_band() -> None:
 
 def test_a_strength_that_is_given_has_the_band_of_all_else_or_none() -> None:
     found = friction("Si/Si", **ROUGH, load=1e5, slip_stress_1=0.02)
-    assert found.rests_on[0] == "strength of the interface: as given" and found.shares["slope"] > 0.5 and found.shares["model"] == 0.0
-    found = friction("Si/Si", **ROUGH, **KNOWN, load=1e5, slip_stress_1=0.02)
+    assert found.rests_on[0] == "strength of the interface: as given" and found.shares["model"] > 0.5
+    exact = friction("Si/Si", **ROUGH, load=1e5, slip_stress_1=0.02, model_error=0)
+    assert exact.shares["slope"] > 0.5 and exact.shares["model"] == 0.0
+    found = friction("Si/Si", **ROUGH, **KNOWN, load=1e5, slip_stress_1=0.02, model_error=0)
     assert (found.low, found.high, found.coverage, found.narrow) == (None, None, None, ()) and "no band" in repr(found)
 
 
@@ -226,7 +228,7 @@ def test_an_estimate_is_a_number_with_its_band() -> None:
     assert isinstance(found, Estimate) and float(found) == found.value and np.asarray(found) == found.value
     assert 2.0 * np.asarray(found, dtype=np.float32) == pytest.approx(2 * found.value, rel=1e-6)
     assert f"{found:.2f}" == f"{found.value:.2f} ({found.low:.2f} to {found.high:.2f})" and f"{found}" == repr(found)
-    assert re.fullmatch(r"0\.\d\d\d", f"{friction('Si/Si', **ROUGH, **KNOWN, load=1e5, slip_stress_1=0.02):.3f}")
+    assert re.fullmatch(r"0\.\d\d\d", f"{friction('Si/Si', **ROUGH, **KNOWN, load=1e5, slip_stress_1=0.02, model_error=0):.3f}")
     assert f"{friction('Si/Si', **ROUGH, load=0.0):.3f}" == "no limit"
     many = friction("Si/Si", **ROUGH, load=pandas.Series([1e4, 0.0, -1e20], index=list("abc")))
     assert many.high.index.tolist() == list("abc") and 5 < many.high["a"] / many.value["a"] < 12
