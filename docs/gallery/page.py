@@ -348,7 +348,7 @@ def _yield() -> str:
 
 ![Fractions of elastic, elastic-plastic and flowing contacts, over the load](../figures/yield.svg)
 
-Summits that yield ([model.md](../model.md#summits-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
+Summits that yield ([model.md](../model.md#asperities-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
 (E*/H)(σ/R)^½. ψ decides, more than the load, until most summits touch: heavier loads bring more contacts of all sizes.
 Fractions of the contacts, with α = 0.01 and β = 1000, at loads in N G b² αβ²:
 

@@ -72,8 +72,8 @@ def main(folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     gather(folder / "guide")
     shutil.copy(ROOT / "js" / "dist" / "explorer.html", folder / "explorer.html")
-    for name in ("index.md", "site.css"):
-        shutil.copy(Path(__file__).with_name(name), folder / name)
+    shutil.copy(Path(__file__).with_name("site.css"), folder / "site.css")
+    (folder / "index.md").write_text(home((ROOT / "README.md").read_text(encoding="utf-8")), encoding="utf-8")
     (folder / "guide" / "docs" / "explorer.md").write_text(EXPLORER, encoding="utf-8")
     reference = folder / "reference"
     reference.mkdir()
@@ -83,6 +83,14 @@ def main(folder: Path) -> None:
     (reference / "rust.md").write_text(RUST, encoding="utf-8")
 
 
+def home(readme: str) -> str:
+    """The front page of the repository as that of the site: its links lead to the guide, and two buttons stand before its picture."""
+    return LINK.sub(lambda link: link[0].replace("](", "](guide/", 1) if ":" not in link[1] else link[0], readme).replace("\n![", BUTTONS + "\n![", 1)
+
+
+BUTTONS = """
+[Open the explorer](explorer.html){ .md-button .md-button--primary } [Install](guide/docs/install.md){ .md-button }
+"""
 EXPLORER = """# Explorer
 
 [Open it](../../explorer.html){ .md-button .md-button--primary } in this browser; nothing is sent anywhere.

@@ -1,7 +1,6 @@
 """The tables of the pages that repeat the header."""
 
 import re
-from itertools import groupby
 
 from words import first_sentence, in_words, sentences
 
@@ -18,24 +17,12 @@ def keys(header):
             yield f"| `{one.name}` | {SI.get(one.unit, one.unit)} | {cell(one.domain)} | {cell(doc)} |"
 
 
-def functions(header):
-    """The names of all functions, under the headings of the header."""
-    for heading, group in groupby(header.functions, key=lambda function: function.heading):
-        yield f"- **{heading.rstrip('.')}**: {', '.join(f'`{function.name}`' for function in group)}"
-
-
 def warnings(header):
     yield from ("| `ASPERITY_WARNING_...` | What it says | Set if |", "|---|---|---|")
     for constant in header.warnings:
         what, *more = sentences(constant.doc.removeprefix("Bit of `warnings`: "))
         when = next((re.sub("^Set (if|while) ", "", one).removesuffix(".") for one in more if one.startswith("Set")), "")
         yield f"| `{constant.bare.removeprefix('WARNING_')}` | {cell(what.removesuffix('.'))} | {cell(when)} |"
-
-
-def statuses(header):
-    yield from ("| Status | | What it means |", "|---|---|---|")
-    for constant in header.statuses:
-        yield f"| `{constant.name}` | {constant.value} | {cell(first_sentence(constant.doc).removesuffix('.'))} |"
 
 
 def meaning(one):

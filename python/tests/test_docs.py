@@ -68,7 +68,7 @@ def shows(page: Path, before: int, shown: str, printed: str) -> None:
 
 def check_page(page: Path, checkout: Path, environment: dict[str, str]) -> None:
     found = blocks(page)
-    assert {kind for kind, _ in found if " " not in kind} <= {"sh", "python", "text", "toml", "c", "fortran"}  # the last two: readme.rs, fortran/test.sh
+    assert {kind for kind, _ in found if " " not in kind} <= {"sh", "python", "text", "toml", "bibtex", "c", "fortran"}  # the last two: readme.rs, fortran/test.sh
     # Named in the block's first line, or in that of the file.
     for name, text in ((re.match(r"toml (?:# )?(\S+\.toml)\b", f"{kind} {text}"), text) for kind, text in found):
         if name:
@@ -87,6 +87,6 @@ def test_the_guide_runs_and_prints_what_it_says(root: Path, checkout: Path, envi
     assert len(list((checkout / "wheels").glob("asperity-*-py3-none-*.whl"))) == 1
     assert (checkout / "friction_curve.svg").read_text(encoding="utf-8").startswith("<?xml")
     guides = ("roughness", "materials", "metals", "stiffness-and-microslip")
-    for page in ("python/README.md", *(f"docs/{guide}.md" for guide in guides)):
+    for page in ("README.md", "python/README.md", *(f"docs/{guide}.md" for guide in guides)):
         # In what the guide installed.
         check_page(root / page, checkout, environment)

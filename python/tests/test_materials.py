@@ -176,25 +176,6 @@ def test_data_cannot_be_changed() -> None:
 
 # ---- The page ----
 
-# Sources that many rows name, by the short names that the page explains.
-SHORT = {
-    "Kaye and Laby, Tables of Physical and Chemical Constants": "Kaye and Laby",
-    "E and Poisson's ratio: Kaye and Laby, section 2.2.2, rounded": "E, ν: Kaye and Laby",
-    "Samsonov, Handbook of the Physicochemical Properties of the Elements (1968)": "Samsonov",
-    ": Ashcroft and Mermin, Solid State Physics": "",
-    "Israelachvili, Intermolecular and Surface Forces": "Israelachvili",
-    "Bergstrom, Adv. Colloid Interface Sci. 70 (1997) 125": "Bergstrom",
-    "table of friction coefficients kept at Lawrence Berkeley National Laboratory, www-eng.lbl.gov": "LBNL",
-    "; load and roughness not given": "",
-    "; load not given": "",
-}
-
-
-def short(text: str) -> str:
-    for long, name in SHORT.items():
-        text = text.replace(long, name)
-    return text
-
 
 def scaled(value: float | None, bounds: Range | None, unit: float) -> str:
     if value is None:
@@ -212,7 +193,6 @@ def material_row(material: Material) -> str:
         f"{material.poisson:g}",
         scaled(material.hardness, material.hardness_range, 1e9),
         "" if material.burgers_vector is None else f"{material.burgers_vector / 1e-9:.4g}",
-        short(material.reference),
     ]
     return f"| {' | '.join(cells)} |"
 
@@ -221,13 +201,14 @@ def pair_row(pair: Pair) -> str:
     hamaker = "" if pair.hamaker is None else f"{pair.hamaker / 1e-20:.4g}"
     work = scaled(pair.work_of_adhesion, pair.work_of_adhesion_range, 1e-3)
     strength = "" if pair.slip_stress_1 is None else f"{pair.slip_stress_1:g}"
-    return f"| {pair.name} | {work} | {hamaker} | {strength} | {short(pair.reference)} |"
+    return f"| {pair.name} | {work} | {hamaker} | {strength} |"
 
 
 def interface_row(interface: Interface) -> str:
     numbers = (interface.shear_strength, interface.pressure_coefficient, interface.friction_coefficient, interface.load)
     cells = ["" if value is None else f"{value / unit:.4g}" for value, unit in zip(numbers, (1e6, 1.0, 1.0, 1.0))]
-    return f"| {' | '.join([interface.name, *cells, short(interface.conditions), short(interface.reference)])} |"
+    conditions = interface.conditions.replace("; load not given", "").replace("; load and roughness not given", "")
+    return f"| {' | '.join([interface.name, *cells, conditions])} |"
 
 
 def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:

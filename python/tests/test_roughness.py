@@ -59,7 +59,7 @@ def test_the_page_has_the_asperities_of_the_library() -> None:
     number = r"([\d.]+)"
     told = re.search(
         rf"σ = {number} m₀\^½, Gaussian, with their mean {number} m₀\^½ .*?N = {number} A/L².*?"
-        rf"R = {number} \(α/5\)\^−{number} L²/m₀\^½.*?ε = −{number}, ρ = {number}.*?takes α = {number}\.", page, re.DOTALL,
+        rf"R = {number} \(n/5\)\^−{number} L²/m₀\^½.*?ε = −{number}, ρ = {number}.*?takes n = {number}\.", page, re.DOTALL,
     )  # fmt: skip
     assert told is not None
     height, mean, density, radius, power, amplitude, rate, usual = map(float, told.groups())

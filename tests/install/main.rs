@@ -1,4 +1,4 @@
-//! What a user begins with: the header, the program of README.md, the examples in C and C++.
+//! What a user begins with: the header, the programs of the pages, the examples in C and C++.
 
 #[path = "../common/mod.rs"]
 mod common;

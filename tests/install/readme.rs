@@ -1,5 +1,4 @@
-//! The programs in README.md, on the front page of the site, in docs/start.md, docs/height-maps.md and
-//! docs/stiffness-and-microslip.md print what stands there.
+//! The programs in C of docs/start.md, docs/height-maps.md and docs/stiffness-and-microslip.md print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -49,18 +48,6 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
     text.split(start).nth(1).and_then(|rest| rest.split(end).next()).expect(start)
 }
 
-/// The front page of the site has the same program.
-#[test]
-fn the_program_of_the_readme_prints_what_it_says() {
-    let program = |page: &str| between(page, "```c\n", "```").to_string();
-    let readme = page("README.md");
-    for name in ["README.md", "docs/site/index.md"] {
-        let text = page(name);
-        assert_eq!(program(&text), program(&readme), "{name}");
-        prints("readme.c", (name, &text), &program(&text), between(&text, "```text\n", "```"));
-    }
-}
-
 /// Of normal contact, of a contact that remembers, and of one in an implicit solver.
 #[test]
 fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them() {
@@ -92,7 +79,7 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
             surfaces.push(file);
         }
     }
-    assert_eq!(surfaces.len(), 6);
+    assert_eq!(surfaces.len(), 5);
     let ground = surfaces[0].as_str();
     refuses(
         "start.c",
@@ -101,7 +88,7 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     );
     let slider = maps.split("```c\n").nth(1).expect("the slider");
     let (slider, rest) = slider.split_once("```").expect("its end");
-    prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[5]]);
+    prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 """Bands of estimates against published measurements: one point of a study predicts the others, and so do simpler rules.
 
-usage: estimates.py        prints the tables of scores, and the lines of the front page
+usage: estimates.py        prints the tables of scores
 """
 
 from __future__ import annotations
@@ -12,10 +12,20 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from asperity.estimate import estimate
+from asperity.tools.style import BLUE, GREY, ORANGE, saved, style
 
 REACH = 1.959964
+
+
+# Of the sets, in the picture.
+NAMES = {
+    "A": "silicon wafers", "B": "steel on worn steel", "C1": "quartz grains", "C2": "sand grains", "D100s": "sapphire, soft DLC",
+    "D100d": "diamond, soft DLC", "D260s": "sapphire, hard DLC", "D260d": "diamond, hard DLC", "F": "steel, MoS₂ film",
+    **{f"I{i}": f"steel ball, sample {i}" for i in range(1, 5)}, "J": "steel, light grease",
+}  # fmt: skip
 
 
 class Point(NamedTuple):
@@ -134,16 +144,28 @@ def choices() -> str:
     return "\n".join(rows)
 
 
-def lines() -> str:
-    """What the front page says of them."""
-    (score, covers, count), constant = scored("this library"), scored("constant ± 5 %")
-    many = {rule: scored(rule, "many") for rule in ("this library", "constant ± 5 %")}
-    closer = "a constant was closer" if many["constant ± 5 %"][0] > many["this library"][0] else "a constant was no closer"
-    return (
-        f"- One measured point predicts the other points of {count} published sets within the 95 % band in {100 * covers:.0f} % of the cases, a constant\n"
-        f"  ± 5 % in {100 * constant[1]:.0f} %. If many asperities touch ({many['this library'][2]} of the sets), {closer}\n"
-        "  ([scores](docs/validation.md#one-measured-point-predicts-the-others))."
-    )
+def picture(file: Path) -> None:
+    """Predicted over measured at the last point of each study, from its first: this library with its band, and a constant."""
+    with style():
+        figure = Figure(figsize=(5.0, 4.6))
+        axes = figure.add_axes((0.36, 0.11, 0.61, 0.82))
+        axes.set_title("A constant fails on balls, and does well on many asperities", loc="right", weight="bold", fontsize=10)
+        found = studies()
+        for place, study in enumerate(found):
+            seen, asked = min(study.points), max(study.points)
+            predicted = banded(study, seen, asked)
+            ends = (predicted.middle - REACH * predicted.below, predicted.middle, predicted.middle + REACH * predicted.above)
+            low, middle, high = (math.exp(end) / asked.coefficient for end in ends)
+            axes.plot((low, high), (place, place), color=BLUE, lw=5, alpha=0.3, solid_capstyle="butt")
+            axes.plot(middle, place, "o", color=BLUE, ms=5, label="" if place else "this library, 95 % band")
+            axes.plot(seen.coefficient / asked.coefficient, place, "D", color=ORANGE, ms=5, label="" if place else "a constant")
+        axes.axvline(1, color=GREY, lw=1.2)
+        axes.set(xscale="log", xlim=(0.17, 14), ylim=(len(found) - 0.4, -0.6), xlabel="predicted / measured [–]")
+        axes.set_yticks(range(len(found)), [NAMES.get(study.name, study.name) for study in found], fontsize=8.5)
+        axes.set_xticks([0.2, 0.5, 1, 2, 5, 10], ["0.2", "0.5", "1", "2", "5", "10"])
+        axes.minorticks_off()
+        axes.legend(fontsize=9)
+        saved(figure, file)
 
 
 def table() -> str:
@@ -159,4 +181,4 @@ def table() -> str:
 
 
 if __name__ == "__main__":
-    print(table(), choices(), lines(), sep="\n\n")
+    print(table(), choices(), sep="\n\n")
