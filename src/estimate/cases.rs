@@ -265,7 +265,9 @@ impl Law {
     pub fn at(&self, load: f64, is_of_many: bool, is_film: bool, near: Option<f64>) -> Result<OfLaw, Error> {
         let mean = self.mean_at(load, is_film, near);
         let contacts = mean.as_ref().map_or(0.0, |mean| mean.models[self.middle].contacts);
-        if is_of_many || contacts >= self.alike || self.middle().params().asperity_count <= 1.0 {
+        // Beyond pull-off there are specimens, but not beyond the heaviest load of the mean.
+        let is_beyond = mean.is_err() && load > 0.0;
+        if is_of_many || is_beyond || contacts >= self.alike || self.middle().params().asperity_count <= 1.0 {
             return mean;
         }
         let near = |load: f64| self.drawn_at(load, is_film);
