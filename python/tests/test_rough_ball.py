@@ -167,9 +167,9 @@ def test_the_band_of_a_grain_counts_the_contacts_on_its_area(root: Path) -> None
             for at in (load, 1.0)
         ]
         model, found = Model(params.calibrated(1.0 / shares[1], 0.15)), bead(surface, load)
-        # The estimate leaves open how strength depends on size, which the model of the point alone does not.
+        # The estimate leaves open how strength depends on size and pressure, which the model of the point alone does not.
         law = model.friction_at_load(load / shares[0])
-        assert found.curve == pytest.approx(law, rel=1e-2) and 0.99 * law < found.value < (1.15 if found.contacts < 20 else 1.01) * law
+        assert found.curve == pytest.approx(law, rel=3e-2) and 0.97 * law < found.value < (1.15 if found.contacts < 20 else 1.01) * law
         assert found.contacts == pytest.approx(shares[0] * model.state_at_load(load / shares[0]).contacting, rel=2e-3)
         assert (found.contacts < 20) == ("few contacts" in found.text)
     assert bead(surface, 1.0).value == pytest.approx(0.15, rel=1e-6)
