@@ -207,7 +207,7 @@ export function readParams(library, model) {
 
 /** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
 export function readStruct(library) {
-  const { calibration_load, calibration_friction_force, table_length, ...found } = library.read(library.struct, "asperity_params");
+  const { calibration_load, calibration_friction_force, table_length, reserved, ...found } = library.read(library.struct, "asperity_params");
   if (table_length)
     for (const name of ["table_height", "table_density"]) {
       const offset = LAYOUTS.asperity_params.fields.find((field) => field.name === name)?.offset ?? 0;

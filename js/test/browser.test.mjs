@@ -76,9 +76,11 @@ async function curves(page) {
 const areal = (pair, { Sq, Sdq }, nominal_area) => ({ ...pair, ...momentsOfAreal({ Sq, Sdq }), nominal_area });
 
 function assertLaw(rows, params, column = 1) {
-  const some = rows.filter((_, i) => i % 10 === 0);
   const model = new Model(params);
+  // Where fewer summits touch the line is that of single specimens.
+  const some = rows.filter((row, i) => i % 10 === 0 && model.stateAtLoad(row[0]).contacting > 300);
   // An estimate compiles the law between its loads alone: the same numbers to what tables promise.
+  assert.ok(some.length > 2);
   some.forEach((row) => assert.ok(Math.abs(row[column] / model.frictionAtLoad(row[0]) - 1) < 1e-8, `at ${row[0]} N`));
 }
 
@@ -416,7 +418,7 @@ for (const width of [1280, 390]) test(`${SHADED}, ${width} pixels wide`, async (
       const all = canvas.getBoundingClientRect();
       const scale = canvas.width / all.width;
       const colors = parts.map((part) => {
-        const place = [area.left - all.left + part * area.width, area.top - all.top + 0.23 * area.height];
+        const place = [area.left - all.left + part * area.width, area.top - all.top + 0.33 * area.height];
         return [...canvas.getContext("2d").getImageData(...place.map((x) => Math.round(x * scale)), 1, 1).data].join(" ");
       });
       // How far the words of the shaded part reach, as parts of the width.
@@ -461,7 +463,7 @@ test("the band says what it rests on", async () => {
   };
   const near = (found, wanted) => found.forEach((ratio) => assert.ok(Math.abs(ratio / wanted - 1) < 0.02, `${found}, not ${wanted}`));
   // The line is that of the default strength, which need not be the middle of the band.
-  near([Math.sqrt((await width()).reduce((one, other) => one * other))], 10.2);
+  near([Math.sqrt((await width()).reduce((one, other) => one * other))], 10.7);
   assert.equal(await note(), "A Si/Si: strength not measured: an order of magnitude.");
   await page.locator("#calibration_friction_coefficient").fill("0.2");
   await page.locator("#calibration_load").fill("1e-3");

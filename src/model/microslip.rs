@@ -73,7 +73,7 @@ impl Model {
             return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
-        if square > farthest * farthest {
+        if square.sqrt() > farthest {
             state[..REACH].iter_mut().for_each(|x| *x = x.clamp(-farthest, farthest));
         }
         let cut = levels.cut::<V, DETAILS>(increment, state);
