@@ -56,7 +56,8 @@ def test_an_estimate_of_few_contacts_is_that_of_specimens(pair: str) -> None:
     assert one.force.value == pytest.approx(middle, rel=0.1)
     assert one.force.low == pytest.approx(low, rel=0.15) and one.force.high == pytest.approx(high, rel=0.15)
     for name, band in (("tangential_stiffness", one.stiffness), ("normal_stiffness", one.normal_stiffness), ("gap", one.gap)):
-        assert band.value == pytest.approx(np.median(getattr(found, name), axis=0), rel=0.1), name
+        # Medians below one contact scatter: the estimate looks at fewer specimens.
+        assert band.value == pytest.approx(np.median(getattr(found, name), axis=0), rel=0.25), name
     assert one.pull_off.value == pytest.approx(np.full(len(loads), np.median(found.pull_off_force)), rel=0.05)
     assert one.force.value[:5] == pytest.approx(told.value[:5] * loads[:5])
     # Above 20 contacts the same numbers are those of the mean.
