@@ -9,15 +9,8 @@ export function loadsOf(lightest, heaviest) {
   return Float64Array.from({ length: POINTS }, (_, i) => (i === POINTS - 1 ? heaviest : lightest * Math.exp(i * step)));
 }
 
-/**
- * A coefficient of the model, which the copied programs compute too, in the band that the library estimates of the file; where few
- * summits touch the band is of one specimen, and so is the coefficient: as far from the model's as their median is.
- */
-const banded = (model, { load, low, high, specimen, friction_coefficient, curve_coefficient }) => ({
-  mu: model.frictionAtLoad(load) * (specimen !== "many contacts" && curve_coefficient > 0 ? friction_coefficient / curve_coefficient : 1),
-  low,
-  high,
-});
+/** A coefficient of the model, which the copied programs compute too, in the band that the library estimates of the file. */
+const banded = (model, { load, low, high }) => ({ mu: model.frictionAtLoad(load), low, high });
 
 /**
  * The curve of a surface.

@@ -76,11 +76,9 @@ async function curves(page) {
 const areal = (pair, { Sq, Sdq }, nominal_area) => ({ ...pair, ...momentsOfAreal({ Sq, Sdq }), nominal_area });
 
 function assertLaw(rows, params, column = 1) {
+  const some = rows.filter((_, i) => i % 10 === 0);
   const model = new Model(params);
-  // Where fewer summits touch the line is that of single specimens.
-  const some = rows.filter((row, i) => i % 10 === 0 && model.stateAtLoad(row[0]).contacting > 300);
   // An estimate compiles the law between its loads alone: the same numbers to what tables promise.
-  assert.ok(some.length > 2);
   some.forEach((row) => assert.ok(Math.abs(row[column] / model.frictionAtLoad(row[0]) - 1) < 1e-8, `at ${row[0]} N`));
 }
 
@@ -473,8 +471,8 @@ test("the band says what it rests on", async () => {
   await page.locator("#calibration_load").fill("");
   await page.locator("#materials-section summary").click();
   await page.locator("#slip_stress_1").fill("0.02");
-  // Slope and adhesion stay open.
-  (await width()).forEach((ratio) => assert.ok(ratio > 1 && ratio < 2, `${ratio}`));
+  // Slope, adhesion and the shape of heights stay open.
+  (await width()).forEach((ratio) => assert.ok(ratio > 1 && ratio < 3, `${ratio}`));
   assert.equal(await note(), "A Si/Si: strength as given, taken as known.");
   assert.deepEqual(wrong, []);
   await page.close();

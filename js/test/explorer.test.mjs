@@ -174,20 +174,12 @@ test("a surface says whether its strength was measured", () => {
 /** The curve of a surface of the page. */
 const shown = (surface, loads = [1e-5, 0.1]) => curveOf(asperity, paramsOf(surface), loads, snippet("TOML", surface));
 
-test("the band is the library's estimate of the surface file, and its middle the curve of the model, or of one specimen where few summits touch", () => {
+test("the band is the library's estimate of the surface file, and its middle the curve of the model", () => {
   const silicon = start(asperity);
   const measured = { ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
   for (const surface of [silicon, measured, { ...silicon, contact_law: "elastic-plastic" }, { ...silicon, slip_stress_1: "0.02" }]) {
-    const { model, band, loads, mu, low, high } = shown(surface, [1e-6, 0.1]);
-    const found = asperity.estimate(snippet("TOML", surface), loads);
-    const few = found.filter(({ specimen }) => specimen !== "many contacts").length;
-    assert.ok(few > 10 && few < loads.length - 10, `${few}`);
-    found.forEach(({ load, specimen, friction_coefficient, curve_coefficient }, i) => {
-      const part = specimen === "many contacts" ? 1 : friction_coefficient / curve_coefficient;
-      near(mu[i], part * model.frictionAtLoad(load), 1e-6, `mu at ${load} N`);
-      assert.ok(surface !== measured || (low[i] < mu[i] && mu[i] < high[i]), `in its band at ${load} N`);
-      if (i > 0) near(mu[i], mu[i - 1], 0.25, `no jump at ${load} N`);
-    });
+    const { model, band, loads, mu, low, high } = shown(surface);
+    loads.forEach((load, i) => near(mu[i], model.frictionAtLoad(load), 1e-6, `mu at ${load} N`));
     const [one] = asperity.estimate(snippet("TOML", surface), [loads[60]]);
     near(low[60], one.low, 1e-6, "the lower end");
     near(high[60], one.high, 1e-6, "the upper end");
@@ -209,11 +201,11 @@ test("a strength that nobody measured is an order of magnitude, and the page say
   const given = of({ ...silicon, slip_stress_1: "0.02" });
   assert.ok(given.low < given.mu && given.mu < given.high);
   assert.equal(given.text, "strength as given, taken as known");
-  assert.match(given.words, /^95 %, 0\.\d+ to 0\.\d+$/);
+  assert.match(given.words, /^95 %, 0\.\d+ to \d\.\d+$/);
   const measured = of({ ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3" });
   near(measured.high / measured.mu, Math.exp(1.959963984540054 * 0.05), 1e-2, "at the point");
   assert.equal(measured.text, "strength measured at 1.00 mN to 5 %");
-  assert.match(measured.words, /^95 %, 0\.\d+ to 0\.\d+$/);
+  assert.match(measured.words, /^95 %, 0\.\d+ to \d\.\d+$/);
 });
 
 test("warnings hold in the part of the loads that the library says", () => {

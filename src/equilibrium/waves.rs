@@ -69,7 +69,7 @@ pub struct Waves {
 /// Heights of a root mean square height, from the crests down, and their part of the surface: cos x by the places of Gauss and Chebyshev.
 pub fn ridges(height: f64) -> Vec<(f64, f64)> {
     let count = RIDGES * (height / LOW_RIDGES).max(1.0).ceil();
-    let at = |k: usize| (SQRT_2 * height * ((k as f64 + 0.5) * PI / count).cos(), 1.0 / count);
+    let at = |k: usize| (SQRT_2 * height * libm::cos((k as f64 + 0.5) * PI / count), 1.0 / count);
     (0..count as usize).map(at).collect()
 }
 
