@@ -143,12 +143,11 @@ function others(params, more = []) {
 
 function python(params, surface, load) {
   const rough = roughness(params, surface);
-  const shape = surface.roughness === "areal" && "kurtosis" in params ? { Ssk: params.skew, Sku: params.kurtosis } : {};
   const ways = { areal: "Params.from_iso25178", moments: "Params.from_spectral_moments", summits: "Params.si" };
-  const rest = others(params, [...MEASURED, ...("Ssk" in shape ? ["skew", "kurtosis"] : [])]);
+  const rest = others(params, MEASURED);
   const { calibration_load: at, calibration_friction_coefficient: mu } = params;
   const calibrate = isMeasured(params) ? `params = params.calibrated(load=${real(at)}, friction_coefficient=${real(mu)})  # measured: load in N\n` : "";
-  const lines = [...Object.entries({ ...rough, ...shape }), ...rest].map(([name, value]) => {
+  const lines = [...Object.entries(rough), ...rest].map(([name, value]) => {
     const text = typeof value === "string" ? `"${value}"` : real(value);
     return `    ${name}=${text},${UNITS[name] ? `  # ${UNITS[name]}` : ""}`;
   });

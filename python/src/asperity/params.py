@@ -530,8 +530,8 @@ class Params:
             Ssc: mean curvature of the summits [1/m] > 0, where it is known: it hardly matters.
             Sds: summits per area [1/m^2] > 0, likewise; every local maximum counts, unlike for Spd. McCool's summits are so many
                 if Ssc is given too.
-            Ssk: skew of the heights, together with `Sku`: taken for those of the asperities, which is an approximation. Heights
-                are Gaussian without them.
+            Ssk: skew of the heights, together with `Sku`: asperities follow from heights at 13 scores that have both. Heights are
+                Gaussian without them.
             Sku: kurtosis of the heights.
             nominal_area: [m^2] > 0.
             summits: as for `from_spectral_moments`.
