@@ -30,6 +30,15 @@ KINDS = (
     "Gaussian", "lay 1.5 to 3", "lay 5 to 12", "ground (lay 4)", "skew −1.6 to −0.4", "skew 1.0 to 1.6", "honed, worn", "rough patches", "pits in a flat",
     "measured maps",
 )  # fmt: skip
+# What may be known of a surface, and the keys of `[roughness]` that say it.
+KNOWN = {
+    "a height map": "`heights_at_scores`, `slopes_at_scores`, `lay`: `surface.analyse` writes them",
+    "a bearing curve, Sdq of all and of the top 16 %": "`heights_at_scores`, `Sdq`, `Sdq_top`",
+    "a bearing curve and Sdq": "`heights_at_scores`, `Sdq`",
+    "skew and kurtosis": "`Sq`, `Sdq`, `Ssk`, `Sku`",
+    "plateaus and valleys (ISO 13565-3)": "`Spq`, `Svq`, `Smq`, `Sdq`",
+    "nothing more": "`Sq`, `Sdq`",
+}
 
 
 @dataclass(frozen=True)
@@ -76,11 +85,31 @@ class Surface:
         row, column = self.rows[0], "cabs" if self.is_measured else "c"
         heights, slopes = ([row[f"{name}{k / 2:+.1f}"] for k in range(-6, 7)] for name in ("T", column))
         heights, slopes = [one * math.sqrt(row["m0"]) for one in heights], [math.sqrt(one) * self.slope for one in slopes]
-        lay = math.sqrt(row["m2x"] / row["m2y"])
-        return (
-            f"bandwidth = {4 * row['m4'] * row['m0'] / self.slope**4}\n[roughness]\n"
-            f"heights_at_scores = {heights}\nslopes_at_scores = {slopes}\nlay = {lay}\n"
-        )
+        return self.rough(heights_at_scores=heights, slopes_at_scores=slopes)
+
+    def rough(self, **given: float | list[float]) -> str:
+        """These keys of the roughness, with the lay and the bandwidth."""
+        row = self.rows[0]
+        keys = given | {"lay": math.sqrt(row["m2x"] / row["m2y"])}
+        bandwidth = f"bandwidth = {4 * row['m4'] * row['m0'] / self.slope**4}\n[roughness]\n"
+        return bandwidth + "".join(f"{key} = {value}\n" for key, value in keys.items())
+
+    def from_known(self, known: str) -> list[Ratios]:
+        """The library from one of `KNOWN`."""
+        row, height = self.rows[0], math.sqrt(self.rows[0]["m0"])
+        heights = [row[f"T{k / 2:+.1f}"] * height for k in range(-6, 7)]
+        top = math.sqrt(row["c_above_score_1"]) * self.slope
+        ways: dict[str, Callable[[], list[Ratios]]] = {
+            "a height map": lambda: self.by_table,
+            "nothing more": lambda: self.by_two,
+            "a bearing curve, Sdq of all and of the top 16 %": lambda: self.ratios(self.rough(heights_at_scores=heights, Sdq=self.slope, Sdq_top=top)),
+            "a bearing curve and Sdq": lambda: self.ratios(self.rough(heights_at_scores=heights, Sdq=self.slope)),
+            "skew and kurtosis": lambda: self.ratios(self.rough(Sq=height, Sdq=self.slope, Ssk=row["skew"], Sku=row["kurtosis"])),
+            "plateaus and valleys (ISO 13565-3)": lambda: self.ratios(
+                self.rough(Spq=row["Spq"] * height, Svq=row["Svq"] * height, Smq=row["Smq"], Sdq=self.slope)
+            ),
+        }
+        return ways[known]()
 
     @cached_property
     def by_table(self) -> list[Ratios]:
@@ -170,6 +199,18 @@ def table() -> str:
         ):  # fmt: skip
             cells.append(f"{min(values):.2f} to {max(values):.2f}" if values else "not known")
         rows.append(f"| {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def inputs() -> str:
+    """How near area is to that of the surfaces that were made, by what is known of them."""
+    some = [one for one in frozen() if not one.is_measured]
+    rows = [f"| What you know | In `[roughness]` | Area within 15 %, of {len(some)} | rms of ln A |", "|---|---|---|---|"]
+    for known, keys in KNOWN.items():
+        found = [[ratio.area for ratio in one.from_known(known)] for one in some]
+        near = sum(all(abs(area - 1) <= 0.15 for area in areas) for areas in found)
+        squares = [math.log(area) ** 2 for areas in found for area in areas]
+        rows.append(f"| {known} | {keys} | {near} | {math.sqrt(sum(squares) / len(squares)):.2f} |")
     return "\n".join(rows)
 
 

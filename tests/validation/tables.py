@@ -209,6 +209,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("validation.md", "errors"): errors,
     ("validation.md", "shapes"): shapes.table,
     ("validation.md", "counts"): shapes.counts,
+    ("roughness.md", "inputs"): shapes.inputs,
     ("validation.md", "beads"): beads.table,
     ("dev/validation-data.md", "calibrated-table"): calibrated.table,
     ("dev/validation-data.md", "calibrated-inputs"): calibrated.inputs,
