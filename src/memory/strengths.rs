@@ -12,6 +12,7 @@ use super::{PerEdge, PerLevel, EDGES, LEVELS, NO_EDGE};
 use crate::equilibrium::Branch;
 use crate::numerics::float_bits::{power_of_two, MANTISSA_BITS};
 use crate::numerics::four::{Four, Portable};
+use crate::numerics::hermite::Cubic;
 
 /// H is tabulated against s, at nodes found from the bits of v = 1/s - 1: at 0, and at powers of two from 2^-7 to 2^5.
 const LEAST_EXPONENT: u64 = 1023 - 7;
@@ -73,14 +74,11 @@ impl Strengths {
         let end = last[0] + 2.0 * (1.0 - last[0] + last[1]) / (1.0 - last[2]);
         let node = (1..LEVEL_NODES).find(|&node| at(node)[0] > x).unwrap_or(LEVEL_NODES);
         let [from, to] = [at(node - 1), if node < LEVEL_NODES { at(node) } else { [end, end - 1.0, 1.0] }];
-        let width = to[0] - from[0];
-        if x >= to[0] || width <= 0.0 {
+        if x >= to[0] || to[0] <= from[0] {
             return [x - 1.0, 1.0];
         }
-        let (t, low, high, rise) = ((x - from[0]) / width, width * from[2], width * to[2], to[1] - from[1]);
-        let (c, d) = (3.0 * rise - 2.0 * low - high, low + high - 2.0 * rise);
-        let lost = from[1] + t * (low + t * (c + t * d));
-        [lost.max(x - 1.0), ((low + t * (2.0 * c + 3.0 * t * d)) / width).clamp(0.0, 1.0)]
+        let [lost, given_up, _] = Cubic::new(from.into(), to.into()).rates(x);
+        [lost.max(x - 1.0), given_up.clamp(0.0, 1.0)]
     }
 
     /// X at the nodes and between them, about.
