@@ -3,6 +3,7 @@
 use super::known::deviation;
 use super::{write, Answer, Band, Estimate, Whose};
 use crate::model::Model;
+use crate::numerics::random::Random;
 use crate::params::Params;
 use crate::specimens::{spread, Specimens};
 
@@ -152,12 +153,8 @@ fn values_are_continuous_in_what_is_given() {
 #[test]
 fn bands_have_the_coverage_that_they_say() {
     const REPEATS: usize = 200;
-    let mut random = 20261126_u64;
-    let mut uniform = || {
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((random >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    };
-    let mut normal = || (-2.0 * uniform().ln()).sqrt() * (2.0 * std::f64::consts::PI * uniform()).cos();
+    let mut random = Random(20_261_126);
+    let mut normal = || (-2.0 * random.uniform().ln()).sqrt() * (2.0 * std::f64::consts::PI * random.uniform()).cos();
     let text = |size: f64, known: &str| {
         format!(
             "model_error = 0\nsize_effect = {size}\npressure_coefficient = 0\n{known}{STEEL}measured = [1000, 0.16]\n"

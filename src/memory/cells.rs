@@ -175,15 +175,13 @@ mod tests {
     use super::super::energy;
     use super::*;
     use crate::numerics::four::Portable;
+    use crate::numerics::random::Random;
 
     /// The cells keep the integral of displacements over levels.
     #[test]
     fn cells_that_are_laid_anew_hold_the_same_force_and_no_more_energy() {
-        let mut random = 3_u64;
-        let mut between = |from: f64, to: f64| {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            from + (to - from) * ((random >> 11) as f64 / (1_u64 << 53) as f64)
-        };
+        let mut random = Random(3);
+        let mut between = |from: f64, to: f64| random.between(from, to);
         for i in 0..4000 {
             let mut state = [0.0; STATE];
             (state[REACH], state[LAST]) = (2.0, 2.0 * between(0.05, 1.0));

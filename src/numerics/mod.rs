@@ -8,6 +8,8 @@ pub mod hermite;
 pub mod legendre;
 pub mod neighbours;
 pub mod quadrature;
+#[cfg(test)]
+pub mod random;
 pub mod root;
 
 /// The indices of numbers in ascending order, equal ones as they were. Sorting is compiled here alone: a copy takes 6 kB.

@@ -4,6 +4,7 @@ use super::*;
 use crate::distribution::at_scores::{table_score, SCORES};
 use crate::numerics::neighbours::Neighbours;
 use crate::numerics::quadrature;
+use crate::numerics::random::Random;
 use crate::params::{ContactLawKind, HeightFamily, Params};
 
 /// The population of a surface that is valid.
@@ -185,11 +186,8 @@ fn sums_over_a_table_at_scores_are_integrals_of_its_density() {
 /// Radii are cubics between two scores, so that a summit is nearest to a kink of the law of contact more than once within a panel.
 #[test]
 fn models_of_yielding_summits_are_made_of_any_table_at_scores() {
-    let mut random = 1_u64;
-    let mut between = |least: f64, most: f64| {
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        least + (most - least) * ((random >> 11) as f64 / (1_u64 << 53) as f64)
-    };
+    let mut random = Random(1);
+    let mut between = |least: f64, most: f64| random.between(least, most);
     for _ in 0..if cfg!(miri) { 1 } else { 60 } {
         let [mut height, mut rise, mut log_slope] = [0.0, 1.0, 0.0];
         let rows = (0..SCORES).map(|_| {
