@@ -148,7 +148,7 @@ def picture(file: Path) -> None:
     """Predicted over measured at the last point of each study, from its first: this library with its band, and a constant."""
     with style():
         figure = Figure(figsize=(5.0, 4.6))
-        axes = figure.add_axes((0.36, 0.11, 0.61, 0.82))
+        axes = figure.add_axes((0.36, 0.18, 0.61, 0.75))
         axes.set_title("A constant fails on balls, and does well on many asperities", loc="right", weight="bold", fontsize=10)
         found = studies()
         for place, study in enumerate(found):
@@ -160,11 +160,11 @@ def picture(file: Path) -> None:
             axes.plot(middle, place, "o", color=BLUE, ms=5, label="" if place else "this library, 95 % band")
             axes.plot(seen.coefficient / asked.coefficient, place, "D", color=ORANGE, ms=5, label="" if place else "a constant")
         axes.axvline(1, color=GREY, lw=1.2)
-        axes.set(xscale="log", xlim=(0.17, 14), ylim=(len(found) - 0.4, -0.6), xlabel="predicted / measured [–]")
+        axes.set(xscale="log", xlim=(0.04, 14), ylim=(len(found) - 0.4, -0.6), xlabel="predicted / measured [–]")
         axes.set_yticks(range(len(found)), [NAMES.get(study.name, study.name) for study in found], fontsize=8.5)
-        axes.set_xticks([0.2, 0.5, 1, 2, 5, 10], ["0.2", "0.5", "1", "2", "5", "10"])
+        axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10], ["0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10"])
         axes.minorticks_off()
-        axes.legend(fontsize=9)
+        figure.legend(fontsize=9, loc="lower center", ncols=2, frameon=False)
         saved(figure, file)
 
 
