@@ -47,9 +47,9 @@ pub struct Levels {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Cut {
     /// The stiffness over the reach of the cells, from 0.4 to 1.
-    pub place: f64,
-    /// Its slope by load; 0 if the cells reach farther with load.
-    pub slope: f64,
+    place: f64,
+    /// The same with its slope by load, where the limits are cut; `None` if the cells reach farther with load.
+    pub of_limits: Option<[f64; 2]>,
     reaches_farther: bool,
     /// Whether levels have gone, and the stiffness before over that after where some have come.
     falls: bool,
@@ -101,7 +101,7 @@ impl Levels {
         // A root of it is to be more than 0.
         let first = (state[LAST] / reach).max(f64::MIN_POSITIVE);
         cut.place = now / reach;
-        cut.slope = if cut.reaches_farther { 0.0 } else { self.stiffness.slope / reach };
+        cut.of_limits = (!cut.reaches_farther).then_some([cut.place, self.stiffness.slope / reach]);
         state[LAST] = now;
         for j in (0..LEVELS).step_by(4) {
             (within_cells(j, V::splat(cut.place)) * V::splat(reach)).write(&mut self.width, j);

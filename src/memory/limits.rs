@@ -48,18 +48,18 @@ impl Limits {
         Self { first: first + light as u64, rows }
     }
 
-    /// The shares of cells that are cut at a place in the strength, at load - pull-off, where they are to be; with `SLOPES` also
-    /// by load, at which the place has this slope.
+    /// The shares of cells in the strength, at load - pull-off, where they are to be; with `SLOPES` also by load. Cells that do not reach
+    /// farther with load are cut at a place with this slope.
     #[inline(always)] // so that it is compiled for the instructions that its caller has
     pub fn at_excess<V: Four, const SLOPES: bool>(
         &self,
         x: f64,
-        cut: [f64; 2],
+        cut: Option<[f64; 2]>,
         shares: &mut PerLevel,
         slopes: &mut PerLevel,
     ) {
         let (before, after, part, part_slope) = self.around(x);
-        if cut[0] >= 1.0 && cut[1] == 0.0 {
+        let Some(cut) = cut else {
             for j in (0..LEVELS).step_by(4) {
                 let from = V::read_single(&before.shares, j);
                 let change = V::read_single(&after.shares, j) - from;
@@ -69,7 +69,7 @@ impl Limits {
                 }
             }
             return;
-        }
+        };
         let (mut nodes, mut node_slopes) = ([[0.0; 2]; LEVEL_NODES], [[0.0; 2]; LEVEL_NODES]);
         for j in (0..2 * LEVEL_NODES).step_by(4) {
             let from = V::read_single(before.nodes.as_flattened(), j);

@@ -46,7 +46,7 @@ impl Model {
         let excess = if is_given { load - self.law.table(Quantity::Friction).pull_off } else { 0.0 };
         let (mut shares, mut slopes) = (NO_LEVEL, NO_LEVEL);
         if is_as_before && excess >= 0.0 {
-            self.law.limits().at_excess::<V, DETAILS>(excess, [1.0, 0.0], &mut shares, &mut slopes);
+            self.law.limits().at_excess::<V, DETAILS>(excess, None, &mut shares, &mut slopes);
             if let Some(step) = stuck::<V>(all, &shares, increment, state) {
                 return Ok(step);
             }
@@ -69,7 +69,7 @@ impl Model {
         let levels = room.get_or_insert_with(Levels::default);
         [levels.strength, levels.stiffness] = all;
         if !resists {
-            self.law.limits().at_excess::<V, false>(excess, [1.0, 0.0], &mut levels.shares, &mut slopes);
+            self.law.limits().at_excess::<V, false>(excess, None, &mut levels.shares, &mut slopes);
             return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
@@ -80,8 +80,12 @@ impl Model {
         if is_as_before {
             (levels.shares, levels.share_slopes) = (shares, slopes);
         } else {
-            let place = [cut.place, cut.slope];
-            self.law.limits().at_excess::<V, DETAILS>(excess, place, &mut levels.shares, &mut levels.share_slopes);
+            self.law.limits().at_excess::<V, DETAILS>(
+                excess,
+                cut.of_limits,
+                &mut levels.shares,
+                &mut levels.share_slopes,
+            );
         }
         Ok(levels.step::<V, DETAILS>(increment, cut, state))
     }
