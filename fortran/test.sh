@@ -92,15 +92,14 @@ compile fortran/examples/minimal.f90 "$build/asperity.o" "$target/release/libasp
 "$build/minimal_static" | diff "$build/page.txt" -
 echo "docs/fortran.md: its $(grep -c . "$build/page.sh") lines of commands print what it says"
 
-# The starting points: one program, which prints for each surface file of the page what stands below it.
-awk -v out="$build/start" -v build="$build" '
+# The starting points: one program, which prints for each surface file of two pages what stands below it.
+awk -v out="$build/start" '
     /^```/ { kind = kind == "" ? substr($0, 4) : ""
              if (kind == "toml") file = out "-" ++n ".toml"
-             if (kind == "text") file = out "-" n (texts[n]++ ? "-band" : "") ".txt"
+             if (kind == "text") file = out "-" n (texts[n]++ ? "-more" : "") ".txt"
              if (kind == "fortran") file = out ".f90"
-             if (split(kind, word, " ") == 2) { file = build "/" word[2]; n = "grain" }
              next }
-    kind ~ /^(toml|text|fortran)( |$)/ { print >file }' docs/start.md
+    kind ~ /^(toml|text|fortran)$/ { print >file }' docs/start.md docs/device-or-bead.md
 # shellcheck disable=SC2086
 compile "$build/start.f90" "$build/asperity.o" $link -o "$build/start"
 for surface in "$build"/start-[1-4].toml; do
@@ -116,9 +115,6 @@ refuses "$build/start-1.toml" ten 'usage: friction SURFACE LOAD'
 refuses "$build/start-1.toml" '' 'usage: friction SURFACE LOAD'
 refuses "$build/none.toml" 10 'No such file or directory'
 refuses "$build/start-1.toml" 0,5 'usage: friction SURFACE LOAD'
-# shellcheck disable=SC2086
-compile "$build/grain.f90" "$build/asperity.o" $link -o "$build/grain"
-(cd "$build" && ./grain | diff start-grain.txt -)
-echo "docs/start.md: the programs in Fortran print what stands below each surface"
+echo "docs/start.md: the program in Fortran prints what stands below each surface"
 
 echo "fortran  PASS  $((SECONDS - started)) s"

@@ -106,7 +106,7 @@ CONTACTS = tuple(
         ("DLC on steel", _rough(_bodies("DLC", "steel", 0.05), 50e-9, 20e-6, 1e-6), (1e-1, 1e2),
          "σ = 50 nm, R = 20 µm, 0.1 to 100 MPa", "near the limit: heed the warnings"),
         ("ground steel", _rough(PAIRS["steel/steel"].contact, 0.4e-6, 20e-6, 1e-4, 0.04), (1.0, 2e3),
-         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa ([metals.md](metals.md))", "yields: elastic-plastic law"),
+         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa ([metals](materials.md#metals-yield))", "yields: elastic-plastic law"),
         ("rubber", _rough(_RUBBER_ON_GLASS, 1e-6, 20e-6, 1e-4), (1e-2, 1e2),
          "E = H = 2 MPa, σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa", "not valid: viscoelastic, crowded"),
     )
@@ -121,23 +121,6 @@ def table() -> str:
         area = "one contact" if one.params.nominal_area == 0 else _pair(share)
         cells = (one.name, one.basis, _pair(pressure), _pair(radius), area, one.holds())
         rows.append(f"| {' | '.join(cells)} |")
-    return "\n".join(rows)
-
-
-def roughness() -> str:
-    """What the roughness of the contacts means in areal parameters, as a table of Markdown: of the isotropic Gaussian
-    surface that has these summits by Nayak's relations (docs/roughness.md)."""
-    rows = ["| Contact | σ [nm] | R [µm] | Sq [nm] | Sdq | Sds [1/µm²] |", "|---|---|---|---|---|---|"]
-    for one in CONTACTS:
-        sigma, radius, area = one.params.height_std, one.params.summit_radius, one.params.nominal_area
-        if area == 0:
-            continue
-        density = one.params.asperity_count / area
-        root_m4 = 3 * math.sqrt(math.pi) / (8 * radius)
-        m2 = root_m4**2 / (6 * math.pi * math.sqrt(3) * density)
-        m0 = sigma**2 + (1 + 16 / math.pi - 3 * math.sqrt(3)) * m2**2 / root_m4**2
-        numbers = (1e9 * sigma, 1e6 * radius, 1e9 * math.sqrt(m0), math.sqrt(2 * m2), 1e-12 * density)
-        rows.append(f"| {one.name} | {' | '.join(map(_number, numbers))} |")
     return "\n".join(rows)
 
 

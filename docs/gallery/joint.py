@@ -24,7 +24,7 @@ from .curves import Array
 WIDTH, THICKNESS, HALF_LENGTH, CLAMP = 22e-3, 4e-3, 40e-3, 20e3
 YOUNG = 205e9
 CELLS = 40  # of half the overlap, the other half being its mirror image
-# The surfaces are ground, hardened steel as in docs/metals.md, calibrated with an assumed friction coefficient.
+# The surfaces are ground, hardened steel calibrated with an assumed friction coefficient.
 FRICTION_COEFFICIENT, CALIBRATION_PRESSURE = 0.2, 10e6
 # Slips over F/K_t at which each cell has its curve, a polygon between them.
 _SLIPS = np.concatenate([[0.0], np.geomspace(1e-3, 8.0, 120)])

@@ -45,7 +45,7 @@ def column(rows, name):
 
 
 def area_of(model, load, radius):
-    """Nominal area of a contact of two rough grains (docs/start.md)."""
+    """Nominal area of a contact of two rough grains (docs/device-or-bead.md)."""
     return math.pi * ((0.75 * load * radius / REAL_MODULUS) ** (2 / 3) + 1.5 * model.params.height_std / 0.92 * radius)
 
 

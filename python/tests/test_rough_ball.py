@@ -1,4 +1,4 @@
-"""The nominal area of a rough ball, on docs/start.md: against a contact solved ring by ring, as Greenwood and Tripp do
+"""The nominal area of a rough ball, on docs/device-or-bead.md: against a contact solved ring by ring, as Greenwood and Tripp do
 (J. Appl. Mech. 34 (1967) 153). The asperities are a layer whose pressure depends on the gap of the mean planes alone, on an
 elastic ball."""
 
@@ -86,9 +86,10 @@ def errors() -> dict[float, np.ndarray]:
 
 
 def test_the_area_of_the_page_is_within_two_per_cent_of_friction(root: Path, errors: dict[float, np.ndarray]) -> None:
-    text = (root / "docs" / "start.md").read_text(encoding="utf-8")
+    text = (root / "docs" / "device-or-bead.md").read_text(encoding="utf-8")
     assert "A = π (a² + 1.5 Sq R)" in text
-    ((friction, band),) = re.findall(r"glass beads of 4 mm \| (\S+) \((.*)\) at 0.01 N", text)  # The table at the top.
+    first = (root / "docs" / "start.md").read_text(encoding="utf-8")
+    ((friction, band),) = re.findall(r"glass beads of 4 mm \| (\S+) \((.*)\) at 0.01 N", first)
     assert f"mu(0.01 N) = {friction}, 95 % band {band}\n" in text
     assert max(np.abs(rows[:, 1]).max() for rows in errors.values()) < 2
     assert np.abs(errors[30.0][:, 0]).max() > 25
@@ -96,7 +97,7 @@ def test_the_area_of_the_page_is_within_two_per_cent_of_friction(root: Path, err
 
 def test_flat_summits_on_a_small_ball_have_more_friction_as_the_page_says(root: Path) -> None:
     """On balls of 50 µm and 1 mm, of slopes from 0.03 to 0.2, by the summits' radius Sq/Sdq² over the ball's."""
-    page = " ".join((root / "docs" / "start.md").read_text(encoding="utf-8").split())
+    page = " ".join((root / "docs" / "device-or-bead.md").read_text(encoding="utf-8").split())
     told = re.findall(r"within ([\d.]+) % of .*? below R/(\d+)\. It is up to (\d+) % too low at R/(\d+), (\d+) % at R and (\d+) % at (\d) R", page)
     ((sharp, of_sharp, *blunt),) = ([float(number) for number in row] for row in told)
     least = {1 / of_sharp: sharp, 1 / blunt[1]: blunt[0], 1.0: blunt[2], blunt[4]: blunt[3]}
@@ -118,7 +119,7 @@ def test_flat_summits_on_a_small_ball_have_more_friction_as_the_page_says(root: 
 
 
 def test_the_table_of_the_page_is_what_the_rings_give(root: Path, errors: dict[float, np.ndarray]) -> None:
-    (row,) = re.findall(r"^\| Hertz' area alone \|(.*)\|$", (root / "docs" / "start.md").read_text(encoding="utf-8"), re.MULTILINE)
+    (row,) = re.findall(r"^\| Hertz' area alone \|(.*)\|$", (root / "docs" / "device-or-bead.md").read_text(encoding="utf-8"), re.MULTILINE)
     shown = [[float(number) for number in re.findall(r"-?\d+", cell)] for cell in row.replace("−", "-").split("|")]
     for ends, roughness in zip(shown, ROUGHNESSES):
         found = errors[roughness][:, 0]
@@ -126,7 +127,7 @@ def test_the_table_of_the_page_is_what_the_rings_give(root: Path, errors: dict[f
 
 
 def glass(root: Path) -> str:
-    (surface,) = re.findall(r"```toml grain.toml\n(.*?)```", (root / "docs" / "start.md").read_text("utf-8"), re.DOTALL)
+    (surface,) = re.findall(r"```toml grain.toml\n(.*?)```", (root / "docs" / "device-or-bead.md").read_text("utf-8"), re.DOTALL)
     return str(surface)
 
 
@@ -143,7 +144,7 @@ def bead(text: str, load: float, measured_at: float = 1.0, mu: float = 0.15) -> 
 
 def test_the_slope_of_a_grain_matters_as_the_page_says(root: Path) -> None:
     """For friction little, for the number of contacts much: with half and twice the slope, and other roughnesses and laws."""
-    surface, page = glass(root), " ".join((root / "docs" / "start.md").read_text(encoding="utf-8").split())
+    surface, page = glass(root), " ".join((root / "docs" / "device-or-bead.md").read_text(encoding="utf-8").split())
     shown = re.findall(r"here μ at 0.01 N is (\S+) and (\S+) instead of (\S+)\. .*? is (\S+) and (\S+) instead of (\S+)\. ", page)
     found = [bead(surface.replace("0.2, 0.2", f"{slope}, {slope}"), 0.01) for slope in (0.1, 0.4, 0.2)]
     numbers = [f"{one.value:.3f}" for one in found] + [f"{one.contacts:.1f}" for one in found]

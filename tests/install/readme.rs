@@ -1,4 +1,4 @@
-//! The programs in C of docs/start.md, docs/height-maps.md and docs/stiffness-and-microslip.md print what stands there.
+//! The programs in C of the pages print what stands there.
 
 use crate::common::c_compiler::{root, source, Compiler, Language, Linking};
 
@@ -48,29 +48,27 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
     text.split(start).nth(1).and_then(|rest| rest.split(end).next()).expect(start)
 }
 
-/// Of normal contact, of a contact that remembers, and of one in an implicit solver.
+/// Of normal contact, and of a contact that remembers.
 #[test]
 fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them() {
     let name = "docs/stiffness-and-microslip.md";
     let guide = page(name);
-    for (section, file) in [
-        ("## In C", "normal_contact.c"),
-        ("### A program", "microslip.c"),
-        ("### In an implicit solver", "equilibrium.c"),
-    ] {
+    for (section, file) in [("## In C", "normal_contact.c"), ("### A program", "microslip.c")] {
         let part = guide.split_once(section).expect(section).1;
         prints(file, (name, &guide), between(part, "```c\n", "```"), between(part, "```text\n", "```"));
     }
 }
 
-/// One program reads the surface files of two pages, a second one a surface of a height map.
+/// One program reads the surface files of three pages, a second one a surface of a height map.
 #[test]
 fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     let start = page("docs/start.md");
-    let maps = page("docs/height-maps.md");
+    let (devices, maps) = (page("docs/device-or-bead.md"), page("docs/height-maps.md"));
     let program = between(&start, "```c\n", "```");
     let mut surfaces = Vec::new();
-    for (name, text) in [("docs/start.md", &start), ("docs/height-maps.md", &maps)] {
+    for (name, text) in
+        [("docs/start.md", &start), ("docs/device-or-bead.md", &devices), ("docs/height-maps.md", &maps)]
+    {
         for rest in text.split("```toml\n").skip(1) {
             let file = source(&format!("start-{}.toml", surfaces.len()), rest.split("```").next().expect("a file"));
             let file = file.to_str().expect("UTF-8").to_string();

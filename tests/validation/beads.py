@@ -1,4 +1,4 @@
-"""The pull-off force of rough glass spheres beside estimates of the literature, for docs/validation.md."""
+"""The pull-off force of rough glass spheres beside estimates of the literature, for docs/dev/validation-data.md."""
 
 from __future__ import annotations
 
