@@ -108,6 +108,10 @@ module asperity
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STRONG = 256
   ! one piece of the surface is not like another
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW_WAVES = 512
+  ! heights at scores do not describe flat tops
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FLAT_TOP = 1024
+  ! heights are known not to be Gaussian, but taken as such
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_NOT_GAUSSIAN = 2048
   ! Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7.
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_LAYOUT = 1
   integer(c_int32_t), parameter, public :: ASPERITY_TABLE_FRICTION = 0  ! kind of a table: friction force against load
@@ -260,7 +264,9 @@ module asperity
                                                     ! 0 by default
     integer(c_int32_t) :: waviness_shape            ! What the waves are like, one of ASPERITY_WAVINESS_; unknown by
                                                     ! default, and then the height must be 0
-    integer(c_int32_t) :: reserved                  ! Not read
+    integer(c_int32_t) :: taken_as_gaussian         ! 1: Gaussian heights stand for those of a surface that is known not
+                                                    ! to have them, as where honing left plateaus; 0: not so (the
+                                                    ! default)
     real(c_double) :: length_unit                   ! Unit of all lengths, in metres [-], > 0; 1 by default
     real(c_double) :: force_unit                    ! Unit of all forces, in newtons [-], > 0; 1 by default
   end type asperity_params

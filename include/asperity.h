@@ -172,6 +172,11 @@
 /** Bit of `warnings`: one piece of the surface is not like another. Set if fewer than 8 mean waves, of the length 2 pi
  * `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known. */
 #define ASPERITY_WARNING_FEW_WAVES 512
+/** Bit of `warnings`: heights at scores do not describe flat tops. Set if more than a quarter of the load is where heights change by
+ * less than 0.15 Sq from one score to the next, that is by 1. Never set without a table of them. */
+#define ASPERITY_WARNING_FLAT_TOP 1024
+/** Bit of `warnings`: heights are known not to be Gaussian, but taken as such. Set by `taken_as_gaussian`. */
+#define ASPERITY_WARNING_NOT_GAUSSIAN 2048
 /** Layout of the table that this header describes: rows of 8 doubles, c[0] + c[1] t + ... + c[7] t^7. */
 #define ASPERITY_TABLE_LAYOUT 1
 /** `kind` of a table: friction force against load. */
@@ -352,7 +357,9 @@ typedef struct asperity_params {
   double waviness_width;
   /** What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0. */
   int32_t waviness_shape;
-  /** Not read. */ int32_t reserved;
+  /** 1: Gaussian heights stand for those of a surface that is known not to have them, as where honing left plateaus; 0: not so (the
+   * default). States then have the warning `ASPERITY_WARNING_NOT_GAUSSIAN`. A text that names such a process sets it. */
+  int32_t taken_as_gaussian;
   /** Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it. */
   double length_unit;
   /** Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it. */

@@ -702,6 +702,13 @@ public:
         return assign(c_.waviness_shape, static_cast<std::int32_t>(value));
     }
 
+    /// true: Gaussian heights stand for those of a surface that is known not to have them, as where honing left
+    /// plateaus; false: not so (the default). States then have the warning `ASPERITY_WARNING_NOT_GAUSSIAN`. A text that
+    /// names such a process sets it.
+    bool taken_as_gaussian() const noexcept { return c_.taken_as_gaussian != 0; }
+    /// Sets it.
+    Params &taken_as_gaussian(bool value) noexcept { return assign(c_.taken_as_gaussian, value ? 1 : 0); }
+
     /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
     double length_unit() const noexcept { return c_.length_unit; }
     /// Sets it.

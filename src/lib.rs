@@ -60,8 +60,8 @@ pub use crate::asperity::slip::{SlipConstants, SlipOnset};
 pub use error::{CalibrationFailure, Error, Value};
 pub use memory::{MicroslipStep, STATE as MICROSLIP_LENGTH};
 pub use model::validity::{
-    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC,
-    WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
+    WARNING_ADHESIVE, WARNING_ATOMIC, WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_FLAT_TOP,
+    WARNING_NOT_GAUSSIAN, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 pub use model::{Model, State, Summary};
 pub use params::spectrum::SpectralMoments;

@@ -42,6 +42,8 @@ export const SHORT = {
   BROAD: "broad spectrum",
   STRONG: "stronger than the bodies",
   FEW_WAVES: "few waves on the area",
+  FLAT_TOP: "flat tops",
+  NOT_GAUSSIAN: "not Gaussian",
 };
 
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();

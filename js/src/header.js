@@ -55,6 +55,8 @@ export const CONSTANTS = /** @type {const} */ ({
   "WARNING_BROAD": 128,
   "WARNING_STRONG": 256,
   "WARNING_FEW_WAVES": 512,
+  "WARNING_FLAT_TOP": 1024,
+  "WARNING_NOT_GAUSSIAN": 2048,
   "TABLE_LAYOUT": 1,
   "TABLE_FRICTION": 0,
   "TABLE_LOAD_AT_GAP": 1
@@ -161,7 +163,7 @@ export const LAYOUTS = {
       { name: "waviness_height", type: "double", offset: 264 },
       { name: "waviness_width", type: "double", offset: 272 },
       { name: "waviness_shape", type: "int32_t", offset: 280 },
-      { name: "reserved", type: "int32_t", offset: 284 },
+      { name: "taken_as_gaussian", type: "int32_t", offset: 284 },
       { name: "length_unit", type: "double", offset: 288 },
       { name: "force_unit", type: "double", offset: 296 },
     ],
@@ -427,6 +429,7 @@ export const FUNCTIONS = {
  * @property {number} [waviness_height] Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
  * @property {number} [waviness_width] WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
  * @property {"unknown" | "ridges" | "hills"} [waviness_shape] What the waves are like, one of "unknown", "ridges", "hills"; unknown by default, and then the height must be 0.
+ * @property {boolean} [taken_as_gaussian] true: Gaussian heights stand for those of a surface that is known not to have them, as where honing left plateaus; false: not so (the default). States then have the warning `ASPERITY_WARNING_NOT_GAUSSIAN`. A text that names such a process sets it.
  * @property {number} [length_unit] Unit of all lengths, in metres [-], > 0; 1 by default.
  * @property {number} [force_unit] Unit of all forces, in newtons [-], > 0; 1 by default.
  */

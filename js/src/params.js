@@ -155,9 +155,12 @@ function withoutPoint(params) {
 /** Some of the parameters. @param {Params} params @param {string[]} names @returns {Params} */
 export const only = (params, names) => Object.fromEntries(Object.entries(params).filter(([name]) => names.includes(name)));
 
+/** The parameters that are true or false. */
+const FLAGS = ["attraction", "taken_as_gaussian"];
+
 /** A parameter as a number, words by theirs. @param {string} name @param {unknown} value */
 export function number(name, value) {
-  if (typeof value === "boolean" && name === "attraction") return Number(value);
+  if (typeof value === "boolean" && FLAGS.includes(name)) return Number(value);
   const words = Object.hasOwn(WORDS, name) ? WORDS[name] : undefined;
   if (words && typeof value === "string") {
     if (Object.hasOwn(words, value)) return words[value];
@@ -207,7 +210,7 @@ export function readParams(library, model) {
 
 /** The struct at `library.struct`, words where they are words. @param {import("./library.js").Library} library */
 export function readStruct(library) {
-  const { calibration_load, calibration_friction_force, table_length, reserved, ...found } = library.read(library.struct, "asperity_params");
+  const { calibration_load, calibration_friction_force, table_length, ...found } = library.read(library.struct, "asperity_params");
   if (table_length)
     for (const name of ["table_height", "table_density"]) {
       const offset = LAYOUTS.asperity_params.fields.find((field) => field.name === name)?.offset ?? 0;
@@ -215,7 +218,7 @@ export function readStruct(library) {
       found[name] = new Float64Array(library.memory.buffer, pointer, table_length).slice();
     }
   if (calibration_friction_force) found.calibrated = { calibration_load, calibration_friction_force };
-  found.attraction = found.attraction !== 0;
+  for (const name of FLAGS) found[name] = found[name] !== 0;
   for (const [name, words] of Object.entries(WORDS)) found[name] = wordOf(words, found[name]);
   return found;
 }

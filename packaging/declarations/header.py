@@ -127,8 +127,8 @@ class Header:
 
     @property
     def params(self):
-        """The parameters: all fields of asperity_params but its size and what is not read."""
-        return [one for one in self.structs["asperity_params"].fields[1:] if one.name != "reserved"]
+        """The parameters: all fields of asperity_params but its size."""
+        return self.structs["asperity_params"].fields[1:]
 
     @property
     def inputs(self):

@@ -94,7 +94,7 @@ def params_fields(header):
         if one.name in header.words:
             default = f' = "{word(next(iter(header.words[one.name])))}"'
         elif one.type == "int32_t":
-            default = " = True"
+            default = f" = bool(_DEFAULT.{one.name})"
         elif one.is_pointer:
             default = " = ()"
         yield f"    {one.name}: {annotation(one, header)}{default}"

@@ -108,8 +108,8 @@ def test_parameters_reach_the_library_unchanged() -> None:
         back = parameters_of(model)
     found = {field[0]: getattr(back, field[0]) for field in back._fields_[1:]}
     assert not found.pop("table_height") and not found.pop("table_density") and found.pop("table_length") == 0
-    words = {"height_distribution": _header.ASPERITY_HEIGHTS_WEIBULL, "attraction": 0, "contact_law": 0, "slip_onset": 0, "waviness_shape": 0}
-    expected = vars(params) | words | {"reserved": 0}
+    words = {"height_distribution": _header.ASPERITY_HEIGHTS_WEIBULL, "attraction": 0, "contact_law": 0, "slip_onset": 0, "waviness_shape": 0, "taken_as_gaussian": 0}
+    expected = vars(params) | words
     del expected["table_height"], expected["table_density"], expected["in_si"]
     assert found == expected
 

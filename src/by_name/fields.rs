@@ -59,6 +59,7 @@ macro_rules! with_fields {
             waviness_width "length": params.waviness.width;
             waviness_shape: params.waviness.shape as &["unknown", "ridges", "hills"],
                     "must be one of ASPERITY_WAVINESS_: UNKNOWN (0), RIDGES (1), HILLS (2)";
+            taken_as_gaussian: params.taken_as_gaussian as FLAG, "must be 0 or 1";
             contact_law: params.contact_law as &["maugis", "elastic-plastic"],
                     "must be one of ASPERITY_CONTACT_: MAUGIS (0), ELASTIC_PLASTIC (1)";
             slip_onset: params.slip_onset as &["partial", "whole"],
@@ -87,7 +88,7 @@ macro_rules! fields {
     };
 }
 
-pub static FIELDS: &[Field; 35] = with_fields!(fields);
+pub static FIELDS: &[Field; 36] = with_fields!(fields);
 
 /// A number of a parameter, whatever its type.
 pub trait Number {

@@ -234,6 +234,10 @@ impl Entries<'_> {
         without_adhesion(&mut alone.params);
         let is_whole = is_set && alone.params.unset().is_none();
         let before = draft.clone();
+        if is_whole {
+            // The law too is then that of this text.
+            draft.params.contact_law = alone.params.contact_law;
+        }
         numbers.set(draft).map_err(|error| self.problem(error, begin))?;
         without_adhesion(&mut draft.params);
         let given = |names: &[&str]| names.iter().any(|name| self.find(Table::Top, name).is_some());
@@ -727,7 +731,7 @@ impl GivenSurface<'_> {
         Ok(())
     }
 
-    fn roughness(&mut self, draft: &Draft) -> Outcome<()> {
+    fn roughness(&mut self, draft: &mut Draft) -> Outcome<()> {
         let entries = self.entries;
         let Some(begin) = entries.begin(Table::Roughness) else { return Ok(()) };
         if entries.of(Table::Roughness).next().is_none() {
@@ -746,6 +750,7 @@ impl GivenSurface<'_> {
         let bandwidth = self.numbers.get("bandwidth");
         let Roughness { moments, density, at_scores, lay, machined } =
             Roughness::of(entries, Table::Roughness, begin, bandwidth)?;
+        draft.params.taken_as_gaussian = machined.as_ref().is_some_and(|machined| machined.process.leaves_plateaus());
         self.machined = machined;
         for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
             self.numbers.give_named(name, moment);

@@ -150,8 +150,9 @@ pub struct asperity_params {
     pub waviness_width: f64,
     /// What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0.
     pub waviness_shape: i32,
-    /// Not read.
-    pub reserved: i32,
+    /// 1: Gaussian heights stand for those of a surface that is known not to have them, as where honing left plateaus; 0: not so (the
+    /// default). States then have the warning `ASPERITY_WARNING_NOT_GAUSSIAN`. A text that names such a process sets it.
+    pub taken_as_gaussian: i32,
     /// Unit of all lengths, in metres [-], > 0; 1 by default. `asperity_params_set_units` sets it.
     pub length_unit: f64,
     /// Unit of all forces, in newtons [-], > 0; 1 by default. `asperity_params_set_units` sets it.

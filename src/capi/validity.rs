@@ -39,6 +39,11 @@ pub const ASPERITY_WARNING_STRONG: u64 = 256;
 /// Bit of `warnings`: one piece of the surface is not like another. Set if fewer than 8 mean waves, of the length 2 pi
 /// `height_std`/`rms_slope`, fit a side of `nominal_area`; never set if one of these is not known.
 pub const ASPERITY_WARNING_FEW_WAVES: u64 = 512;
+/// Bit of `warnings`: heights at scores do not describe flat tops. Set if more than a quarter of the load is where heights change by
+/// less than 0.15 Sq from one score to the next, that is by 1. Never set without a table of them.
+pub const ASPERITY_WARNING_FLAT_TOP: u64 = 1024;
+/// Bit of `warnings`: heights are known not to be Gaussian, but taken as such. Set by `taken_as_gaussian`.
+pub const ASPERITY_WARNING_NOT_GAUSSIAN: u64 = 2048;
 
 /// These bits are those of the model, each once.
 const _: () = {
@@ -53,7 +58,9 @@ const _: () = {
             && ASPERITY_WARNING_BROAD == validity::WARNING_BROAD
             && ASPERITY_WARNING_STRONG == validity::WARNING_STRONG
             && ASPERITY_WARNING_FEW_WAVES == validity::WARNING_FEW_WAVES
-            && 2 * ASPERITY_WARNING_FEW_WAVES == validity::EVERY_WARNING + 1
+            && ASPERITY_WARNING_FLAT_TOP == validity::WARNING_FLAT_TOP
+            && ASPERITY_WARNING_NOT_GAUSSIAN == validity::WARNING_NOT_GAUSSIAN
+            && 2 * ASPERITY_WARNING_NOT_GAUSSIAN == validity::EVERY_WARNING + 1
     );
 };
 

@@ -65,6 +65,9 @@ pub struct State {
     pub plasticity_index: f64,
     /// Mean of the contact radii over the radii of their summits.
     pub mean_steepness: f64,
+    /// Share of the load on flat parts of the surface, where heights change by less than 0.15 Sq a score; 0 without a table of heights
+    /// at scores.
+    pub load_on_flats: f64,
     /// Bits `WARNING_...`, for example [`WARNING_FEW`](crate::WARNING_FEW): what the model assumes and this state lacks.
     pub warnings: u64,
     /// K_t [force/length]: force by displacement along the surfaces while all contacts stick.
@@ -366,6 +369,7 @@ impl Surfaces {
             mean_asperity_pressure,
             plasticity_index: self.plasticity_index(),
             mean_steepness: contacts.mean_steepness * self.params.burgers_vector / self.params.summit_radius,
+            load_on_flats: contacts.on_flats,
             warnings: 0,
             tangential_stiffness: spread_radius * units.stiffness,
             fraction_elastic: contacts.elastic,

@@ -4,7 +4,7 @@
 use super::State;
 use crate::error::Error;
 use crate::numerics::neighbours::Neighbours;
-use crate::params::{ContactLawKind, Params};
+use crate::params::{ContactLawKind, HeightFamily, Params};
 use std::ffi::CStr;
 
 /// Set in [`State::warnings`](crate::State::warnings) where summits yield, but the contact law is elastic.
@@ -27,6 +27,10 @@ pub const WARNING_BROAD: u64 = 128;
 pub const WARNING_STRONG: u64 = 256;
 /// Set where too few waves of the roughness fit the nominal area for it to be like another.
 pub const WARNING_FEW_WAVES: u64 = 512;
+/// Set where much of the load is on flat tops.
+pub const WARNING_FLAT_TOP: u64 = 1024;
+/// Set where heights are known not to be Gaussian, but taken as such.
+pub const WARNING_NOT_GAUSSIAN: u64 = 2048;
 
 /// The mean pressure of an elastic contact, over the hardness, at which yield sets in below its surface: 1.1 of the
 /// yield stress, of which the hardness is 2.8 (Johnson, Contact Mechanics, 1985, sections 6.1 and 6.2).
@@ -42,6 +46,8 @@ const STEEP_RATIO: f64 = 0.1;
 const STEEP_SLOPE: f64 = 0.3;
 /// Mean waves a side of the nominal area, from which on friction is that of boundary elements to 10 % or so (docs/validation.md).
 const FEWEST_WAVES: f64 = 8.0;
+/// The share of the load on flat tops up to which surfaces are those of boundary elements (docs/validation.md).
+const FLAT_SHARE: f64 = 0.25;
 /// The number of contacts from which the mean over surfaces at one load is that at one separation, to 1/20.
 const FEWEST_CONTACTS: f64 = 20.0;
 
@@ -57,7 +63,7 @@ const ALWAYS: f64 = f64::MAX;
 pub struct Measures([f64; WARNINGS]);
 
 /// All warnings, and how many they are.
-pub const EVERY_WARNING: u64 = 2 * WARNING_FEW_WAVES - 1;
+pub const EVERY_WARNING: u64 = 2 * WARNING_NOT_GAUSSIAN - 1;
 pub const WARNINGS: usize = EVERY_WARNING.count_ones() as usize;
 
 impl Measures {
@@ -95,7 +101,23 @@ impl Measures {
         };
         let waves = params.waves_a_side();
         let few_waves = if of_many && waves > 0.0 { FEWEST_WAVES / waves } else { 0.0 };
-        Self([plastic, crowded, steep, atomic, few, adhesive, uncalibrated, broad, strong, few_waves])
+        let flat_top = state.load_on_flats / FLAT_SHARE;
+        let not_gaussian =
+            if params.taken_as_gaussian && params.heights == HeightFamily::Gaussian { ALWAYS } else { 0.0 };
+        Self([
+            plastic,
+            crowded,
+            steep,
+            atomic,
+            few,
+            adhesive,
+            uncalibrated,
+            broad,
+            strong,
+            few_waves,
+            flat_top,
+            not_gaussian,
+        ])
     }
 
     /// The bits of the assumptions that fail.
@@ -267,6 +289,20 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
         c"fewer than 8 mean waves of the roughness fit a side of nominal_area, so that one or two hills may carry the \
           load: friction is then 1.05 to 1.8 times what the model predicts, most at light loads, and nominally equal \
           surfaces differ by up to 30 %; use a larger area, or remove waves longer than it from the heights",
+    ),
+    (
+        c"FLAT_TOP",
+        WARNING_FLAT_TOP,
+        c"more than a quarter of the load is on flat tops, where a table of heights at scores does not say what the surface is like: real \
+          area is 0.8 to 1.4 times that of boundary elements there, friction that was calibrated at another load 0.7 to 1; calibrate at the \
+          load of use",
+    ),
+    (
+        c"NOT_GAUSSIAN",
+        WARNING_NOT_GAUSSIAN,
+        c"the surface is known not to be Gaussian, as one that honing, lapping or wear left with plateaus, but its heights are taken as \
+          such: real area is then 0.2 to 1 times that of boundary elements; give heights_at_scores and slopes_at_scores of a height map, \
+          or Spq, Svq and Smq with Sdq",
     ),
 ];
 

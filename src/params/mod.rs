@@ -98,6 +98,8 @@ pub struct Params {
     pub summit_mean_height: f64,
     /// Root mean square slope of the surface, Sdq = (2 m2)^(1/2), to judge slopes and waves on the nominal area; 0 if not known.
     pub rms_slope: f64,
+    /// Whether Gaussian heights stand for those of a surface that is known not to have them, of which states then warn.
+    pub taken_as_gaussian: bool,
     /// Waves on which the roughness stands. A solver whose mesh carries the waves leaves them out here.
     pub waviness: Waviness,
     /// The unit of all lengths [m]: 1, or what [`Params::set_units`] has converted them into.
@@ -180,6 +182,7 @@ impl Params {
             calibration_error: USUAL_ERROR,
             summit_mean_height: 0.0,
             rms_slope: 0.0,
+            taken_as_gaussian: false,
             waviness: Waviness::default(),
             length_unit: 1.0,
             force_unit: 1.0,

@@ -35,6 +35,11 @@ impl RadiusProfile {
         self.amplitude < 0.0 || self.scores.is_some()
     }
 
+    /// Whether a table says that the surface is flat at a height.
+    pub fn is_flat(&self, z: f64) -> bool {
+        self.scores.as_ref().is_some_and(|scores| scores.is_flat(z))
+    }
+
     /// How fast they change with height at most, per sigma, but for a factor.
     pub fn steepness(&self) -> f64 {
         self.scores.as_ref().map_or(self.rate, |scores| scores.steepest() * self.rate.max(1.0))

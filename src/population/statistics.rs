@@ -27,6 +27,8 @@ pub struct Statistics {
     pub elastic: f64,
     /// Fraction of the contacts that are fully plastic.
     pub flowing: f64,
+    /// Share of what contacts bear on flat parts of the surface, of a table of heights at scores.
+    pub on_flats: f64,
 }
 
 impl Statistics {
@@ -38,6 +40,7 @@ impl Statistics {
         self.by_regime = std::array::from_fn(|i| self.by_regime[i] + part * other.by_regime[i]);
         self.elastic += part * other.elastic;
         self.flowing += part * other.flowing;
+        self.on_flats += part * other.on_flats;
     }
 }
 
@@ -45,6 +48,7 @@ impl Statistics {
 struct Counting<'a> {
     population: &'a Population,
     count: f64,
+    load: f64,
     /// Sums in place of means and fractions.
     sums: Statistics,
     seen: Vec<(f64, f64)>,
@@ -63,6 +67,10 @@ impl Visitor for Counting<'_> {
         sums.by_regime[regime] += fraction;
         sums.elastic += if summit.overlap <= yields { fraction } else { 0.0 };
         sums.flowing += if summit.overlap >= flows { fraction } else { 0.0 };
+        // Forces by adhesion have both signs: what Hertz' contacts of the same radii bear has not.
+        let load = fraction * summit.hertz_load;
+        self.load += load;
+        sums.on_flats += if self.population.radius.is_flat(z) { load } else { 0.0 };
         self.seen.push((z, summit.radius));
     }
 
@@ -79,13 +87,14 @@ impl Population {
     pub fn statistics(&self, separation: f64, number: f64) -> Result<Statistics, Error> {
         let population = &*self.as_at(separation);
         let edge = population.edge(separation);
-        let mut counting = Counting { population, count: 0.0, sums: Statistics::default(), seen: Vec::new() };
+        let mut counting =
+            Counting { population, count: 0.0, load: 0.0, sums: Statistics::default(), seen: Vec::new() };
         if self.yields == self.kinks_of_contact {
             population.visit(separation, &edge, &mut counting)?;
         } else {
             population.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
         }
-        let Counting { count, sums, seen, .. } = counting;
+        let Counting { count, load, sums, seen, .. } = counting;
         if count == 0.0 {
             return Ok(Statistics::default());
         }
@@ -106,6 +115,7 @@ impl Population {
             by_regime: sums.by_regime.map(|fraction| fraction / count),
             elastic: sums.elastic / count,
             flowing: sums.flowing / count,
+            on_flats: if load > 0.0 { sums.on_flats / load } else { 0.0 },
         })
     }
 

@@ -57,6 +57,8 @@
 #define ASPERITY_WARNING_BROAD 128
 #define ASPERITY_WARNING_STRONG 256
 #define ASPERITY_WARNING_FEW_WAVES 512
+#define ASPERITY_WARNING_FLAT_TOP 1024
+#define ASPERITY_WARNING_NOT_GAUSSIAN 2048
 #define ASPERITY_TABLE_LAYOUT 1
 #define ASPERITY_TABLE_FRICTION 0
 #define ASPERITY_TABLE_LOAD_AT_GAP 1
@@ -153,7 +155,7 @@ typedef struct asperity_params {
   double waviness_height; /* 272, 8 */
   double waviness_width; /* 280, 8 */
   int32_t waviness_shape; /* 288, 4 */
-  int32_t reserved; /* 292, 4 */
+  int32_t taken_as_gaussian; /* 292, 4 */
   double length_unit; /* 296, 8 */
   double force_unit; /* 304, 8 */
 } asperity_params; /* 312 */

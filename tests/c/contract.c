@@ -87,7 +87,8 @@ static void statuses_and_warnings_are_named_as_their_constants(void)
 #define WARNING(name) NAMED(ASPERITY_WARNING_, name)
         STATUS(OK), STATUS(NULL_POINTER), STATUS(INVALID_PARAMETER), STATUS(INVALID_LOAD), STATUS(SEPARATED), STATUS(OUT_OF_RANGE),
         STATUS(NOT_CONVERGED), STATUS(INTERNAL), WARNING(PLASTIC), WARNING(CROWDED), WARNING(STEEP), WARNING(ATOMIC), WARNING(FEW),
-        WARNING(ADHESIVE), WARNING(UNCALIBRATED), WARNING(BROAD), WARNING(STRONG), WARNING(FEW_WAVES),
+        WARNING(ADHESIVE), WARNING(UNCALIBRATED), WARNING(BROAD), WARNING(STRONG), WARNING(FEW_WAVES), WARNING(FLAT_TOP),
+        WARNING(NOT_GAUSSIAN),
     };
     enum { STATUSES = 8, ALL = sizeof named / sizeof *named };
     static char text[4096], all[4096], described[4096], line[32];
@@ -108,7 +109,7 @@ static void statuses_and_warnings_are_named_as_their_constants(void)
         CHECK(asperity_warnings_text(2 * named[i].number - 1, all, sizeof all) == whole, "another length than all together");
         CHECK(strcmp(all + whole - strlen(text), text) == 0, "'%s'", all);
     }
-    CHECK(asperity_name(ASPERITY_NAMES_STATUSES, STATUSES) == NULL && asperity_name(ASPERITY_NAMES_WARNINGS, 10) == NULL, "more");
+    CHECK(asperity_name(ASPERITY_NAMES_STATUSES, STATUSES) == NULL && asperity_name(ASPERITY_NAMES_WARNINGS, 12) == NULL, "more");
     CHECK(strcmp(asperity_status_string(7), "unknown status") == 0, "%s", asperity_status_string(7));
     CHECK(asperity_warnings_text(0, text, sizeof text) == 10 && strcmp(text, "no warning") == 0, "'%s'", text);
     asperity_warnings_text((UINT64_C(1) << 40) | 1, text, sizeof text);
@@ -126,7 +127,7 @@ static void bodies_and_interfaces_are_described_by_their_names(void)
         { ASPERITY_NAMES_INTERFACES, "KCl film on iron in vacuum", "pressure_coefficient = 0.14  # [-]\n" },
         { ASPERITY_NAMES_INTERFACES, "steel/steel dry", "friction_coefficient = 0.57  # [-]\nload = 12.0  # [N]\n" },
     };
-    const size_t counts[] = { 35, 30, 26, 39 };
+    const size_t counts[] = { 36, 30, 26, 39 };
     char text[2048];
 
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -257,7 +258,7 @@ static void failing_setters_name_the_argument_and_touch_nothing(void)
     CHECK(SAME(p, before), "the parameters changed");
 }
 
-enum { NAMES = 35 };
+enum { NAMES = 36 };
 
 /* Set in their order, whatever heights this one had, all are those of another surface. */
 static void names_are_those_of_the_fields(void)
@@ -274,7 +275,7 @@ static void names_are_those_of_the_fields(void)
     FIELD(slip_stress_2, 2) FIELD(max_friction_coefficient, 2) FIELD(hardness, 2) FIELD(tangential_modulus, 2)
     FIELD(nominal_area, 2) FIELD(pressure_coefficient, 2) FIELD(bandwidth, 2) FIELD(calibration_error, 2)
     FIELD(summit_mean_height, 2) FIELD(rms_slope, 2) FIELD(waviness_height, 2) FIELD(waviness_width, 2)
-    FIELD(waviness_shape, 2) FIELD(contact_law, 1) FIELD(slip_onset, 1) FIELD(weibull_shape, 2)
+    FIELD(waviness_shape, 2) FIELD(taken_as_gaussian, 0) FIELD(contact_law, 1) FIELD(slip_onset, 1) FIELD(weibull_shape, 2)
     FIELD(height_distribution, 2) FIELD(kurtosis, 2) FIELD(skew, 2)
     for (int i = 0; i < SURFACES * SURFACES; i++) {
         const asperity_params source = surface(i % SURFACES);

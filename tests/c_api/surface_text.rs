@@ -329,6 +329,26 @@ fn one_measured_point_sets_the_strength_and_is_kept() {
     assert_same(&surface(&format!("{point}{CARBON}")), &expected, "a point on an interface");
 }
 
+/// Honing leaves plateaus, of which Ra says nothing: until another roughness is given.
+#[test]
+fn a_process_that_leaves_plateaus_is_known_not_to_be_gaussian() {
+    let text = |rough: &str| format!("pair = \"steel/steel\"\nnominal_area = 4e-4\n[roughness]\n{rough}");
+    let mut params = asperity_params::unset();
+    let honed = "Ra = 0.3e-6\nprocess = \"honed\"\n";
+    for (rough, taken) in [
+        ("Ra = 0.3e-6\nprocess = \"ground\"\n", 0),
+        (honed, 1),
+        ("Spq = 0.1e-6\nSvq = 0.6e-6\nSmq = 0.7\nSdq = 0.1\n", 0),
+        (honed, 1),
+        ("Sq = 0.4e-6\nSdq = 0.1\n", 0),
+    ] {
+        assert_eq!(set(&mut params, text(rough).as_bytes()), OK, "{rough}: {}", message());
+        assert_eq!(params.taken_as_gaussian, taken, "{rough}");
+    }
+    let said = text(honed).replacen("nominal", "taken_as_gaussian = false\nnominal", 1);
+    assert_eq!((set(&mut params, said.as_bytes()), params.taken_as_gaussian), (OK, 0));
+}
+
 /// A joint of two lapped faces, at the line of what is wrong with its waves; metal that yields on them has no adhesion of its pair.
 #[test]
 fn waves_are_given_whole_or_refused_at_their_line() {

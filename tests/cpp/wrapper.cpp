@@ -105,7 +105,7 @@ void field_is_set(Params &(Params::*set)(Value) noexcept, Value (Params::*get)()
     F(slip_radius_1) F(slip_stress_1) F(slip_radius_2) F(slip_stress_2) F(max_friction_coefficient) F(skew) F(kurtosis) F(hardness)      \
     F(tangential_modulus) F(nominal_area) F(contact_law) F(slip_onset) F(pressure_coefficient) F(bandwidth) F(calibration_load)          \
     F(calibration_friction_force) F(calibration_error) F(summit_mean_height) F(rms_slope) F(waviness_height)        \
-    F(waviness_width) F(waviness_shape) F(length_unit) F(force_unit)
+    F(waviness_width) F(waviness_shape) F(taken_as_gaussian) F(length_unit) F(force_unit)
 #define FIELD(name)                                                                                                                      \
     field_is_set<decltype(Params().name())>(&Params::name, &Params::name, #name, offsetof(asperity_params, name), sizeof Params().c().name);
 

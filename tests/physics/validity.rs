@@ -3,8 +3,8 @@
 use crate::common::surfaces::{johnson, model, table};
 use asperity::{
     Error, HeightFamily, Model, Params, SlipConstants, SpectralMoments, State, WARNING_ADHESIVE, WARNING_ATOMIC,
-    WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_PLASTIC, WARNING_STEEP, WARNING_STRONG,
-    WARNING_UNCALIBRATED,
+    WARNING_BROAD, WARNING_CROWDED, WARNING_FEW, WARNING_FEW_WAVES, WARNING_NOT_GAUSSIAN, WARNING_PLASTIC,
+    WARNING_STEEP, WARNING_STRONG, WARNING_UNCALIBRATED,
 };
 
 /// Summits of 10 to a radius of 1000, without adhesion, and all in order where 0.6 % of them touch.
@@ -150,6 +150,15 @@ fn few_waves_on_the_nominal_area_are_warned_of() {
     assert_eq!(bits(&Params { rms_slope: 0.0, ..of_waves(4.0) }), 0);
     assert_eq!(bits(&Params { nominal_area: 0.0, ..of_waves(4.0) }), 0);
     assert_eq!(bits(&Params { asperity_count: 1.0, ..of_waves(4.0) }), 0);
+}
+
+/// Only where Gaussian heights stand for others.
+#[test]
+fn heights_that_are_taken_as_gaussian_are_warned_of() {
+    let taken = Params { taken_as_gaussian: true, ..in_order() };
+    sets_in(WARNING_NOT_GAUSSIAN, "taken as Gaussian", &at(&in_order(), 2.5), &at(&taken, 2.5));
+    let johnson = Params { heights: HeightFamily::Johnson { skew: -1.0, kurtosis: 5.0 }, ..taken };
+    assert_eq!(at(&johnson, 1.0).warnings & WARNING_NOT_GAUSSIAN, 0);
 }
 
 /// Never broad, whatever the bandwidth; steep, crowded and of few waves by what moments and area say.

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-from asperity import Model, Params, State
+from asperity import Model, Params, State, Warnings
 from asperity.estimate import estimate
 from asperity.tools.style import BLUE, GREY, saved, style
 
@@ -150,17 +150,20 @@ class Surface:
 
 @dataclass(frozen=True)
 class Ratios:
-    """Of the library over boundary elements, at one load: area, friction and normal stiffness, where that is known."""
+    """Of the library over boundary elements, at one load: area, friction and normal stiffness, where that is known; whether it warns of
+    flat tops."""
 
     area: float
     friction: float
     stiffness: float
+    has_flat_top: bool
 
     @classmethod
     def of(cls, state: State, greater: State, row: dict[str, float], area: float) -> Ratios:
         """Of states at the load and at 1.1 of it over a row of the file; stiffness is a secant over the load between."""
         stiffness = 0.1 / 1.05 * math.sqrt(row["m0"]) / (state.gap - greater.gap)
-        return cls(state.real_area / area / row["area"], state.friction_force / area / row["friction_hk"], stiffness / row["stiffness"])
+        area, friction = (one / area / row[name] for one, name in ((state.real_area, "area"), (state.friction_force, "friction_hk")))
+        return cls(area, friction, stiffness / row["stiffness"], Warnings.FLAT_TOP in state.warnings)
 
 
 @lru_cache(maxsize=None)

@@ -22,6 +22,12 @@ def test_the_table_of_scores_has_area_and_calibrated_friction() -> None:
     assert {one.name for one in (*MADE, *MEASURED) if not one.is_in_the_band} <= {"pits", "dlip"}
 
 
+def test_flat_tops_are_warned_of_and_nothing_else() -> None:
+    for surface in shapes.frozen():
+        assert {ratio.has_flat_top for ratio in surface.by_table} == {surface.kind == "pits in a flat"}, surface.name
+        assert not any(ratio.has_flat_top for ratio in surface.by_two)
+
+
 @pytest.mark.parametrize("kind", shapes.KINDS)
 def test_every_kind_is_as_the_page_says(kind: str) -> None:
     some = [one for one in shapes.frozen() if one.kind == kind]

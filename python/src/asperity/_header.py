@@ -61,6 +61,8 @@ ASPERITY_WARNING_UNCALIBRATED = 64
 ASPERITY_WARNING_BROAD = 128
 ASPERITY_WARNING_STRONG = 256
 ASPERITY_WARNING_FEW_WAVES = 512
+ASPERITY_WARNING_FLAT_TOP = 1024
+ASPERITY_WARNING_NOT_GAUSSIAN = 2048
 ASPERITY_TABLE_LAYOUT = 1
 ASPERITY_TABLE_FRICTION = 0
 ASPERITY_TABLE_LOAD_AT_GAP = 1
@@ -165,7 +167,7 @@ class asperity_params(Structure):
         ("waviness_height", c_double),
         ("waviness_width", c_double),
         ("waviness_shape", c_int32),
-        ("reserved", c_int32),
+        ("taken_as_gaussian", c_int32),
         ("length_unit", c_double),
         ("force_unit", c_double),
     ]

@@ -55,6 +55,7 @@ class Options(TypedDict, total=False):
     waviness_height: float
     waviness_width: float
     waviness_shape: Literal["unknown", "ridges", "hills"]
+    taken_as_gaussian: bool
     length_unit: float
     force_unit: float
     # end of options
@@ -204,6 +205,9 @@ class Params:
             4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
         waviness_shape: What the waves are like, one of "unknown", "ridges", "hills"; unknown by default, and then the
             height must be 0.
+        taken_as_gaussian: True: Gaussian heights stand for those of a surface that is known not to have them, as where
+            honing left plateaus; False: not so (the default). States then have the warning
+            `ASPERITY_WARNING_NOT_GAUSSIAN`. A text that names such a process sets it.
         length_unit: Unit of all lengths, in metres [-], > 0; 1 by default.
         force_unit: Unit of all forces, in newtons [-], > 0; 1 by default.
         in_si: Whether all quantities are in SI units, as a surface file has them; False by default.
@@ -219,7 +223,7 @@ class Params:
     summit_radius: float
     asperity_count: float
     height_distribution: Literal["gaussian", "weibull", "johnson", "tabulated", "at-scores"] = "gaussian"
-    attraction: bool = True
+    attraction: bool = bool(_DEFAULT.attraction)
     weibull_shape: float = _DEFAULT.weibull_shape
     radius_amplitude: float = _DEFAULT.radius_amplitude
     radius_rate: float = _DEFAULT.radius_rate
@@ -247,6 +251,7 @@ class Params:
     waviness_height: float = _DEFAULT.waviness_height
     waviness_width: float = _DEFAULT.waviness_width
     waviness_shape: Literal["unknown", "ridges", "hills"] = "unknown"
+    taken_as_gaussian: bool = bool(_DEFAULT.taken_as_gaussian)
     length_unit: float = _DEFAULT.length_unit
     force_unit: float = _DEFAULT.force_unit
     # end of fields
@@ -889,6 +894,7 @@ def literal_of(name: str, value: Any, unit: str) -> str:
 
 _CHECKS: dict[str, Any] = {
     "attraction": checks.flag,
+    "taken_as_gaussian": checks.flag,
     "in_si": checks.flag,
     **{name: partial(checks.word, words=words) for name, words in _header.WORDS.items()},
 }

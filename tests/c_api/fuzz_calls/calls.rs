@@ -533,7 +533,7 @@ impl<'a> Calls<'a> {
         }
         let ends = states[0].1 | states[1].1;
         assert!(one <= other && warnings & ends == ends, "{}: {warnings:b}, {states:?}", what());
-        assert!(warnings < 2 * ASPERITY_WARNING_FEW_WAVES, "{}: {warnings:b}", what());
+        assert!(warnings < 2 * ASPERITY_WARNING_NOT_GAUSSIAN, "{}: {warnings:b}", what());
     }
 
     pub fn separation(&mut self, model: &Model, separation: f64) {
@@ -845,7 +845,7 @@ fn is_sound(state: &asperity_state) -> bool {
     (if state.contacting > 0.0 { touching } else { apart })
         && radii.iter().chain(&contacts).chain(&fractions).all(|x| x.is_finite())
         && fractions.iter().all(|&x| x >= 0.0)
-        && state.warnings < 2 * ASPERITY_WARNING_FEW_WAVES
+        && state.warnings < 2 * ASPERITY_WARNING_NOT_GAUSSIAN
         && finite.iter().all(|x| x.is_finite())
         && !rates.iter().any(|x| x.is_nan())
         && positive.iter().all(|&x| x >= 0.0)

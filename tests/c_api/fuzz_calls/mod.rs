@@ -107,6 +107,7 @@ impl Bytes<'_> {
         params.attraction = i32::from(self.byte() as i8) >> 6;
         (params.waviness_height, params.waviness_width) = (self.any_float(), self.any_float());
         params.waviness_shape = i32::from(self.byte() as i8) >> 5;
+        params.taken_as_gaussian = params.waviness_shape >> 1;
         params
     }
 
