@@ -18,8 +18,8 @@ def test_the_table_of_scores_has_area_and_calibrated_friction() -> None:
         assert shapes.within(some, 0.15, lambda one: [ratio.area for ratio in one.by_table]) >= areas
         assert shapes.within(some, 0.10, lambda one: [one.calibrated(one.by_table)]) >= frictions
         assert shapes.within(some, 0.15, lambda one: [ratio.area for ratio in one.by_two]) < areas / 3
-    # Pits leave flats, which are not this model; the area of laser lines is right, and their patches are long.
-    assert {one.name for one in (*MADE, *MEASURED) if not one.is_in_the_band} <= {"pits", "dlip"}
+    # Pits leave flats, which are not this model.
+    assert {one.name for one in (*MADE, *MEASURED) if not one.is_in_the_band} <= {"pits"}
 
 
 def test_flat_tops_are_warned_of_and_nothing_else() -> None:
