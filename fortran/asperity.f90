@@ -727,7 +727,7 @@ module asperity
       integer(c_int32_t) :: asperity_tangential_at_load
     end function asperity_tangential_at_load
 
-    ! How many doubles the state of one contact takes; today 42, the same for all models
+    ! How many doubles the state of one contact takes; today 43, the same for all models
     function asperity_microslip_length(model) bind(c)
       import
       type(c_ptr), intent(in), value :: model

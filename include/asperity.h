@@ -772,6 +772,11 @@ asperity_status asperity_create(const struct asperity_params *params, struct asp
  * Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
  * `asperity_free`; `asperity_set_params` makes it one of first loading.
  *
+ * Steps of microslip on this model know the largest load of each contact. Those of a contact that has borne more than `largest_load`
+ * unload from there, with a force and a stiffness that are interpolated between two branches, to 2 %. The first such step for each
+ * binade of largest loads makes a branch, in some 10 ms and 40 kB, and needs the stack of `asperity_create`; the others allocate nothing.
+ * For a joint whose loads are not known yet, pass the smallest.
+ *
  * @param model         the surfaces, at first loading or after a smaller largest load
  * @param largest_load  the largest load that they have borne [force], > 0 and below `max_table_load` of `asperity_summary_of`
  * @param unloaded      receives the model
@@ -951,7 +956,7 @@ asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_mod
 asperity_status asperity_tangential_at_load(const struct asperity_model *model, double load, double displacement,
     double *force, double *stiffness);
 
-/** How many doubles the state of one contact takes; today 42, the same for all models.
+/** How many doubles the state of one contact takes; today 43, the same for all models.
  *
  * @return the number of doubles; 0 for a NULL model */
 size_t asperity_microslip_length(const struct asperity_model *model);
@@ -964,7 +969,8 @@ size_t asperity_microslip_length(const struct asperity_model *model);
  *
  * The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
  * closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
- * step that is accepted keeps `after`. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
+ * step that is accepted keeps `after`. The last double is the largest load since the contact closed, which you may set: on a model of
+ * `asperity_unloaded` a contact under a lighter load follows its own unloading from there. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
  * the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
  *
  * @param load       normal load of this step [force]

@@ -57,7 +57,7 @@ microslip 2 microslip_continued restart microslip2.restart
 # With one spring for each contact a file of microslip cannot go on.
 message=$(lammps 1 "$here/continue.in" refused.log -var from "$build/microslip1.restart" -var steps 0 2>&1) &&
     fail "walls with one spring go on from a file of microslip"
-[[ "$message$(cat "$build/refused.log")" == *"fix sides wall/asperity/hertz: contacts of the restart file remember 54 numbers, these 4"* ]] ||
+[[ "$message$(cat "$build/refused.log")" == *"fix sides wall/asperity/hertz: contacts of the restart file remember 55 numbers, these 4"* ]] ||
     fail "a file of microslip is refused without saying so: $message"
 
 run "$environment/bin/python" hosts/lammps/check.py "$build"

@@ -31,7 +31,7 @@ pub struct asperity_microslip {
     pub slipping: f64,
 }
 
-/// How many doubles the state of one contact takes; today 42, the same for all models.
+/// How many doubles the state of one contact takes; today 43, the same for all models.
 ///
 /// @return the number of doubles; 0 for a NULL model
 #[no_mangle]
@@ -51,7 +51,8 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 ///
 /// The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
 /// closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
-/// step that is accepted keeps `after`. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
+/// step that is accepted keeps `after`. The last double is the largest load since the contact closed, which you may set: on a model of
+/// `asperity_unloaded` a contact under a lighter load follows its own unloading from there. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
 /// the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
 ///
 /// @param load       normal load of this step [force]

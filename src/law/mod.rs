@@ -61,6 +61,8 @@ const HEAVIEST_OF_PULL_OFF: f64 = 1e4;
 /// Places of waves bear loads that are lighter and heavier than these, as logarithms; crests more, where nothing gives way.
 const LIGHTER_PLACES: f64 = 40.0;
 const HEAVIER_PLACES: f64 = 3.0;
+/// The law below a largest load reaches to this part of it, as a logarithm; it goes on as a power.
+const LIGHTEST_OF_LARGEST: f64 = 16.0;
 /// The curve is farther from exact states than at those that it is compared with by up to so many times, and rows from the curve.
 const FARTHEST_OF_CURVE: f64 = 5.0;
 const FARTHEST_OF_ROW: f64 = 1.5;
@@ -145,7 +147,7 @@ impl Reach {
 
 impl Law {
     /// Compiles the law in units of load, of each quantity and of length, whose origin is the mean plane. After a larger load an anchor
-    /// has the separation under it, and the gap, in sigma.
+    /// has the separation under it, and the gap, in sigma; only of lighter loads, if no others are asked for.
     ///
     /// # Errors
     /// [`Unfollowed`] where the load rises with separation already: the branch ends before.
@@ -155,8 +157,14 @@ impl Law {
         units: [f64; Quantity::COUNT],
         lengths: Lengths,
         anchor: Option<(f64, f64)>,
+        only_lighter: bool,
     ) -> Result<Self, Unfollowed> {
-        let reach = Reach::of(branch);
+        let mut reach = Reach::of(branch);
+        if only_lighter {
+            let population = branch.population();
+            reach.log_heaviest = log(population.at_separation(population.largest()).load()) + ROW;
+            reach.log_lightest = reach.log_heaviest - LIGHTEST_OF_LARGEST;
+        }
         let curve = Curve::new(branch, &reach, anchor)?;
         let compiled = Quantity::ALL.map(|quantity| {
             let scale = Scale { load, value: units[quantity as usize] };
@@ -327,7 +335,7 @@ mod tests {
     fn every_row_of_the_default_case_answers_from_next_to_pull_off_to_any_load_of_a_solver() {
         for gamma in [0.0, 0.001] {
             let branch = branch(gamma);
-            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS, None).expect("a law");
+            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS, None, false).expect("a law");
             for quantity in Quantity::ALL {
                 let error = law.error(quantity);
                 assert!(error > 1e-16 && error < tolerance::MOST, "{quantity:?}: {error:e}");
@@ -364,7 +372,7 @@ mod tests {
             let mut params = Params::paper();
             params.set_dimensionless(0.01, beta, 0.001, 1.0, 0.3).expect("a surface");
             let branch = Branch::new(crate::population::tests::of(&params)).expect("a branch");
-            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS, None).expect("a law");
+            let law = Law::new(&branch, LOAD_UNIT, QUANTITY_UNITS, LENGTHS, None, false).expect("a law");
             let table = law.table(Quantity::Friction);
             // Hertz' overlap at that radius, in sigma, with R = beta/alpha and sigma = alpha beta.
             let overlap = 8e4 * 8e4 / (beta * beta);

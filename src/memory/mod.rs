@@ -25,12 +25,14 @@ use crate::numerics::four::{Four, Portable};
 /// How many cells of levels there are.
 const LEVELS: usize = 20;
 /// The length of a state: the displacements of the cells along the first direction, then along the second, then the stiffness up
-/// to which the cells reach, and that of the last step.
-pub const STATE: usize = 2 * LEVELS + 2;
+/// to which the cells reach, that of the last step, and the largest load.
+pub const STATE: usize = 2 * LEVELS + 3;
 /// Where in a state the stiffness is up to which the cells reach.
 pub const REACH: usize = 2 * LEVELS;
 /// Where in a state the stiffness of the last step is.
 pub const LAST: usize = REACH + 1;
+/// Where in a state the largest load is that the contact has borne.
+pub const LARGEST: usize = LAST + 1;
 
 /// The roots of the edges of the cells, over the stiffness up to which they reach. Narrow at the top, where levels slip first,
 /// so that small cycles dissipate what they should (`tests/physics/microslip.rs`), and nowhere wider than needed to keep what is

@@ -3,10 +3,12 @@
 //! The levels of stiffness and their limits are those of `memory`; strength and stiffness are the compiled friction force and
 //! tangential stiffness.
 
+use super::borne::Borne;
 use super::Model;
 use crate::error::{Error, LOAD};
 use crate::law::Quantity;
-use crate::memory::{stuck, within, Levels, MicroslipStep, Sloped, LAST, MOST_SLIP_LENGTHS, NO_LEVEL, REACH, STATE};
+use crate::memory::{stuck, within, Levels, MicroslipStep, PerLevel, Sloped};
+use crate::memory::{LARGEST, LAST, MOST_SLIP_LENGTHS, NO_LEVEL, REACH, STATE};
 use crate::numerics::float_bits::{finite, infinite};
 use crate::numerics::four::{Four, Portable};
 use crate::numerics::neighbours::Neighbours;
@@ -35,26 +37,63 @@ impl Model {
         state: &mut [f64; STATE],
         room: &mut Option<Levels>,
     ) -> Result<MicroslipStep, Error> {
-        let (reach, last) = (state[REACH], state[LAST]);
+        let largest = state[LARGEST];
+        if load < largest && self.largest_load > 0.0 {
+            if let Some(borne) = self.borne(largest) {
+                return self.step_after::<DETAILS>(&borne, load, increment, state, room);
+            }
+        }
+        self.step_by::<V, DETAILS>(None, load, increment, state, room)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn step_after<const DETAILS: bool>(
+        &self,
+        borne: &Borne,
+        load: f64,
+        increment: [f64; 2],
+        state: &mut [f64; STATE],
+        room: &mut Option<Levels>,
+    ) -> Result<MicroslipStep, Error> {
+        self.step_by::<Portable, DETAILS>(Some(borne), load, increment, state, room)
+    }
+
+    /// A step by the law of this model, or of contacts after a larger load.
+    #[inline(always)]
+    fn step_by<V: Four, const DETAILS: bool>(
+        &self,
+        borne: Option<&Borne>,
+        load: f64,
+        increment: [f64; 2],
+        state: &mut [f64; STATE],
+        room: &mut Option<Levels>,
+    ) -> Result<MicroslipStep, Error> {
+        let (reach, last, largest) = (state[REACH], state[LAST], state[LARGEST]);
         let is_given = finite(load) && finite(increment[0]) && finite(increment[1]);
-        let all = [Quantity::Friction, Quantity::Radius].map(|quantity| self.sloped::<DETAILS>(quantity, load));
+        let all = match borne {
+            Some(borne) => borne.sloped(load),
+            None => Quantity::ALL.map(|quantity| self.sloped::<DETAILS>(quantity, load)),
+        };
         let [strength, stiffness] = all.map(|all| all.value);
         let farthest = MOST_SLIP_LENGTHS * (strength / stiffness);
         let resists = strength > 0.0 && finite(farthest);
         // At the load of the step before most contacts stick in all their levels, and need nothing else.
         let is_as_before = is_given && resists && last == stiffness && reach == stiffness;
+        let is_as_before = is_as_before && (load == largest || (load < largest && finite(largest)));
         let excess = if is_given { load - self.law.table(Quantity::Friction).pull_off } else { 0.0 };
         let (mut shares, mut slopes) = (NO_LEVEL, NO_LEVEL);
         if is_as_before && excess >= 0.0 {
-            self.law.limits().at_excess::<V, DETAILS>(excess, None, &mut shares, &mut slopes);
+            self.limits::<V, DETAILS>(borne, load, None, &mut shares, &mut slopes);
             if let Some(step) = stuck::<V>(all, &shares, increment, state) {
                 return Ok(step);
             }
         }
         let square = square_of::<V>(state);
         let is_sound = finite(square) && 0.0 <= last && last <= reach && finite(reach);
+        let is_sound = is_sound && 0.0 <= largest && largest <= self.heaviest;
         if !(is_sound && is_given) {
-            validate(load, increment, state)?;
+            validate(load, increment, state, self.heaviest)?;
         }
         // Also of a load that is too heavy.
         let known = strength >= 0.0 && stiffness >= 0.0;
@@ -69,7 +108,7 @@ impl Model {
         let levels = room.get_or_insert_with(Levels::default);
         [levels.strength, levels.stiffness] = all;
         if !resists {
-            self.law.limits().at_excess::<V, false>(excess, None, &mut levels.shares, &mut slopes);
+            self.limits::<V, false>(borne, load, None, &mut levels.shares, &mut slopes);
             return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
@@ -80,14 +119,29 @@ impl Model {
         if is_as_before {
             (levels.shares, levels.share_slopes) = (shares, slopes);
         } else {
-            self.law.limits().at_excess::<V, DETAILS>(
-                excess,
-                cut.of_limits,
-                &mut levels.shares,
-                &mut levels.share_slopes,
-            );
+            self.limits::<V, DETAILS>(borne, load, cut.of_limits, &mut levels.shares, &mut levels.share_slopes);
         }
+        state[LARGEST] = if load > largest { load } else { largest };
         Ok(levels.step::<V, DETAILS>(increment, cut, state))
+    }
+
+    /// The limits of the levels at a load, as [`Limits::at_excess`](crate::memory::Limits::at_excess).
+    #[inline(always)]
+    fn limits<V: Four, const SLOPES: bool>(
+        &self,
+        borne: Option<&Borne>,
+        load: f64,
+        cut: Option<[f64; 2]>,
+        shares: &mut PerLevel,
+        slopes: &mut PerLevel,
+    ) {
+        match borne {
+            Some(borne) => borne.limits::<SLOPES>(load, cut, shares, slopes),
+            None => {
+                let excess = load - self.law.table(Quantity::Friction).pull_off;
+                self.law.limits().at_excess::<V, SLOPES>(excess, cut, shares, slopes);
+            }
+        }
     }
 
     /// A quantity, with `SLOPE` also its slope; at the pull-off load, where that is infinite, the slope at the next load.
@@ -100,7 +154,7 @@ impl Model {
     }
 }
 
-/// The sum of the squares of all numbers of a state but the last two; not finite if one of them is not, or is so large that it has no
+/// The sum of the squares of all displacements of a state; not finite if one of them is not, or is so large that it has no
 /// square.
 #[inline(always)]
 fn square_of<V: Four>(state: &[f64; STATE]) -> f64 {
@@ -114,7 +168,7 @@ fn square_of<V: Four>(state: &[f64; STATE]) -> f64 {
 
 /// Whether a step can be taken of these.
 #[cold]
-fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE]) -> Result<(), Error> {
+fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE], heaviest: f64) -> Result<(), Error> {
     const ALLOWED: &str = "must be finite";
     if !finite(load) {
         return Err(Error::InvalidLoad { name: LOAD, value: load });
@@ -125,6 +179,11 @@ fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE]) -> Result<(), 
         }
     }
     let (reach, last) = (state[REACH], state[LAST]);
+    let largest = state[LARGEST];
+    if !(0.0 <= largest && largest <= heaviest) {
+        let allowed = "must be the largest load that the contact has borne, or 0";
+        return Err(Error::InvalidEntry { name: "before", index: LARGEST, value: largest, allowed });
+    }
     if 0.0 <= last && last <= reach {
         return Ok(());
     }

@@ -2,6 +2,7 @@
 //!
 //! `exact` answers all else that a caller can ask, by sums over the summits.
 
+mod borne;
 pub(crate) mod calibration;
 mod exact;
 mod gap;
@@ -18,6 +19,7 @@ use crate::numerics::float_bits::{finite, finite_up_to, tame, TAMEST};
 use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
+use borne::Unloaded;
 pub use exact::State;
 pub(crate) use gap::by_gap;
 use std::ops::Deref;
@@ -37,6 +39,8 @@ pub struct Model {
     surfaces: Surfaces,
     law: Law,
     known: [Known; Quantity::COUNT],
+    /// What contacts that have borne a larger load than they bear follow, if that is another law.
+    unloaded: Option<Unloaded>,
 }
 
 /// A surface pair of which sums over the summits are asked, one load at a time: what a model is without its compiled law.
@@ -140,7 +144,7 @@ impl Model {
     /// # Errors
     /// [`Error::InvalidParameter`] or [`Error::OutOfRange`] naming the first parameter at fault.
     pub fn new(params: &Params) -> Result<Self, Error> {
-        Self::compiled(Surfaces::new(params)?, None)
+        Self::compiled(Surfaces::new(params)?, None, false)
     }
 
     /// This surface pair after a largest load: summits that yielded spring back elastically from it, and back to it. Above it first
@@ -150,6 +154,11 @@ impl Model {
     /// As [`Model::state_at_load`]; [`Error::OutOfRange`] for adhesion, for a load beyond the table or below the largest load that this
     /// model has borne, and where radii vary so much that taller summits would part before lower ones.
     pub fn unloaded(&self, largest_load: f64) -> Result<Self, Error> {
+        self.unloaded_for(largest_load, false)
+    }
+
+    /// The same, if so asked only for lighter loads, which takes half the time.
+    fn unloaded_for(&self, largest_load: f64, only_lighter: bool) -> Result<Self, Error> {
         let refused = |allowed| Err(Error::out_of_range(LARGEST_LOAD, largest_load, allowed));
         let of_load = |error: Error| error.of_load(LARGEST_LOAD);
         self.validate_load(largest_load).map_err(of_load)?;
@@ -157,7 +166,11 @@ impl Model {
             return refused("unloading of surfaces with adhesion is not modelled: set work_of_adhesion to 0");
         }
         if self.params.waviness.height > 0.0 {
-            return refused("unloading of wavy surfaces is not modelled: set waviness_height to 0");
+            return refused(
+                "unloading of wavy surfaces is not modelled, since crests and troughs have borne different pressures: take \
+                 unloading_stiffness of the state at the largest load for small vibrations, or set waviness_height to 0, give the \
+                 waves to the mesh of your solver, and unload each of its contacts",
+            );
         }
         if largest_load <= 0.0 || largest_load >= self.law.table(Quantity::Friction).range().1 {
             return refused("must be > 0 and below max_table_load of the summary");
@@ -179,17 +192,19 @@ impl Model {
         Self::compiled(
             Surfaces { branch: Branch::new(population)?, largest_load, ..self.surfaces.clone() },
             Some(anchor),
+            only_lighter,
         )
     }
 
     /// The model of surfaces; an anchor is a separation and its gap, in sigma.
-    fn compiled(mut surfaces: Surfaces, anchor: Option<(f64, f64)>) -> Result<Self, Error> {
+    fn compiled(mut surfaces: Surfaces, anchor: Option<(f64, f64)>, only_lighter: bool) -> Result<Self, Error> {
         let (units, summit_mean_height) = (surfaces.units, surfaces.params.summit_mean_height);
         let compile = |branch: &Branch| {
             // Heights count from the mean of the summits, gaps from the mean plane.
             let origin = branch.population().heights().origin() + summit_mean_height / units.length;
             let lengths = Lengths { unit: units.length, origin };
-            Law::new(branch, units.load, Quantity::ALL.map(|quantity| units.of(quantity)), lengths, anchor)
+            let quantities = Quantity::ALL.map(|quantity| units.of(quantity));
+            Law::new(branch, units.load, quantities, lengths, anchor, only_lighter)
         };
         let mut law = compile(&surfaces.branch);
         for _ in 0..MOST_MINIMA {
@@ -203,7 +218,9 @@ impl Model {
         if error > tolerance::MOST {
             return Err(Error::NotConverged { what: "table_error", value: error });
         }
-        let mut model = Self { surfaces, law, known: [Known::default(); Quantity::COUNT] };
+        let remembers = anchor.is_some() && !only_lighter;
+        let unloaded = remembers.then(|| Unloaded::of(law.table(Quantity::Friction).range()));
+        let mut model = Self { surfaces, law, known: [Known::default(); Quantity::COUNT], unloaded };
         model.known = Quantity::ALL.map(|quantity| model.find_known(quantity));
         // A model of compiled calls alone takes half the memory.
         model.surfaces.branch.forget_table();

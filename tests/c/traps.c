@@ -107,7 +107,7 @@ static void ask_at(const asperity_model *model, uint64_t bits)
     ASK(0, state_at_gap, model, x, &state);
     ASK(0, check_loads, model, x, x, &warnings);
     for (int which = 0; which < 5; which++) {
-        double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[84] = { 0.0 }, after[84], force[4], tangents[8];
+        double loads[2] = { 1.0, 1.0 }, by[4] = { 1e-3, -2e-3, 1.0, 2.0 }, states[86] = { 0.0 }, after[86], force[4], tangents[8];
         double *const places[] = { &loads[0], &by[1], &states[5], &states[40], &states[41] };
         memcpy(places[which], &bits, sizeof bits);
         ASK(0, microslip_step, model, loads[0], by, states, after, &slip);

@@ -4,7 +4,9 @@ use crate::common::splitmix::SplitMix;
 use crate::interface::*;
 use std::ptr::{null, null_mut};
 
-const STATE: usize = 42;
+const STATE: usize = 43;
+const REACH: usize = 40;
+const LAST: usize = 41;
 const UNTOUCHED: f64 = 77.0;
 
 /// With adhesion and without.
@@ -172,9 +174,11 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
     bad_state[7] = f64::NAN;
     let [less, more] = [[0.0, -1.0], [2.0, 3.0]].map(|[reach, last]| {
         let mut state = [0.0; STATE];
-        (state[STATE - 2], state[STATE - 1]) = (reach, last);
+        (state[REACH], state[LAST]) = (reach, last);
         state
     });
+    let mut lighter = [0.0; STATE];
+    lighter[STATE - 1] = -1.0;
     for (load, increment, before, status, text) in [
         (f64::NAN, fine, [0.0; STATE], INVALID_LOAD, "load = NaN: must be finite"),
         (f64::INFINITY, fine, [0.0; STATE], INVALID_LOAD, "load = inf: must be finite"),
@@ -184,6 +188,7 @@ fn what_is_not_in_order_is_named_and_nothing_is_written() {
         (1.0, fine, bad_state, INVALID_PARAMETER, "before[7] = NaN: must be finite"),
         (1.0, fine, less, INVALID_PARAMETER, "before[41] = -1: must be from 0 to the number before it"),
         (1.0, fine, more, INVALID_PARAMETER, "before[41] = 3: must be from 0 to the number before it"),
+        (1.0, fine, lighter, INVALID_PARAMETER, "before[42] = -1: must be the largest load"),
     ] {
         let mut out = asperity_microslip::empty();
         out.dissipated = UNTOUCHED;
@@ -251,9 +256,10 @@ fn anything_finite_gives_finite_numbers_within_the_strength() {
             };
             let mut state: [f64; STATE] = std::array::from_fn(|_| any());
             let increment = [any(), any()];
-            // The last two are stiffnesses, of which the second is the smaller.
-            let [a, b] = [state[STATE - 2].abs(), state[STATE - 1].abs()];
-            (state[STATE - 2], state[STATE - 1]) = (a.max(b), a.min(b));
+            // Two of the last are stiffnesses, of which the second is the smaller; then there is the largest load.
+            let [a, b] = [state[REACH].abs(), state[LAST].abs()];
+            (state[REACH], state[LAST]) = (a.max(b), a.min(b));
+            state[STATE - 1] = state[STATE - 1].abs().min(1e50);
             let load = [1e-280, 1e-30, 1e-6, 1.0, 1e6, 1e60, 0.0, handle.summary().pull_off_load][i % 8];
             let (strength, stiffness) = strength_and_stiffness(&handle, load);
             let before = state;
@@ -284,8 +290,8 @@ fn what_is_displaced_too_far_is_displaced_as_far_as_can_be() {
                     state[place] = side * displacement;
                     let (status, out) = step(&handle, load, [0.0; 2], &mut state);
                     assert_eq!(status, OK, "{}", message());
-                    assert!(state[..STATE - 2].iter().all(|x| x.abs() < 100.0 * strength / stiffness), "{state:?}");
-                    state[..STATE - 2].iter_mut().for_each(|x| *x *= side);
+                    assert!(state[..REACH].iter().all(|x| x.abs() < 100.0 * strength / stiffness), "{state:?}");
+                    state[..REACH].iter_mut().for_each(|x| *x *= side);
                     (out.force.map(|x| side * x), out.stiffness, state)
                 };
                 let far = displaced(f64::MAX, 1.0);
@@ -326,6 +332,7 @@ fn a_contact_without_strength_resists_nothing() {
     assert!(strength == 0.0 && stiffness > 0.0, "{strength:e}, {stiffness:e}");
     for size in [0.0, 1e-300, 1.0, 1e200] {
         let mut state = [size; STATE];
+        state[STATE - 1] = 0.0;
         let (status, out) = step(&handle, load, [size, -size], &mut state);
         assert_eq!((status, out.force, out.stiffness), (OK, [0.0; 2], [0.0; 4]), "{}", message());
         assert!(state == [0.0; STATE] && out.dissipated >= 0.0 && out.dissipated.is_finite(), "{out:?}, {state:?}");

@@ -2,7 +2,7 @@
 //! agree with each other.
 
 use crate::common::surfaces::{crowded, dimensionless, johnson, model};
-use asperity::{ContactLawKind, HeightFamily, Model, Params};
+use asperity::{ContactLawKind, HeightFamily, Model, Params, MICROSLIP_LENGTH};
 use std::f64::consts::PI;
 
 /// E*/H times (sigma/R)^(1/2) is the index.
@@ -230,4 +230,75 @@ fn what_is_not_modelled_is_refused_and_said() {
     // Elastic contacts unload as they were loaded.
     let elastic = model(&dimensionless(0.01, 1000.0, 0.0, 1.0));
     assert_eq!(elastic.unloaded(1.0).expect("a model").friction_at_load(0.5), elastic.friction_at_load(0.5));
+}
+
+/// A contact finds its own branch: after a largest load force, stiffness and loops are those of the model that is unloaded from it, to some
+/// 2 % where first loading is up to 80 % off.
+#[test]
+fn microslip_under_a_falling_load_is_that_of_the_model_that_is_unloaded_from_the_largest() {
+    for params in surfaces() {
+        let first = model(&params);
+        let light = largest_loads(&first)[0];
+        let joint = first.unloaded(1e-3 * light).expect("a model");
+        let tight = first.unloaded(light).expect("a model");
+        for largest in largest_loads(&first).into_iter().flat_map(|load| [load, 1.7 * load, 0.013 * load]) {
+            let unloaded = first.unloaded(largest).expect("a model");
+            for (model, part) in
+                [0.999, 0.7, 0.3, 0.05, 1e-3, 1e-6].into_iter().flat_map(|x| [(&joint, x), (&tight, x)])
+            {
+                let unloaded = if largest < light && std::ptr::eq(model, &tight) { &tight } else { &unloaded };
+                let load = part * largest;
+                let mut own = [0.0; MICROSLIP_LENGTH];
+                let mut step = |load: f64, by: f64| model.microslip_step(load, [by, 0.0], &mut own).expect("a step");
+                let most = step(largest, 0.0).stiffness[0];
+                near("at first", step(largest * (1.0 - 1e-12), 0.0).stiffness[0], most, 1e-9);
+                let stiffness = step(load, 0.0).stiffness[0];
+                step(largest, 0.0);
+                near("again", step(largest, 0.0).stiffness[0], most, 1e-12);
+                step(load, 0.0);
+                let length = unloaded.friction_force_at_load(load) / unloaded.tangential_stiffness_at_load(load);
+                let partly = step(load, 0.5 * length).force[0];
+                let mut other = [0.0; MICROSLIP_LENGTH];
+                let expected = unloaded.microslip_step(load, [0.5 * length, 0.0], &mut other).expect("a step").force[0];
+                let gross = step(load, 100.0 * length);
+                let tolerance = 0.02 * (1.0 - part) + 1e-6;
+                near("K_t", stiffness, unloaded.tangential_stiffness_at_load(load), tolerance);
+                near("F", gross.force[0], unloaded.friction_force_at_load(load), tolerance);
+                // Cells are wide where a falling load has cut them.
+                near("T", partly, expected, tolerance + 0.06);
+                // Where all slips the slope of T is that of F.
+                let less = step(load * (1.0 - 1e-6), length).force[0];
+                near("dT/dP", gross.dforce_dload[0], (gross.force[0] - less) / (1e-6 * load), 1e-3);
+            }
+        }
+        for load in [light, 3.0 * light] {
+            let mut state = [0.0; MICROSLIP_LENGTH];
+            let step = joint.microslip_step(load, [0.0; 2], &mut state).expect("a step");
+            near("K_t", step.stiffness[0], joint.tangential_stiffness_at_load(load), 1e-15);
+        }
+    }
+}
+
+/// A host that knows the largest load, or forgets it, says so in the last number of a state. At first loading nothing asks for it.
+#[test]
+fn the_last_number_of_a_state_is_the_largest_load() {
+    let first = model(&surfaces()[1]);
+    let [light, largest, _] = largest_loads(&first);
+    let [joint, unloaded] = [1e-6 * light, largest].map(|load| first.unloaded(load).expect("a model"));
+    let stiffness = |model: &Model, before: f64| {
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        state[MICROSLIP_LENGTH - 1] = before;
+        let step = model.microslip_step(light, [0.0; 2], &mut state).expect("a step");
+        assert_eq!(state[MICROSLIP_LENGTH - 1], before.max(light));
+        step.stiffness[0]
+    };
+    near("tightened", stiffness(&joint, largest), unloaded.tangential_stiffness_at_load(light), 0.01);
+    assert_eq!(stiffness(&joint, 0.0), joint.tangential_stiffness_at_load(light));
+    assert_eq!(stiffness(&first, largest), first.tangential_stiffness_at_load(light));
+    for none in [-1.0, f64::NAN, f64::INFINITY, 1e300] {
+        let mut state = [0.0; MICROSLIP_LENGTH];
+        state[MICROSLIP_LENGTH - 1] = none;
+        let told = joint.microslip_step(light, [0.0; 2], &mut state).expect_err("no state").to_string();
+        assert!(told.contains(&format!("[{}]", MICROSLIP_LENGTH - 1)) && told.contains("must be"), "{told}");
+    }
 }

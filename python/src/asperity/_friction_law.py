@@ -58,9 +58,12 @@ class FrictionLaw:
         Up to the largest load, summits that yielded spring back elastically, and every call answers for that; above it first loading
         goes on. Contacts that do not yield are as before.
 
+        Contacts of its `microslip` that have borne more unload each from its own largest load, the last number of its state; to 2 %. For
+        a joint whose loads are not known yet, pass the smallest.
+
         Raises:
             Error: a load that is not > 0 and below `max_table_load` of the summary, or smaller than one that the model was unloaded
-                from; adhesion, of which unloading is not modelled.
+                from; adhesion and waviness, of which unloading is not modelled.
         """
         handle, load = self._open(), checks.real("largest_load", largest_load, self._unit())
         if load == 0:

@@ -340,7 +340,7 @@ impl<'a> Calls<'a> {
 
     /// A path of a contact that remembers, and each of its steps in a batch of one.
     pub fn path(&mut self, model: &Model, steps: &[(f64, [f64; 2])]) {
-        const LENGTH: usize = 42;
+        const LENGTH: usize = 43;
         let (at, p): (Shared, _) = (model.handle.0, model.params);
         let length: usize = call!(self, p, asperity_microslip_length(at));
         assert_eq!(length, LENGTH);

@@ -159,7 +159,7 @@ macro_rules! calls {
 
 const SURFACE: &CStr = c"pair = \"steel/steel\"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n[roughness]\nRa = 0.8e-6\nprocess = \"ground\"\n";
 const LOAD: f64 = 1e-3;
-pub const STATE: usize = 42;
+pub const STATE: usize = 43;
 
 #[rustfmt::skip]
 pub const CALLS: &[Call] = calls! {
