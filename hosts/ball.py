@@ -1,15 +1,19 @@
 """A ball that bounces off a floor and slides on it in three worlds of a back end of MuJoCo, with each input changed once and run
 again in the same process: the friction impulse of the impact against the law at the loads met, and friction afterwards against the
-law at the ball's weight. SI units. The back end is a class `Worlds`, as in mujoco_warp/altered.py.
+law at the ball's weight, also under a load that swings. SI units. The back end is a class `Worlds`, as in mujoco_warp/altered.py.
 """
 
+import math
+
 import asperity
+import habits
 import mujoco
 import numpy as np
 import verdict
 from surface import demand, surface
 
-BOUNCE_LIMIT, SLIDE_LIMIT = 0.1, 0.02
+LIMITS = 0.1, 0.02, 0.1  # of the impact, of sliding, and under a load that swings
+SWING, FREQUENCY = 0.8, 5.0  # of the load that swings, over the weight and in Hz
 GRAVITY, SPEED, FALL = 9.81, 1.0, np.array([0.5, 1.0, 2.0])  # of three worlds [m/s]
 FILM = surface(1e-5)
 PAIR = ("ball", "floor")
@@ -30,14 +34,27 @@ def model_of(given):
     </mujoco>""".format(**given))
 
 
-def attached(worlds, laws, time_constant=None, passes=2, **changes):
-    model = model_of(GIVEN | changes)
-    return worlds(model, laws, time_constant, passes)
+def slides(worlds, law, mass, timestep, swing):
+    """The error of the impulse of friction in each world. The ball hops: that of the law at its load is over what the floor carries by the
+    ball's momentum."""
+    worlds.throw((2 if swing else 1) * SPEED * (1 + FALL), 0 * FALL)
+    settled, end, expected, pressing, start = max(0.15, 50 * timestep), 0.6 if swing else 0.2, 0.0, 0.0, None
+    while (time := worlds.time()) < settled + end:
+        if start is None and time >= settled:
+            start = worlds.velocities()
+        load = mass * GRAVITY * (1 + swing * math.sin(2 * math.pi * FREQUENCY * time))
+        worlds.press(mass * GRAVITY - load)
+        worlds.step()
+        if start is not None:
+            expected += law.friction_force_at_load(load) * timestep
+            pressing += load * timestep
+    slowed, lifted = mass * (worlds.velocities() - start).T * [[-1], [1]]
+    return np.abs(slowed / (expected * (1 + lifted / pressing)) - 1)
 
 
 def run(worlds, law, mass, timestep):
-    """The errors of the impact and of the sliding in each world. Sliding, the ball hops: its impulse of friction is that of the law
-    at its weight, over what the floor carries by the ball's momentum."""
+    """The errors of the impact, of sliding and of sliding under a load that swings, in each world."""
+    worlds.press(0.0)
     worlds.throw(SPEED * (1 + FALL), -FALL)
     start = worlds.velocities()
     expected, impulse, bounced = np.zeros(len(FALL)), np.zeros(len(FALL)), np.zeros(len(FALL), bool)
@@ -47,64 +64,29 @@ def run(worlds, law, mass, timestep):
         forces = [law.friction_force_at_load(load) if load > 0 else 0 for load in loads]
         expected += np.where(bounced, 0, forces) * timestep
         impulse = np.where(bounced, impulse, mass * (start - worlds.velocities())[:, 0])
-    worlds.throw(SPEED * (1 + FALL), 0 * FALL)
-    settled = max(0.15, 50 * timestep)
-    while (begin := worlds.time()) < settled:
-        worlds.step()
-    start = worlds.velocities()
-    while worlds.time() < begin + 0.2:
-        worlds.step()
-    slowed, lifted = mass * (worlds.velocities() - start).T * [[-1], [1]]
-    carried = lifted + mass * GRAVITY * (worlds.time() - begin)
-    return np.abs(impulse / expected - 1), np.abs(slowed / carried / law.state_at_load(mass * GRAVITY).friction_coefficient - 1)
+    return np.abs(impulse / expected - 1), *(slides(worlds, law, mass, timestep, swing) for swing in (0.0, SWING))
 
 
-def alterations():
-    slippery = FILM.replace(work_of_adhesion=0.02)
-    yield from ((change, FILM) for change in (
-        dict(mass=0.1), dict(mass=10.0), dict(solref="0.01 1"), dict(timestep=0.001), dict(timestep=0.005), dict(friction=0.2), dict(impratio=1),
-        dict(time_constant=0.04), dict(passes=4),
-    ))  # fmt: skip
-    yield dict(), slippery
-    yield dict(), FILM.calibrated(10, 0.1)
-
-
-def check_refusals(worlds, law):
-    for laws, changes, words in (
-        ({PAIR: law}, dict(cone="pyramidal"), 'cone="elliptic"'), ({PAIR: law}, dict(integrator="RK4"), "RK4"),
-        ({("bal", "floor"): law}, {}, "bal"), ({PAIR: law}, dict(time_constant=0), "time_constant = 0"),
-        ({PAIR: law}, dict(passes=0), "passes = 0"),
-        ({"ball": law, "floor": asperity.Model(FILM)}, {}, "different surfaces"),
-    ):  # fmt: skip
-        try:
-            attached(worlds, laws, **changes)
-        except (ValueError, KeyError) as error:
-            if words not in str(error):
-                raise RuntimeError(f"{changes}: the message lacks {words!r}: {error}") from None
-        else:
-            raise RuntimeError(f"{laws}, {changes}: taken")
+HABITS = {
+    "a ball of 0.1 kg": dict(mass=0.1), "a ball of 10 kg": dict(mass=10.0), "stiffer": dict(solref="0.01 1"), "a step of 1 ms": dict(timestep=0.001),
+    "a step of 5 ms": dict(timestep=0.005), "another friction": dict(friction=0.2), "impratio 1": dict(impratio=1),
+    "another time constant": dict(time_constant=0.04), "four passes": dict(passes=4), "one geom": dict(pair="ball"),
+    "another surface": dict(params=FILM.replace(work_of_adhesion=0.02)), "calibrated": dict(params=FILM.calibrated(10, 0.1)),
+    "pyramidal": dict(cone="pyramidal", refused='cone="elliptic"'), "RK4": dict(integrator="RK4", refused="RK4"),
+    "no such geom": dict(laws={("bal", "floor"): asperity.Model(FILM)}, refused="bal"),
+    "two surfaces": dict(laws={"ball": asperity.Model(FILM), "floor": asperity.Model(FILM)}, refused="different surfaces"), "no time constant": dict(time_constant=0, refused="time_constant = 0"),
+    "no passes": dict(passes=0, refused="passes = 0"),
+}  # fmt: skip
 
 
 def main(worlds):
-    law = asperity.Model(FILM)
-    demand(law, 0.5, 900)
-    ball = attached(worlds, {PAIR: law})
-    first = run(ball, law, GIVEN["mass"], GIVEN["timestep"])
-    print(f"as it comes: impulse {first[0]}, sliding {first[1]}")
-    worst = [np.max(error) for error in first]
-    for changes, params in alterations():
-        altered = asperity.Model(params)
-        given = GIVEN | changes
-        # One geom for all pairs in which it is, in every second run.
-        name = "ball" if "mass" in changes else PAIR
-        found = run(attached(worlds, {name: altered}, **changes), altered, given["mass"], given["timestep"])
-        print(f"  {changes}: impulse {np.max(found[0]):.1e}, sliding {np.max(found[1]):.1e}", flush=True)
-        worst = [np.maximum(old, np.max(new)) for old, new in zip(worst, found)]
-    check_refusals(worlds, law)
-    if not np.array_equal(run(ball, law, GIVEN["mass"], GIVEN["timestep"]), first):
-        raise RuntimeError("reset, the first run does not give the same bits again")
-    good = worst[0] <= BOUNCE_LIMIT and worst[1] <= SLIDE_LIMIT
-    return good, (
-        f"impulse of an impact {worst[0]:.1e} (limit {BOUNCE_LIMIT:g}), sliding {worst[1]:.1e} (limit {SLIDE_LIMIT:g}), "
-        f"{len(FALL)} worlds"
+    def ball(pair=PAIR, params=FILM, laws=None, time_constant=None, passes=2, **changes):
+        law, given = asperity.Model(params), GIVEN | changes
+        return run(worlds(model_of(given), laws or {pair: law}, time_constant, passes), law, given["mass"], given["timestep"])
+
+    demand(asperity.Model(FILM), 0.5, 900)
+    worst = habits.worst(HABITS, ball)
+    return all(found <= limit for found, limit in zip(worst, LIMITS)), (
+        f"impulse of an impact {worst[0]:.1e} (limit {LIMITS[0]:g}), sliding {worst[1]:.1e} (limit {LIMITS[1]:g}), under a load that swings "
+        f"{worst[2]:.1e} (limit {LIMITS[2]:g}), {len(FALL)} worlds, {len(HABITS)} habits"
     )

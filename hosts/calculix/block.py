@@ -12,7 +12,8 @@ import asperity.__main__
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-import surface  # of hosts/
+import habits  # of hosts/
+import surface
 import verdict
 
 TOLERANCE = 1e-3  # of the tables
@@ -23,7 +24,6 @@ FACES = 3
 EDGE, HEIGHT, CONDUCTIVITY, WARMTH = 10e-3, 1e-3, 50.0, 10.0
 BASE = {"surface": "", "load": 8e6, "length": 1e-3, "pressure": 1e6}
 ALTERED = {
-    "mm, MPa": {},
     "m, Pa": {"length": 1.0, "pressure": 1.0},
     "mm, Pa": {"pressure": 1.0},
     "a tenth of the load": {"load": 0.8e6},
@@ -222,7 +222,6 @@ def loose(folder):
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "joint.md"
 # Of the page: more lines of the surface, options beside its own, factors of lengths, stresses and the load, and words of a refusal.
 JOINTS = {
-    "the page": {},
     "m, Pa": {"length": 1e-3, "stress": 1e6},
     "twice the load": {"load": 2.0, "options": ["--range", "2:60"]},
     "a tightened joint": {"options": ["--unloaded-from", "50"]},
@@ -258,8 +257,9 @@ def joint(folder, surface="", options=(), length=1.0, stress=1.0, load=1.0):
     units = ["--pressure-unit", f"{1e6 / stress!r}", "--length-unit", f"{1e-3 / length!r}"]
     if "--range" not in options and stress != 1.0:
         units += ["--range", f"{2 * stress!r}:{50 * stress!r}", "--friction-at", f"{25 * stress!r}"]
-    if asperity.__main__.main([*command, *units, *options]) != 0:
-        raise RuntimeError("no table is exported")
+    with contextlib.redirect_stderr(io.StringIO()) as told:
+        if asperity.__main__.main([*command, *units, *options]) != 0:
+            raise RuntimeError(told.getvalue())
     printed = computed(folder, "joint", joint_deck(page.split("```text joint.inp\n")[1].split("```")[0], length, stress, load))
     with asperity.Model(asperity.Params.from_toml(film)) as first:
         law = first.unloaded(50e6 * first.params.nominal_area) if "--unloaded-from" in options else first
@@ -270,31 +270,10 @@ def joint(folder, surface="", options=(), length=1.0, stress=1.0, load=1.0):
     return [abs(rows[0][3] * 1e-3 / length / closure - 1) for rows, closure in zip(printed, closures)]
 
 
-def joints(folder):
-    """The joint of the page and with each input changed once."""
-    worst = 0.0
-    for name, change in JOINTS.items():
-        told, refused = io.StringIO(), change.pop("refused", None)
-        try:
-            with contextlib.redirect_stderr(told):
-                found = joint(folder / f"joint_{name.replace(' ', '_').replace(',', '')}", **change)
-        except (RuntimeError, SystemExit) as error:
-            if refused is None or refused not in told.getvalue() + str(error):
-                raise RuntimeError(f"joint, {name}: {error}: {told.getvalue()}") from error
-            continue
-        if refused is not None:
-            raise RuntimeError(f"joint, {name}: not refused: {found}")
-        print(f"  joint, {name}: overclosure is off the law by {', '.join(f'{error:.1e}' for error in found)}")
-        worst = max(worst, *found)
-    return worst
-
-
 def main(folder):
-    worst, rows = max(loose(folder), joints(folder)), []
-    for name, change in ALTERED.items():
-        found = errors(folder / name.replace(" ", "_"), {**BASE, **change})
-        print(f"  {name}: overclosure, stick, friction, heat are off the law by {', '.join(f'{error:.1e}' for error in found)}")
-        worst = np.max([worst, *found])
+    worst = max(loose(folder), *habits.worst(JOINTS, lambda **change: joint(folder / "joint", **change)))
+    print("  errors of overclosure, stick, friction and heat:")
+    worst = np.max([worst, *habits.worst(ALTERED, lambda **change: errors(folder / "block", {**BASE, **change}))])
     return worst <= LIMIT, f"{len(ALTERED)} blocks pressed, dragged and heated, four loose ones and the joint of docs/joint.md, within {worst:.1e} of the law (limit {LIMIT:.0e})"
 
 

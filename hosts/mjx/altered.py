@@ -31,8 +31,13 @@ class Worlds:
         self.d = jax.tree.map(lambda x: jnp.broadcast_to(x, (self.count, *x.shape)) if isinstance(x, jax.Array) else x, self.start)
         self.d = self.d.replace(qvel=jnp.asarray(np.column_stack(velocity), self.start.qvel.dtype))
 
+    def press(self, force):
+        """Upwards, from now on."""
+        self.pressed = force
+
     def step(self):
         """The normal force in each world."""
+        self.d = self.d.replace(qfrc_applied=self.d.qfrc_applied.at[:, 1].set(self.pressed))
         self.d, self.loads = self.one_step(self.m, self.d, self.loads)
         impl = self.d._impl
         return np.asarray(impl.efc_force)[:, np.asarray(impl.contact.efc_address)].sum(axis=1).astype(float)

@@ -22,8 +22,14 @@ class Worlds:
         asperity.mujoco_warp.attach(model, self.m, self.d, laws, time_constant, passes)
 
     def throw(self, *velocity):
+        pressed = self.d.qfrc_applied.numpy()
         mujoco_warp.reset_data(self.m, self.d)
+        self.d.qfrc_applied.assign(pressed)
         self.d.qvel.assign(np.column_stack(velocity).astype(np.float32))
+
+    def press(self, force):
+        """Upwards, from now on."""
+        self.d.qfrc_applied.assign(np.tile(np.float32([0, force]), (self.count, 1)))
 
     def step(self):
         """The normal force in each world."""
