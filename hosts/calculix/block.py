@@ -258,8 +258,12 @@ def joint(folder, surface="", options=(), length=1.0, stress=1.0, load=1.0):
     if "--range" not in options and stress != 1.0:
         units += ["--range", f"{2 * stress!r}:{50 * stress!r}", "--friction-at", f"{25 * stress!r}"]
     with contextlib.redirect_stderr(io.StringIO()) as told:
-        if asperity.__main__.main([*command, *units, *options]) != 0:
-            raise RuntimeError(told.getvalue())
+        try:
+            status = asperity.__main__.main([*command, *units, *options])
+        except SystemExit as stopped:
+            status = stopped.code
+    if status != 0:
+        raise RuntimeError(told.getvalue())
     printed = computed(folder, "joint", joint_deck(page.split("```text joint.inp\n")[1].split("```")[0], length, stress, load))
     with asperity.Model(asperity.Params.from_toml(film)) as first:
         law = first.unloaded(50e6 * first.params.nominal_area) if "--unloaded-from" in options else first
