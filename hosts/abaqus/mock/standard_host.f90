@@ -3,7 +3,7 @@
 !
 ! usage: standard_host [unmade | surface | stiffness | depvar]    the argument provokes an error that must stop the analysis
 !        standard_host analyses FOLDER...    one analysis after another with the surface files of these folders; - for one that
-!                                            does not end before the next begins
+!                                            does not end before the next begins, restart for one that goes on
 program standard_host
   use, intrinsic :: iso_c_binding
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
@@ -63,30 +63,38 @@ program standard_host
 
 contains
 
-  ! Prints what both surfaces have at some pressures, in each analysis of this process.
+  ! Prints what both surfaces have at a pressure, in MPa, with microslip to and fro too, in each analysis of this process.
   subroutine analyses
     use asperity_surfaces, only: UNIT_OF_FORCE, UNIT_OF_LENGTH
     real(c_double), parameter :: MEGAPASCAL = 1e6_c_double * UNIT_OF_LENGTH**2 / UNIT_OF_FORCE
+    real(c_double), parameter :: NANOMETRE = 1e-9_c_double / UNIT_OF_LENGTH
     character(400) :: folder, next
-    real(c_double) :: tau(1), ddtddg(1, 1), ddtddp(1)
-    integer :: k, surface, lm
+    real(c_double) :: tau(1), slid(1), ddtddg(1, 1), ddtddp(1), state(MOST_REMEMBERED)
+    integer :: k, surface, lm, lop
     interface
       integer(c_int) function chdir(path) bind(c)
         import :: c_char, c_int
         character(kind=c_char), intent(in) :: path(*)
       end function chdir
     end interface
+    lop = 0
     do k = 2, command_argument_count()
       call get_command_argument(k, folder)
-      if (folder == '-') cycle
+      if (folder == 'restart') lop = 4
+      if (folder == '-' .or. folder == 'restart') cycle
       if (chdir(trim(folder) // c_null_char) /= 0) error stop 1
-      call uexternaldb(0, 0, time, 0d0, 1, 0)
+      call uexternaldb(lop, 0, time, 0d0, 1, 0)
+      lop = 0
       do surface = 1, 2
         call ask_fric_coef(dble(surface), [0.5_c_double * MEGAPASCAL], 1, mu, slope, untouched)
         lm = 0
+        slid = 0
+        call point(1, surface, STIFFNESS, 0.5_c_double * MEGAPASCAL, [1d12], lm, slid, ddtddg, ddtddp)
         tau = 0
-        call point(1, surface, STIFFNESS, 0.5_c_double * MEGAPASCAL, [1d3], lm, tau, ddtddg, ddtddp)
-        write (*, '(i2, 3es24.15)') surface, mu, slope * MEGAPASCAL, tau / MEGAPASCAL
+        state = 0
+        call remembering(1, surface, 0.5_c_double * MEGAPASCAL, [20 * NANOMETRE], lm, tau, ddtddg, ddtddp, state)
+        call remembering(1, surface, 0.4_c_double * MEGAPASCAL, [-5 * NANOMETRE], lm, tau, ddtddg, ddtddp, state)
+        write (*, '(i2, 4es24.15)') surface, mu, slope * MEGAPASCAL, slid / MEGAPASCAL, tau / MEGAPASCAL
       end do
       call get_command_argument(k + 1, next)
       if (next /= '-') call uexternaldb(3, 0, time, 0d0, 1, 9)
