@@ -21,7 +21,7 @@ const LOW_RIDGES: f64 = 4.0;
 /// Hills take a panel of places more for each such height.
 const LOW_HILLS: f64 = 2.0;
 /// Separations of places are found to this part of 1 or of them: the next step of Newton's method would be rounding.
-const LAST_STEP: f64 = 1e-9;
+const LAST_STEP: f64 = 1e-7;
 /// Places that bear less than this part of the load count for nothing but sums.
 const NEGLIGIBLE: f64 = 1e-9;
 

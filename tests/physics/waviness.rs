@@ -1,6 +1,6 @@
 //! Wavy surfaces: the sum over places of the law without waves, worked out another way from calls on a model without them.
 
-use crate::common::surfaces::{crowded, dimensionless, johnson, model};
+use crate::common::surfaces::{crowded, dimensionless, johnson, model, table};
 use asperity::{ContactLawKind, HeightFamily, Model, Params, Waviness, WavinessShape};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -132,6 +132,27 @@ fn states_and_what_is_compiled_are_sums_over_places() {
     }
 }
 
+/// Heights with a density that has kinks, on waves up to the highest.
+#[test]
+fn what_is_compiled_is_the_state_however_kinked_the_heights_are() {
+    let kinked = table(&[-2.0, -1.0, 0.3, 1.0, 3.0], &[0.0, 0.4, 0.3, 0.5, 0.0]);
+    let ended = table(&[-1.2, -1.0, -0.8, 0.8, 1.0, 1.2], &[0.0, 2.0, 0.01, 0.01, 2.0, 0.0]);
+    for heights in [kinked, ended] {
+        let even = crowded(Params { heights, ..yielding(1.5) }, 0.1);
+        for (shape, height, part) in
+            [(WavinessShape::Ridges, 1.0, 0.3), (WavinessShape::Hills, 5.0, 0.3), (WavinessShape::Hills, 29.0, 0.1)]
+        {
+            let wavy = model(&wavy(&even, shape, height, part));
+            let half = model(&even).state_at_gap(even.summit_mean_height).expect("a state").load;
+            for part in [1e-6, 1e-3, 0.1, 1.0, 20.0] {
+                let state = wavy.state_at_load(part * half).expect("a state");
+                near("F", wavy.friction_force_at_load(part * half), state.friction_force, 1e-5);
+                near("K_t", wavy.tangential_stiffness_at_load(part * half), state.tangential_stiffness, 1e-5);
+            }
+        }
+    }
+}
+
 #[test]
 fn low_waves_change_nothing_and_stiff_ridges_close_at_westergaards_pressure() {
     for params in surfaces() {
@@ -230,7 +251,9 @@ fn unloading_and_single_specimens_of_wavy_surfaces_are_refused() {
     let wavy = model(&wavy(&crowded(yielding(1.5), 0.1), WavinessShape::Ridges, 2.0, 0.3));
     let load = 1e-3 * wavy.params().composite_modulus * wavy.params().nominal_area;
     let told = wavy.unloaded(load).expect_err("waves").to_string();
-    assert!(told.contains("set waviness_height to 0"), "{told}");
+    for says in ["different pressures", "take unloading_stiffness of the state", "set waviness_height to 0"] {
+        assert!(told.contains(says), "{told}");
+    }
     let told = wavy.specimens_at_loads(asperity::Specimens { count: 1, ..Default::default() }, &[load]);
     assert!(told.expect_err("waves").to_string().contains("waviness_height"));
 }
