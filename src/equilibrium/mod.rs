@@ -223,19 +223,30 @@ impl Branch {
     /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by
     /// Newton's method within a bracket.
     pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
-        let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
         if target < LOG_LIGHTEST_LOAD && self.end.pull_off.is_none() {
             // Sums that small have few digits: the straight line from the lightest load that has all.
             let (separation, sums) = self.at_log_excess(LOG_LIGHTEST_LOAD, guess)?;
             return Ok((separation, sums.scaled(exp(target - LOG_LIGHTEST_LOAD))));
         }
+        // On waves what is compiled leads there at a small part of the cost.
+        let compiled = |separation: f64| self.point(separation);
+        let guess = match (guess, &self.waves) {
+            (None, Some(_)) => self.searched(target, None, &compiled).ok().map(|(separation, _)| separation),
+            (guess, _) => guess,
+        };
+        self.searched(target, guess, &|separation| self.log_excess(separation))
+    }
+
+    /// The same by states that are found in one way or another.
+    fn searched(&self, target: f64, guess: Option<f64>, at: &dyn Fn(f64) -> BranchPoint) -> Result<(f64, Sums), Error> {
+        let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
         let (mut separation, mut lower, mut upper) = match guess {
             Some(guess) => (guess.min(self.farthest()), CLOSEST, self.farthest()),
-            None => self.bracket(target).ok_or(failure.clone())?,
+            None => self.bracket(target, at).ok_or(failure.clone())?,
         };
         let mut last_step = f64::MAX;
         for _ in 0..MOST_STEPS {
-            let BranchPoint { log_excess, rate, sums, .. } = self.log_excess(separation);
+            let BranchPoint { log_excess, rate, sums, .. } = at(separation);
             sums.known(separation)?;
             let residual = log_excess - target;
             if residual >= 0.0 {
@@ -268,11 +279,11 @@ impl Branch {
 
     /// A separation on the heavier side of a load, and a bracket: leftwards from where the branch ends or the middle of the
     /// heights.
-    fn bracket(&self, target: f64) -> Option<(f64, f64, f64)> {
+    fn bracket(&self, target: f64, at: &dyn Fn(f64) -> BranchPoint) -> Option<(f64, f64, f64)> {
         let mut upper = self.farthest();
         let mut lower = upper.min(1.0) - 1.0;
         let mut step = 2.0;
-        while self.log_excess(lower).log_excess < target {
+        while at(lower).log_excess < target {
             upper = lower;
             lower -= step;
             step *= 4.0;
