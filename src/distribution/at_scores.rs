@@ -159,11 +159,21 @@ impl AtScores {
         }
     }
 
+    /// How many heights of the table are below one.
+    #[inline]
+    fn below(&self, z: f64) -> usize {
+        // Steps of a search without branches.
+        [8, 4, 2, 1].into_iter().fold(0, |below, step| match self.knots.get(below + step - 1) {
+            Some(&knot) if knot < z => below + step,
+            _ => below,
+        })
+    }
+
     /// The score g at a height, and its first and second derivative.
     #[inline]
     pub fn score(&self, z: f64) -> [f64; 3] {
         let straight = |i: usize, rate: f64| [table_score(i) + rate * (z - self.knots[i]), rate, 0.0];
-        match self.knots.partition_point(|&knot| knot < z) {
+        match self.below(z) {
             0 => straight(0, self.beyond[0]),
             SCORES => straight(SCORES - 1, self.beyond[1]),
             next => self.scores[next - 1].rates(z),
@@ -185,6 +195,14 @@ impl AtScores {
         log_deviation < log(FLATTEST * 2.0_f64.sqrt().sqrt())
     }
 
+    /// The logarithm of the density by u at a height, and du/dz.
+    #[inline]
+    fn log_count(&self, z: f64) -> (f64, f64) {
+        let [g, rate, _] = self.score(z);
+        let u = (g - MEAN) / SPREAD;
+        (at(&self.log_count, g)[0] - 0.5 * u * u - LN_SQRT_2_PI, rate / SPREAD)
+    }
+
     /// How far it is from one height of the table to the next around z; below all of them to the first, or between the first two if that is
     /// more, and infinite above.
     pub fn width(&self, z: f64) -> f64 {
@@ -197,7 +215,7 @@ impl AtScores {
 
     /// By how many e-folds radii, density and du/dz change, one way and back, between the heights of the table around z.
     pub fn change(&self, z: f64) -> f64 {
-        self.changes[self.knots.partition_point(|&knot| knot < z)]
+        self.changes[self.below(z)]
     }
 
     /// The same of each stretch between two, and beyond the ends.
@@ -329,9 +347,8 @@ impl HeightDistribution for AtScores {
     }
 
     fn log_density(&self, z: f64) -> f64 {
-        let [g, rate, _] = self.score(z);
-        let u = (g - MEAN) / SPREAD;
-        -0.5 * u * u - LN_SQRT_2_PI + log(rate / SPREAD) + at(&self.log_count, g)[0]
+        let (log_count, rate) = self.log_count(z);
+        log_count + log(rate)
     }
 
     fn log_density_slope(&self, z: f64) -> f64 {
@@ -341,17 +358,18 @@ impl HeightDistribution for AtScores {
 
     /// Nodes beyond those that are needed repeat one.
     fn densities(&self, z: [f64; POINTS]) -> [f64; POINTS] {
-        let mut log_densities = [f64::NEG_INFINITY; POINTS];
+        let (mut logs, mut rates) = ([f64::NEG_INFINITY; POINTS], [0.0; POINTS]);
         for i in 0..POINTS {
             let is_repeated = i > 0 && z[i] == z[i - 1];
-            log_densities[i] = if is_repeated { log_densities[i - 1] } else { self.log_density(z[i]) };
+            (logs[i], rates[i]) = if is_repeated { (logs[i - 1], rates[i - 1]) } else { self.log_count(z[i]) };
         }
-        exp_each(log_densities)
+        let densities = exp_each(logs);
+        from_fn(|i| densities[i] * rates[i])
     }
 
     /// Where dg/dz is 0.
     fn distance_to_singularity(&self, z: f64) -> f64 {
-        match self.knots.partition_point(|&knot| knot < z) {
+        match self.below(z) {
             0 | SCORES => f64::INFINITY,
             next => self.scores[next - 1].distance_to_turn(z),
         }

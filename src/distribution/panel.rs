@@ -35,7 +35,11 @@ pub const MOST_PANELS_OF_SUM: usize = 6000;
 
 /// How far above z one panel of 16 Gauss points may reach, never past the next breakpoint.
 pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
-    (next_breakpoint(heights, z) - z).min(smooth_reach(heights, z))
+    let length = next_breakpoint(heights, z) - z;
+    match heights.is_piecewise_polynomial() || length < f64::INFINITY && is_smooth(heights, z, z + length, 1.0) {
+        true => length,
+        false => length.min(smooth_reach(heights, z)),
+    }
 }
 
 /// The same as if there were no breakpoints.

@@ -11,6 +11,8 @@ const SCAN_START: f64 = -6.0;
 const FIRST_STEP: f64 = 1.0;
 /// Where radii vary or heights are not log-concave the load may rise within less: steps in sigma are at most this.
 const WIDEST_STEP: f64 = 0.25;
+/// Where the load presses they may be longer: of the way to where it would be 0 if it went on to fall as it does, this part.
+const PART_OF_TANGENT: f64 = 0.8;
 /// A minimum narrower than this is not looked for.
 const NARROWEST_STEP: f64 = 0.02;
 /// From where the load rises, the branch is looked for in steps back of no more than this, relative to 1 or the separation.
@@ -120,9 +122,11 @@ impl End {
 fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option<(f64, f64)>, Error> {
     let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
     let mut back = FIRST_STEP;
-    while !falls(population, here)? {
+    let mut sums = sums_at(population, here)?;
+    while sums.load_slope >= 0.0 {
         here -= back;
         back *= 1.5;
+        sums = sums_at(population, here)?;
     }
     let farthest = match single {
         true => population.farthest(),
@@ -131,7 +135,8 @@ fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option
     let ends = population.heights().support().1.is_finite();
     let mut step = if single { FIRST_STEP } else { scan_step(population) };
     while here < farthest {
-        let mut next = here + step;
+        // A load that presses and falls ever more slowly is 0 no sooner than its slope says.
+        let mut next = here + if single { step } else { step.max(PART_OF_TANGENT * (sums.load() / -sums.load_slope)) };
         // Beyond where nothing touches or attracts any more there is no slope to be seen.
         if ends && next > here + 0.5 * (farthest - here) {
             next = here + 0.5 * (farthest - here);
@@ -139,7 +144,7 @@ fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option
                 return Ok(None);
             }
         }
-        let sums = sums_at(population, next)?;
+        sums = sums_at(population, next)?;
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left.
             let past =
@@ -161,9 +166,9 @@ fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option
 /// The step in which a load that may have several minima is looked at.
 fn scan_step(population: &Population) -> f64 {
     let widest = (0.5 * population.radius_scale()).clamp(WIDEST_STEP, 2.0 * WIDEST_STEP);
-    match population.heights().breakpoints() {
-        [] => widest,
-        _ => (0.5 * population.range_of_adhesion()).clamp(NARROWEST_STEP, WIDEST_STEP),
+    match population.heights().is_piecewise_polynomial() {
+        false => widest,
+        true => (0.5 * population.range_of_adhesion()).clamp(NARROWEST_STEP, WIDEST_STEP),
     }
 }
 

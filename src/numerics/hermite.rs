@@ -7,6 +7,7 @@ use super::elementary::hypot;
 pub struct Cubic {
     start: f64,
     width: f64,
+    per_width: f64,
     coefficients: [f64; 4],
 }
 
@@ -15,13 +16,14 @@ impl Cubic {
     pub fn new((x0, y0, slope0): (f64, f64, f64), (x1, y1, slope1): (f64, f64, f64)) -> Self {
         let width = x1 - x0;
         let (rise, from, to) = (y1 - y0, slope0 * width, slope1 * width);
-        Self { start: x0, width, coefficients: [y0, from, 3.0 * rise - 2.0 * from - to, from + to - 2.0 * rise] }
+        let coefficients = [y0, from, 3.0 * rise - 2.0 * from - to, from + to - 2.0 * rise];
+        Self { start: x0, width, per_width: 1.0 / width, coefficients }
     }
 
     /// The value at an abscissa.
     #[inline]
     pub fn at(&self, x: f64) -> f64 {
-        let t = (x - self.start) / self.width;
+        let t = (x - self.start) * self.per_width;
         let [a, b, c, d] = self.coefficients;
         a + t * (b + t * (c + t * d))
     }
@@ -46,17 +48,17 @@ impl Cubic {
     /// Value, first and second derivative at an abscissa.
     #[inline]
     pub fn rates(&self, x: f64) -> [f64; 3] {
-        let t = (x - self.start) / self.width;
+        let t = (x - self.start) * self.per_width;
         let [a, b, c, d] = self.coefficients;
         let value = a + t * (b + t * (c + t * d));
-        let slope = (b + t * (2.0 * c + 3.0 * t * d)) / self.width;
-        [value, slope, (2.0 * c + 6.0 * t * d) / (self.width * self.width)]
+        let slope = (b + t * (2.0 * c + 3.0 * t * d)) * self.per_width;
+        [value, slope, (2.0 * c + 6.0 * t * d) * (self.per_width * self.per_width)]
     }
 
     /// How far an abscissa is from the nearest point, real or complex, at which the slope is 0.
     pub fn distance_to_turn(&self, x: f64) -> f64 {
         let [_, b, c, d] = self.coefficients;
-        let t = (x - self.start) / self.width;
+        let t = (x - self.start) * self.per_width;
         // The roots of 3 d t^2 + 2 c t + b, and the one of a parabola where d is next to nothing.
         let discriminant = c * c - 3.0 * d * b;
         let distance = if discriminant < 0.0 {

@@ -14,11 +14,22 @@ const LAST_BITS: f64 = 1e-18;
 /// `f` must change sign between the ends; where it does not, the end with the smaller |f| is the answer.
 pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
     let (at_upper, at_lower) = (f(upper), f(lower));
-    between(f, (lower, at_lower), (upper, at_upper))
+    from_part(f, (lower, at_lower), (upper, at_upper), 0.5)
 }
 
-/// The same where the values at both ends are known.
-pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (upper, at_upper): (f64, f64)) -> f64 {
+/// The same where the values at both ends are known, of a function that is nearly straight.
+pub fn between(f: impl FnMut(f64) -> f64, lower: (f64, f64), upper: (f64, f64)) -> f64 {
+    let straight = (upper.1 / (upper.1 - lower.1)).clamp(0.01, 0.99);
+    from_part(f, lower, upper, if straight.is_nan() { 0.5 } else { straight })
+}
+
+/// The same from a part of the bracket, from its upper end.
+fn from_part(
+    mut f: impl FnMut(f64) -> f64,
+    (lower, at_lower): (f64, f64),
+    (upper, at_upper): (f64, f64),
+    first: f64,
+) -> f64 {
     let (mut a, mut b) = (upper, lower);
     let (mut fa, mut fb) = (at_upper, at_lower);
     if (fa < 0.0) == (fb < 0.0) {
@@ -26,7 +37,7 @@ pub fn between(mut f: impl FnMut(f64) -> f64, (lower, at_lower): (f64, f64), (up
     }
     // A root at zero has no relative resolution.
     let resolution = LAST_BITS * (upper - lower).abs();
-    let mut t = 0.5;
+    let mut t = first;
     for _ in 0..MOST_STEPS {
         let x = a + t * (b - a);
         let fx = f(x);

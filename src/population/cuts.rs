@@ -11,20 +11,21 @@ use crate::numerics::root;
 const MOST_DISTANCE_GROWTH: f64 = 4.0;
 /// Between two extrema of the contact radius friction is hardly changed by passing a kink if they are nearer to each other than a panel
 /// halved so often.
-const STEPS_TO_TURN: u32 = 9;
-/// Between two scores of a table, or less, a summit is looked at so often for being nearest to a kink.
-const LOOKS_FOR_TURNS: u32 = 8;
+const STEPS_TO_TURN: u32 = 8;
+/// Between two scores of a table, or less, so many summits are looked at for being nearest to a kink.
+const LOOKS_FOR_TURNS: usize = 9;
+type Looks = [(f64, f64, f64); LOOKS_FOR_TURNS];
 
 impl Population {
     /// The same panel, or its first part up to a kink. Where radii vary with height it ends at an extremum of the contact
     /// radius too, so that each radius within shows at its ends.
     pub(super) fn cut_at_kink(&self, separation: f64, panel: SummitPanel, start_kink: Option<usize>) -> SummitPanel {
         let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
-        if !self.radius.is_constant() {
+        if self.radius.may_fall() && self.is_near_kink(&panel) {
             let is_cut = self.cut_where(separation, &mut panel, Point::radius_change, None);
             let turn = if is_cut { None } else { self.between_extrema(separation, &panel) };
             if let Some(turn) = turn {
-                panel.to = self.on_panel(separation, &panel, turn);
+                panel.to = self.on_panel(separation, &panel, turn, &panel.guess());
                 panel.kink = None;
                 self.cut_where(separation, &mut panel, Point::radius_change, None);
             }
@@ -43,25 +44,31 @@ impl Population {
         panel
     }
 
-    /// Where within a panel the contact radius falls though it rises at both ends, or the other way: it turns back on either side.
-    /// A panel that begins at an extremum begins with next to no change, of either sign. `None` also where the radius is far from
-    /// where friction has a kink, and where radii do not fall with height.
-    fn between_extrema(&self, separation: f64, panel: &SummitPanel) -> Option<f64> {
-        if !self.radius.may_fall() {
-            return None;
-        }
-        let [start, end] = [panel.from, panel.to].map(|end| panel.radius_change_at(&end));
+    /// Whether the contact radius may be one at which friction has a kink, by how it is and changes at the ends.
+    fn is_near_kink(&self, panel: &SummitPanel) -> bool {
+        let reach: f64 = [panel.from, panel.to].iter().map(|end| panel.radius_change_at(end).abs()).sum();
         let (a, b) = (panel.from.contact.radius, panel.to.contact.radius);
-        let reach = start.abs() + end.abs();
-        let near = a.min(b) - reach..a.max(b) + reach;
-        if !self.radius_kinks.iter().any(|kink| near.contains(kink)) {
+        // No number where the end was not found.
+        self.radius_kinks.iter().any(|kink| (a.min(b) - reach..a.max(b) + reach).contains(kink))
+    }
+
+    /// Where within a panel the contact radius falls though it rises at both ends, or the other way: it turns back on either side.
+    /// A panel that begins at an extremum begins with next to no change, of either sign.
+    fn between_extrema(&self, separation: f64, panel: &SummitPanel) -> Option<f64> {
+        let [start, end] = [panel.from, panel.to].map(|end| panel.radius_change_at(&end));
+        let guess = panel.guess();
+        let sign = (start + end).signum();
+        let change = |x: f64| sign * self.on_panel(separation, panel, x, &guess).radius_change();
+        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
+        let at = |quarter: f64| from + 0.25 * quarter * (to - from);
+        // Five equally far apart: parabolas through three neighbours mostly tell that none is near 0.
+        let looks = [sign * start, change(at(1.0)), change(at(2.0)), change(at(3.0)), sign * end];
+        if looks.windows(3).all(|looks| lowest_of_parabola(looks) > 0.5 * looks[0].min(looks[1]).min(looks[2])) {
             return None;
         }
         // The smallest change of the radius is looked for on both sides of the best place so far, ever nearer.
-        let change = |x: f64| (start + end).signum() * self.on_panel(separation, panel, x).radius_change();
-        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        let (mut place, mut step) = (0.5 * (from + to), 0.5 * (to - from));
-        let mut least = change(place);
+        let best = (1..4).fold(1, |best, i| if looks[i] < looks[best] { i } else { best });
+        let (mut place, mut least, mut step) = (at(best as f64), looks[best], 0.25 * (to - from));
         for _ in 0..STEPS_TO_TURN {
             if least < 0.0 {
                 break;
@@ -121,9 +128,11 @@ impl Population {
         mut panel: SummitPanel,
         start_kink: Option<usize>,
     ) -> SummitPanel {
+        let has_kinks = self.kinks_of_contact[0].is_finite();
+        let looks = self.radius.scores.as_ref().filter(|_| has_kinks).map(|_| self.looks(&panel));
         for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
-            if self.radius.scores.is_some() {
-                self.cut_at_turn(separation, &mut panel, kink);
+            if let Some(looks) = &looks {
+                self.cut_at_turn(separation, &mut panel, kink, looks);
             } else if !self.radius.is_constant() {
                 self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
             }
@@ -135,20 +144,33 @@ impl Population {
         panel
     }
 
-    /// The same where there may be more of them, since radii are cubics: at the first that shows in steps.
-    fn cut_at_turn(&self, separation: f64, panel: &mut SummitPanel, kink: f64) {
+    /// The same where there may be more of them, since radii are cubics: at the first that shows between looks, each at a height with
+    /// the radius there and its slope, if a summit may be at the kink.
+    fn cut_at_turn(&self, separation: f64, panel: &mut SummitPanel, kink: f64, looks: &Looks) {
+        let step = looks[1].0 - looks[0].0;
+        let away = |&(z, g, _): &(f64, f64, f64)| z - separation + self.lost - kink * g;
+        let rate = |&(_, _, g_rate): &(f64, f64, f64)| 1.0 - kink * g_rate;
+        let is_above = away(&looks[0]) > 0.0;
+        if looks.iter().all(|look| (away(look) > 0.0) == is_above && away(look).abs() > step * rate(look).abs()) {
+            return;
+        }
+        let turns = looks.windows(2).filter(|looks| (rate(&looks[0]) < 0.0) != (rate(&looks[1]) < 0.0));
         let rate = |z: f64| 1.0 - kink * self.radius.at(z).1;
-        let (from, to) = (panel.from.z, panel.to.z);
-        let place = |step: u32| from + (to - from) * f64::from(step) / f64::from(LOOKS_FOR_TURNS);
-        let steps = (1..=LOOKS_FOR_TURNS).map(|step| (place(step - 1), place(step)));
-        let turns = steps
-            .filter(|&(lower, upper)| (rate(lower) < 0.0) != (rate(upper) < 0.0))
-            .map(|(lower, upper)| root::bracketed(rate, lower, upper));
+        let turns = turns.map(|looks| root::bracketed(rate, looks[0].0, looks[1].0));
         // A panel that begins at one may show it again.
-        if let Some(turn) = turns.into_iter().find(|&turn| is_inside(turn, from, to)) {
+        if let Some(turn) = turns.into_iter().find(|&turn| is_inside(turn, panel.from.z, panel.to.z)) {
             panel.to = self.at_height(separation, turn, panel.to.contact.parameter);
             panel.kink = None;
         }
+    }
+
+    fn looks(&self, panel: &SummitPanel) -> Looks {
+        let (from, to) = (panel.from.z, panel.to.z);
+        std::array::from_fn(|i| {
+            let z = from + (to - from) * i as f64 / (LOOKS_FOR_TURNS - 1) as f64;
+            let (g, g_rate) = self.radius.at(z);
+            (z, g, g_rate)
+        })
     }
 
     /// Ends a panel where a function of its summits changes sign: at a kink, or near enough to an extremum. Returns whether it does.
@@ -165,8 +187,9 @@ impl Population {
         if (at_from < 0.0) == (at_to < 0.0) || to.is_nan() {
             return false;
         }
-        let root = root::between(|x| f(&self.on_panel(separation, panel, x)), ends[0], ends[1]);
-        let cut = self.on_panel(separation, panel, root);
+        let guess = panel.guess();
+        let root = root::between(|x| f(&self.on_panel(separation, panel, x, &guess)), ends[0], ends[1]);
+        let cut = self.on_panel(separation, panel, root, &guess);
         // Two kinks at one height are not passed in turn for ever.
         let is_cut = is_inside(root, from, to) && cut.z > panel.from.z;
         if is_cut {
@@ -185,6 +208,16 @@ impl Population {
     pub(super) fn is_onset(&self, kink: Option<usize>) -> bool {
         let is_one = kink.is_some_and(|kink| (ONSET..RADII).contains(&kink) || kink == RADII + KINKS);
         is_one && self.slip.onset == SlipOnset::Partial
+    }
+}
+
+/// The least value between the outer ones of three equally far apart of the parabola through them.
+fn lowest_of_parabola(values: &[f64]) -> f64 {
+    let [before, here, after] = [values[0], values[1], values[2]];
+    let (tilt, bend) = (0.5 * (after - before), before + after - 2.0 * here);
+    match tilt.abs() < bend {
+        true => here - 0.5 * tilt * tilt / bend,
+        false => before.min(after),
     }
 }
 

@@ -12,6 +12,8 @@ use crate::numerics::{ascending, root};
 
 /// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
 const LOWEST_END: f64 = -8.0;
+/// Nor is one where so few heights only bend.
+const LOWEST_BEND: f64 = -2.5;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
 const SAME_KINK: f64 = 1e-8;
 
@@ -26,7 +28,8 @@ impl Population {
         let mut kinks: Vec<f64> = heights.iter().flat_map(|&z| self.kinks_of_height(z)).collect();
         if !self.heights.is_piecewise_polynomial() {
             let edge = |&z: &f64| z - self.law.break_away(self.radius.factor(z)).overlap;
-            kinks.extend(self.heights.breakpoints().iter().map(edge));
+            // Few heights are below the others: what their slopes do there hardly shows in what all bear.
+            kinks.extend(self.heights.breakpoints().iter().filter(|&&z| z > LOWEST_BEND).map(edge));
         }
         if !self.radius.is_constant() {
             for radius in self.slip.kinks() {

@@ -81,9 +81,12 @@ impl NodeTable {
             let roots = (!is_near).then(|| (root(panel.from), root(panel.to)));
             let nodes = match roots {
                 None => population.nodes(0.0, &panel),
-                Some((from, to)) => quadrature::panel(from, to).map(|(root, weight)| {
-                    (2.0 * root * weight, population.on_panel(0.0, &panel, edge.z + root * root))
-                }),
+                Some((from, to)) => {
+                    let guess = panel.guess();
+                    quadrature::panel(from, to).map(|(root, weight)| {
+                        (2.0 * root * weight, population.on_panel(0.0, &panel, edge.z + root * root, &guess))
+                    })
+                }
             };
             let summit = |point: Point| Summit::new(&point.contact, population.slip.friction(&point.contact));
             table.panels.push(TablePanel {

@@ -104,17 +104,17 @@ impl Population {
         let panel = SummitPanel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
         let panel = self.cut_at_kink(separation, panel, kink);
         // Between breakpoints a density is smoother than they are near.
-        let smooth = match self.heights.breakpoints() {
+        let smooth = || match self.heights.breakpoints() {
             [] => reach,
             _ => panel::smooth_reach(&*self.heights, here.z).min(self.radius.smooth_length(here.z)),
         };
         // What contacts about to slip resist asks for all points.
         let part = match (self.has_onset(), &self.radius.scores) {
             (true, _) => 1.0,
-            (false, None) => self.part(&panel, clearance, smooth),
+            (false, None) => self.part(&panel, clearance, smooth()),
             // The heights of a table at scores do not end, so that nothing begins as a power between them.
             (false, Some(scores)) => match scores.change(0.5 * (panel.from.z + panel.to.z)) {
-                change if change < FEW_POINTS => PART_BETWEEN_SCORES * self.part(&panel, clearance, smooth),
+                change if change < FEW_POINTS => PART_BETWEEN_SCORES * self.part(&panel, clearance, smooth()),
                 change if change < SOME_POINTS => PART_BETWEEN_SCORES,
                 _ => 1.0,
             },
@@ -228,9 +228,9 @@ impl Population {
         nodes
     }
 
-    /// The summit at a value of the variable of a panel.
-    pub(super) fn on_panel(&self, separation: f64, panel: &SummitPanel, x: f64) -> Point {
-        self.at_place(separation, panel.axis, x, panel.guess().at(x))
+    /// The summit at a value of the variable of a panel, from its guess of the other.
+    pub(super) fn on_panel(&self, separation: f64, panel: &SummitPanel, x: f64, guess: &Cubic) -> Point {
+        self.at_place(separation, panel.axis, x, guess.at(x))
     }
 
     /// The summit of a parameter or of a height, from a guess of the other.
@@ -277,7 +277,7 @@ impl SummitPanel {
     }
 
     /// Height by parameter, or parameter by height.
-    fn guess(&self) -> Cubic {
+    pub(super) fn guess(&self) -> Cubic {
         let ends = [self.from, self.to];
         let [a, b] = match self.axis {
             Axis::Parameter => ends.map(|end| (end.contact.parameter, end.z, end.z_rate())),

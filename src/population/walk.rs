@@ -122,8 +122,9 @@ impl Population {
                 reach *= 0.25;
                 (panel, nodes) = lay(reach);
             }
-            let overlaps = nodes.map(|(_, point)| point.contact.overlap);
-            let densities = self.densities::<POINTS>(separation, nodes.map(|(_, point)| point.z), overlaps);
+            let heights = std::array::from_fn(|i| nodes[i].1.z);
+            let overlaps = std::array::from_fn(|i| nodes[i].1.contact.overlap);
+            let densities = self.densities::<POINTS>(separation, heights, overlaps);
             for ((weight, point), density) in nodes.iter().zip(densities).take_while(|((weight, _), _)| *weight != 0.0)
             {
                 let fraction = weight * density;
