@@ -21,7 +21,7 @@ impl Population {
     /// radius too, so that each radius within shows at its ends.
     pub(super) fn cut_at_kink(&self, separation: f64, panel: SummitPanel, start_kink: Option<usize>) -> SummitPanel {
         let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
-        if self.radius.may_fall() && self.is_near_kink(&panel) {
+        if self.radius.may_fall() && (self.ends_at_extrema || self.is_near_kink(&panel)) {
             let is_cut = self.cut_where(separation, &mut panel, Point::radius_change, None);
             let turn = if is_cut { None } else { self.between_extrema(separation, &panel) };
             if let Some(turn) = turn {

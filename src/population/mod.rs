@@ -81,6 +81,8 @@ pub struct Population {
     kinks_of_contact: [f64; KINKS],
     /// The friction force over the contact radius at which it has one too: contacts are about to slip.
     onset_ratio: Option<f64>,
+    /// Whether panels end also at extrema of the contact radius that are far from those.
+    ends_at_extrema: bool,
     /// The overlaps over g at which summits begin to yield, and to flow, infinite where they do not.
     yields: [f64; KINKS],
     /// No summit in contact has a smaller overlap.
@@ -190,6 +192,7 @@ impl Population {
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
             onset_ratio: None,
+            ends_at_extrema: false,
             yields,
             deepest,
             lower_cut,

@@ -89,10 +89,11 @@ impl Population {
         let edge = population.edge(separation);
         let mut counting =
             Counting { population, count: 0.0, load: 0.0, sums: Statistics::default(), seen: Vec::new() };
-        if self.yields == self.kinks_of_contact {
+        if self.radius.is_constant() && self.yields == self.kinks_of_contact {
             population.visit(separation, &edge, &mut counting)?;
         } else {
-            population.with_kinks(self.radius_kinks, self.yields).visit(separation, &edge, &mut counting)?;
+            let other = Self { ends_at_extrema: true, ..population.with_kinks(self.radius_kinks, self.yields) };
+            other.visit(separation, &edge, &mut counting)?;
         }
         let Counting { count, load, sums, seen, .. } = counting;
         if count == 0.0 {

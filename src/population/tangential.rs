@@ -5,9 +5,11 @@
 
 use super::sums::{out_of_panels, Summit};
 use super::walk::Visitor;
-use super::Population;
+use super::{Population, RADII};
+use crate::asperity::contact::KINKS;
 use crate::asperity::slip::{SlipOnset, Tangential};
 use crate::error::Error;
+use std::borrow::Cow;
 
 /// Less than this part of all contacts is none, where four digits are wanted.
 const NEGLIGIBLE_CONTACTS: f64 = 1e-8;
@@ -90,13 +92,17 @@ impl<const N: usize> Visitor for Lost<N> {
 impl Population {
     /// The contacts at a separation, displaced so far that one that sticks bears these forces times its radius: what they would
     /// resist if all stuck, over their strength; how much less they resist; and what part of their stiffness has been given up.
-    /// They have some four digits, since panels do not end where contacts begin to slip. `None` if there are none, or their sums are
+    /// They have some four digits, since panels do not end where contacts begin to slip, or where radii vary at other kinks. `None` if there are none, or their sums are
     /// not to be had.
     pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; 3]; N]> {
         let onset = self.slip.onset;
         let none = [0.0; N];
         let mut lost = Lost { force_over_radius, force: none, radius: none, strength: 0.0, all: 0.0, onset };
-        let population = self.as_at(separation);
+        let mut population = self.as_at(separation);
+        if !self.radius.is_constant() {
+            let none = f64::INFINITY;
+            population = Cow::Owned(population.with_kinks([none; RADII], [none; KINKS]));
+        }
         population.visit(separation, &population.edge(separation), &mut lost).ok()?;
         let Lost { force, radius, strength, all, .. } = lost;
         let of = |i: usize| [force_over_radius[i] * all / strength, force[i] / strength, radius[i] / all];
