@@ -40,7 +40,7 @@ int main(int count_of_arguments, char **arguments) {
             std::printf("%s\t%g\t%s\t%g\n", cost.name.c_str(), cost.limit, cost.unit, cost.count);
     } else if (what == "memory") {
         for (const Surface &surface : costs.surfaces())
-            std::printf("%s\t%.0f\n", surface.name.c_str(), bytes_of(surface.params) / 1024.0);
+            std::printf("%s\t%.1f\n", surface.name.c_str(), bytes_of(surface.params) / 1024.0);
     } else {
         std::fprintf(stderr, "usage: core costs|kinds|memory|limits\n");
         return 2;
