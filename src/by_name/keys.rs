@@ -31,7 +31,7 @@ impl Table {
     }
 
     /// Its keys beside the fields of parameters, which are those of the top.
-    fn keys(self) -> &'static [&'static str] {
+    pub fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Top => &[
                 "pair",
@@ -77,26 +77,8 @@ impl Table {
                 "summits",
                 "process",
             ],
-            Self::MeasuredOn => &[
-                "m0",
-                "m2",
-                "m4",
-                "Ra",
-                "Rq",
-                "RSm",
-                "Rdq",
-                "Sq",
-                "Sdq",
-                "Ssc",
-                "Sds",
-                "process",
-                "nominal_area",
-                "E1",
-                "nu1",
-                "E2",
-                "nu2",
-                "hardness",
-            ],
+            // And those of the roughness.
+            Self::MeasuredOn => &["nominal_area", "E1", "nu1", "E2", "nu2", "hardness"],
             Self::KnownTo => &["slope", "hardness", "work_of_adhesion", "E"],
         }
     }
@@ -107,7 +89,8 @@ impl Table {
 
     fn all_keys(self) -> impl Iterator<Item = &'static str> {
         let fields: &[_] = if self == Self::Top { FIELDS } else { &[] };
-        fields.iter().map(|field| field.name).chain(self.keys().iter().copied())
+        let rough = if self == Self::MeasuredOn { Self::Roughness.keys() } else { &[] };
+        fields.iter().map(|field| field.name).chain(rough.iter().chain(self.keys()).copied())
     }
 }
 

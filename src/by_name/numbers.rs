@@ -78,10 +78,10 @@ impl Numbers {
         self.values[position] = Some(value);
     }
 
-    /// Gives a number by a name that is one.
-    pub fn give_named(&mut self, name: &'static str, value: f64) {
+    /// Gives a number by a name that is one, or takes it back.
+    pub fn give_named(&mut self, name: &'static str, value: impl Into<Option<f64>>) {
         if let Some(position) = Self::position(name.as_bytes()) {
-            self.give(position, value);
+            self.values[position] = value.into();
         }
     }
 

@@ -160,9 +160,9 @@ impl Roughness {
     }
 
     /// Whether it says m4, so that no bandwidth is to be given beside it.
-    pub fn gives_curvature(entries: &Entries) -> bool {
+    pub fn gives_curvature(entries: &Entries, table: Table) -> bool {
         let names = KINDS.into_iter().flat_map(|kind| kind.curvatures);
-        names.into_iter().any(|name| entries.find(Table::Roughness, name).is_some())
+        names.into_iter().any(|name| entries.find(table, name).is_some())
     }
 }
 

@@ -379,26 +379,56 @@ impl Entries<'_> {
                 format_args!("[measured_on]: measured must be set, what was measured there"),
             ));
         }
-        let mut machined = None;
-        let is_number = |entry: &&Entry| ["nominal_area", "E1", "nu1", "E2", "nu2", "hardness"].contains(&entry.name);
-        for entry in self.of(Table::MeasuredOn).filter(is_number) {
+        let own = Table::MeasuredOn.keys();
+        for entry in self.of(Table::MeasuredOn).filter(|entry| own.contains(&entry.name)) {
             numbers.give_named(entry.name, entry.number()?);
         }
-        let is_rough = self.of(Table::MeasuredOn).any(|entry| !is_number(&entry));
-        if is_rough {
-            let Roughness { moments, machined: found, at_scores, lay, .. } =
-                Roughness::of(self, Table::MeasuredOn, begin, None)?;
-            (numbers.at_scores, numbers.lay) = (at_scores, lay);
-            machined = found;
-            for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
-                numbers.give_named(name, moment);
-            }
-        }
+        let is_rough = self.of(Table::MeasuredOn).any(|entry| !own.contains(&entry.name));
+        let machined = match is_rough {
+            true => self.roughness(Table::MeasuredOn, begin, &mut numbers)?,
+            false => None,
+        };
         let params = numbers.set(&mut draft).map(|()| without_adhesion(&mut draft.params));
         let params = params.and_then(|()| draft.into_params()).and_then(|params| params.surface().map(|_| params));
         let params = params.map_err(|error| Problem::of(begin, error))?;
         let shape = is_rough.then(|| shape(self, Table::MeasuredOn, &params, machined.as_ref()));
         Ok(Some(Measured { params, machined, shape }))
+    }
+
+    /// Gives numbers the roughness of a table, which begins at a byte of the text.
+    fn roughness(&self, table: Table, begin: usize, numbers: &mut Numbers) -> Outcome<Option<Machined>> {
+        let by = table.to_string();
+        self.exclude(SUMMITS, by.trim_end())?;
+        if Roughness::gives_curvature(self, table) {
+            self.exclude(&["bandwidth"], by.trim_end())?;
+        }
+        let bandwidth = numbers.get("bandwidth");
+        let Roughness { moments, density, at_scores, lay, machined } = Roughness::of(self, table, begin, bandwidth)?;
+        for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
+            numbers.give_named(name, moment);
+        }
+        let summits = self.find(table, "summits");
+        let kind = summits.map(|entry| entry.choice(KINDS_OF_SUMMITS)).transpose()?;
+        numbers.has_mccool_summits = kind == Some(1.0);
+        let refused = |says: Arguments| {
+            let at = summits.map_or(begin, |entry| entry.at);
+            Err(Problem::new(at, format_args!("{table}summits: {says}")))
+        };
+        if numbers.has_mccool_summits && moments.m4 == 0.0 {
+            return refused(format_args!(
+                "\"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth"
+            ));
+        }
+        numbers.give_named("summit_density", density.filter(|_| numbers.has_mccool_summits));
+        (numbers.lay, numbers.at_scores) = (lay, at_scores);
+        if numbers.at_scores.is_some() {
+            self.exclude(SHAPES, by.trim_end())?;
+            self.exclude(&["height_distribution"], by.trim_end())?;
+            if numbers.has_mccool_summits {
+                return refused(format_args!("\"mccool\" is for Gaussian heights: leave the key out"));
+            }
+        }
+        Ok(machined)
     }
 
     fn coverage(&self) -> Outcome<f64> {
@@ -726,7 +756,7 @@ impl GivenSurface<'_> {
         }
         draft.params.heights = HeightFamily::of_table(is_at_scores, Arc::from(heights), Arc::from(densities));
         if !is_chosen {
-            self.numbers.give_named("height_distribution", TABULATED.into());
+            self.numbers.give_named("height_distribution", f64::from(TABULATED));
         }
         Ok(())
     }
@@ -737,46 +767,15 @@ impl GivenSurface<'_> {
         if entries.of(Table::Roughness).next().is_none() {
             return Ok(());
         }
-        entries.exclude(SUMMITS, "[roughness]")?;
-        if Roughness::gives_curvature(entries) {
-            entries.exclude(&["bandwidth"], "[roughness]")?;
-        }
         if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
             return Err(Problem::new(
                 begin,
                 format_args!("nominal_area: must be set, since [roughness] gives the summits per area"),
             ));
         }
-        let bandwidth = self.numbers.get("bandwidth");
-        let Roughness { moments, density, at_scores, lay, machined } =
-            Roughness::of(entries, Table::Roughness, begin, bandwidth)?;
-        draft.params.taken_as_gaussian = machined.as_ref().is_some_and(|machined| machined.process.leaves_plateaus());
-        self.machined = machined;
-        for (name, moment) in [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4)] {
-            self.numbers.give_named(name, moment);
-        }
-        if let Some(entry) = entries.find(Table::Roughness, "summits") {
-            self.numbers.has_mccool_summits = entry.choice(KINDS_OF_SUMMITS)? == 1.0;
-            if self.numbers.has_mccool_summits && moments.m4 == 0.0 {
-                return Err(entry.refused(format_args!(
-                    "\"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth"
-                )));
-            }
-        }
-        if let Some(density) = density.filter(|_| self.numbers.has_mccool_summits) {
-            self.numbers.give_named("summit_density", density);
-        }
-        self.numbers.lay = lay;
-        let Some(table) = at_scores else { return Ok(()) };
-        entries.exclude(SHAPES, "[roughness]")?;
-        entries.exclude(&["height_distribution"], "[roughness]")?;
-        if self.numbers.has_mccool_summits {
-            return Err(Problem::new(
-                begin,
-                format_args!("[roughness] summits: \"mccool\" is for Gaussian heights: leave the key out"),
-            ));
-        }
-        self.numbers.at_scores = Some(table);
+        self.machined = entries.roughness(Table::Roughness, begin, &mut self.numbers)?;
+        let leaves_plateaus = |machined: &Machined| machined.process.leaves_plateaus();
+        draft.params.taken_as_gaussian = self.machined.as_ref().is_some_and(leaves_plateaus);
         Ok(())
     }
 

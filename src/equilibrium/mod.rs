@@ -153,6 +153,11 @@ impl Branch {
             .map_or_else(|| exact(separation), |waves| waves.mean(separation, |at| exact(at.separation)).0)
     }
 
+    /// The pressure at places, as the mean over the load, over that of the whole surface.
+    pub fn pressing(&self, separation: f64) -> f64 {
+        self.waves.as_ref().map_or(1.0, |waves| waves.pressing(separation))
+    }
+
     /// The gap between the mean planes at a separation, in sigma, where waves tell it.
     pub fn gap(&self, separation: f64) -> Option<f64> {
         self.waves.as_ref().map(|waves| waves.compiled(separation).1)
@@ -220,25 +225,33 @@ impl Branch {
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums, gap: None }
     }
 
-    /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one: by
-    /// Newton's method within a bracket.
-    pub fn at_log_excess(&self, target: f64, guess: Option<f64>) -> Result<(f64, Sums), Error> {
+    /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one, to a tolerance or as far
+    /// as rounding lets it.
+    pub fn at_log_excess(&self, target: f64, guess: Option<f64>, tolerance: f64) -> Result<(f64, Sums), Error> {
         if target < LOG_LIGHTEST_LOAD && self.end.pull_off.is_none() {
             // Sums that small have few digits: the straight line from the lightest load that has all.
-            let (separation, sums) = self.at_log_excess(LOG_LIGHTEST_LOAD, guess)?;
+            let (separation, sums) = self.at_log_excess(LOG_LIGHTEST_LOAD, guess, tolerance)?;
             return Ok((separation, sums.scaled(exp(target - LOG_LIGHTEST_LOAD))));
         }
         // On waves what is compiled leads there at a small part of the cost.
         let compiled = |separation: f64| self.point(separation);
-        let guess = match (guess, &self.waves) {
-            (None, Some(_)) => self.searched(target, None, &compiled).ok().map(|(separation, _)| separation),
-            (guess, _) => guess,
+        let guess = match &self.waves {
+            Some(_) if guess.is_none() || tolerance > 0.0 => {
+                self.searched(target, guess, LOG_TOLERANCE, &compiled).ok().map(|(separation, _)| separation)
+            }
+            _ => guess,
         };
-        self.searched(target, guess, &|separation| self.log_excess(separation))
+        self.searched(target, guess, tolerance, &|separation| self.log_excess(separation))
     }
 
     /// The same by states that are found in one way or another.
-    fn searched(&self, target: f64, guess: Option<f64>, at: &dyn Fn(f64) -> BranchPoint) -> Result<(f64, Sums), Error> {
+    fn searched(
+        &self,
+        target: f64,
+        guess: Option<f64>,
+        tolerance: f64,
+        at: &dyn Fn(f64) -> BranchPoint,
+    ) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
         let (mut separation, mut lower, mut upper) = match guess {
             Some(guess) => (guess.min(self.farthest()), CLOSEST, self.farthest()),
@@ -264,7 +277,7 @@ impl Branch {
                 0.5 * (lower.max(separation - separation.abs() - 4.0) + upper)
             };
             let step = (next - separation).abs();
-            if residual.abs() <= 4.0 * f64::EPSILON
+            if residual.abs() <= tolerance.max(4.0 * f64::EPSILON)
                 || step <= resolution
                 || upper - lower <= resolution
                 || (residual.abs() < LOG_TOLERANCE && step >= 0.5 * last_step)

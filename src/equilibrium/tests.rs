@@ -23,7 +23,7 @@ fn a_load_has_its_separation_from_any_guess_and_from_none() {
         for above in [-9.0, -2.0, 3.0] {
             let target = log(-branch.pull_off_load()) + above;
             for guess in [None, Some(branch.farthest() + 1.0), Some(branch.farthest() - 0.1), Some(-30.0)] {
-                let (separation, sums) = branch.at_log_excess(target, guess).expect("a state");
+                let (separation, sums) = branch.at_log_excess(target, guess, 0.0).expect("a state");
                 let load = branch.pull_off_load() * (1.0 - above.exp());
                 let off = (sums.load() - load).abs() / (sums.load() - branch.pull_off_load());
                 assert!(off < 1e-7 && separation <= branch.farthest(), "{params:?}, {above}, {guess:?}: {off:e}");
@@ -63,13 +63,13 @@ fn the_load_above_pull_off_changes_as_its_slope_says_however_near() {
 fn without_adhesion_the_lightest_contacts_are_alike() {
     let branch = Branch::new(of(&surface(HERTZ, HeightFamily::Gaussian, [0.0, 1.0]))).expect("a branch");
     for target in [-690.0_f64, -600.0, -30.0, 0.0] {
-        let (separation, sums) = branch.at_log_excess(target, None).expect("a state");
+        let (separation, sums) = branch.at_log_excess(target, None, 0.0).expect("a state");
         let off = log(sums.load()) - target;
         assert!(off.abs() < 1e-11 * (1.0 + target.abs()), "{target}: {off:e}");
         assert_eq!(sums.friction, branch.population().at_separation(separation).friction);
     }
-    let (farthest, lightest) = branch.at_log_excess(-690.0, None).expect("a state");
-    let (separation, sums) = branch.at_log_excess(-700.0, None).expect("a state");
+    let (farthest, lightest) = branch.at_log_excess(-690.0, None, 0.0).expect("a state");
+    let (separation, sums) = branch.at_log_excess(-700.0, None, 0.0).expect("a state");
     assert_eq!(separation, farthest);
     let factor = exp(-10.0);
     for (of, of_lightest) in [

@@ -171,6 +171,19 @@ impl Waves {
         places
     }
 
+    /// The pressure at places, as the mean over the load, over that of the whole surface.
+    pub fn pressing(&self, separation: f64) -> f64 {
+        let (mut load, mut square) = (0.0, 0.0);
+        self.each(&self.even.local(separation), |part, local| {
+            (load, square) = (load + part * local.load.0, square + part * local.load.0 * local.load.0);
+        });
+        if load > 0.0 {
+            square / (load * load)
+        } else {
+            1.0
+        }
+    }
+
     /// As [`Population::lost_to_slip`](crate::population::Population::lost_to_slip).
     pub fn lost_to_slip<const N: usize>(&self, separation: f64, force_over_radius: [f64; N]) -> Option<[[f64; 3]; N]> {
         let (mut strength, mut stiffness, mut lost) = (0.0, 0.0, [[0.0; 2]; N]);

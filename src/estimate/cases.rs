@@ -5,7 +5,7 @@ use super::posterior::INPUTS;
 use super::priors::{yields, HARDNESS, MEASURED_SLOPE, SLOPE, WORK, YOUNG};
 use crate::by_name::{Described, Machined};
 use crate::error::{Error, LOAD};
-use crate::model::{Model, Surfaces};
+use crate::model::{Borne, Model, Surfaces};
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{ContactLawKind, Params};
@@ -62,6 +62,8 @@ pub struct Law {
     /// For each work of adhesion that a model is made for, the surfaces as they most probably are; the middle one is compared with others.
     models: Vec<Surfaces>,
     middle: usize,
+    /// What changed ones are compared with, where these stand on waves: the same without.
+    even: Option<Surfaces>,
     /// The same with an input one standard deviation off, and the sign of that.
     changed: [Option<(Surfaces, f64)>; INPUTS],
     /// How many specimens are drawn, and with how many contacts they are alike.
@@ -76,8 +78,8 @@ pub struct Law {
 /// What one law makes of a load.
 #[derive(Debug, Clone)]
 pub struct OfLaw {
-    /// Of the surfaces as they most probably are, on the mean.
-    pub separation: Option<f64>,
+    /// Of all surfaces on the mean, those first that most probably are.
+    pub separations: Vec<f64>,
     /// As of the law.
     pub area: f64,
     /// The mean of the model, or where few summits touch that of the specimens.
@@ -107,10 +109,9 @@ const MOST_DRAWN: f64 = 4e4;
 pub const NOTHING: f64 = -690.0;
 
 impl Terms {
-    /// The separation becomes that of these surfaces: like ones are near it.
-    fn at(surfaces: &Surfaces, load: f64, is_film: bool, near: &mut Option<f64>) -> Result<Self, Error> {
-        let borne = surfaces.borne_near(load, *near)?;
-        *near = Some(borne.separation);
+    /// From a separation near which surfaces are.
+    fn at(surfaces: &Surfaces, load: f64, is_film: bool, near: Option<f64>) -> Result<(Self, Borne), Error> {
+        let borne = surfaces.borne_near(load, near)?;
         let slip = log(borne.friction_force) - log(unit_strength(surfaces));
         let film = if is_film { log(borne.real_area) } else { slip };
         let [tangential, normal, unloading] =
@@ -119,7 +120,7 @@ impl Terms {
         let gap = surfaces.gap_of(borne.separation, 0.0);
         let found = Self { film, slip, hertz: log(borne.hertz_load), stiffness, gap, contacts: borne.contacting };
         match finite(film) && finite(slip) && finite(found.hertz) {
-            true => Ok(found),
+            true => Ok((found, borne)),
             false if load > 0.0 => {
                 Err(Error::out_of_range(LOAD, load, "must be heavier: the friction force is too small for a number"))
             }
@@ -203,6 +204,11 @@ impl OfLaw {
         of(0).iter().zip(of(1)).map(|(one, other)| one + work.part * (other - one))
     }
 
+    /// Of the surfaces as they most probably are, on the mean.
+    pub fn separation(&self) -> Option<f64> {
+        self.separations.first().copied()
+    }
+
     pub fn has_specimens(&self) -> bool {
         !self.specimens.is_empty()
     }
@@ -234,15 +240,14 @@ impl Law {
         let works =
             vec![Work { probability: 1.0, work: surfaces.params().work_of_adhesion, models: [0; 2], part: 0.0 }];
         let (models, changed, heights) = (vec![surfaces.clone()], [const { None }; INPUTS], Rc::clone(&of.heights));
-        Self { probability: 1.0, works, models, middle: 0, changed, heights, ..*of }
+        Self { probability: 1.0, works, models, middle: 0, even: None, changed, heights, ..*of }
     }
 
     /// A load at which many summits touch, and the friction force of the mean there, of the strength with which specimens have a force
     /// at a load, on the mean.
-    pub fn calibrated(&self, params: &Params, load: f64, force: f64) -> Result<(f64, f64), Error> {
+    pub fn calibrated(&self, params: &Params, specimens: &Terms, load: f64, force: f64) -> Result<(f64, f64), Error> {
         let (surfaces, kappa) = (self.middle(), params.pressure_coefficient);
-        let of_specimens = self.at(load, false, false, None)?.terms(&self.works[0]);
-        let factor = (force - kappa * exp(of_specimens.hertz)) / (exp(of_specimens.slip) * unit_strength(surfaces));
+        let factor = (force - kappa * exp(specimens.hertz)) / (exp(specimens.slip) * unit_strength(surfaces));
         let contacts = surfaces.borne_at_load(load).map_or(0.0, |borne| borne.contacting).max(1e-9);
         let many = load * (DRAWN / contacts).max(1.0);
         let borne = surfaces.borne_at_load(many)?;
@@ -260,9 +265,9 @@ impl Law {
         self.models.iter().find(is_like).map(|one| one.with_strength_of(params))
     }
 
-    /// What the surfaces bear at a load, from a separation near which they are: where few summits touch, single specimens, if they are not
+    /// What the surfaces bear at a load, from separations at another: where few summits touch, single specimens, if they are not
     /// to be of many.
-    pub fn at(&self, load: f64, is_of_many: bool, is_film: bool, near: Option<f64>) -> Result<OfLaw, Error> {
+    pub fn at(&self, load: f64, is_of_many: bool, is_film: bool, near: &[f64]) -> Result<OfLaw, Error> {
         let mean = self.mean_at(load, is_film, near);
         let contacts = mean.as_ref().map_or(0.0, |mean| mean.models[self.middle].contacts);
         // Beyond pull-off there are specimens, but not beyond the heaviest load of the mean.
@@ -272,14 +277,14 @@ impl Law {
         }
         let near = |load: f64| self.drawn_at(load, is_film);
         let Some(mean_there) = mean.as_ref().ok().filter(|_| contacts > DRAWN) else {
-            let separation = mean.as_ref().map_or(None, |mean| mean.separation);
-            return near(load).map(|drawn| OfLaw { separation, ..drawn }).or(mean);
+            let separations = mean.as_ref().map_or(Vec::new(), |mean| mean.separations.clone());
+            return near(load).map(|drawn| OfLaw { separations, ..drawn }).or(mean);
         };
         // As many more summits touch, specimens are nearer to the mean.
         let there = load * DRAWN / contacts;
         let left = log(self.alike / contacts) / log(self.alike / DRAWN);
         let part = (DRAWN / contacts).sqrt() * left * left * (3.0 - 2.0 * left);
-        let to = self.mean_at(there, is_film, mean_there.separation);
+        let to = self.mean_at(there, is_film, &mean_there.separations);
         let Ok((of, to)) = near(there).and_then(|of| Ok((of, to?))) else { return mean };
         let mut found = mean_there.clone();
         for (k, at) in found.models.iter_mut().enumerate() {
@@ -293,25 +298,28 @@ impl Law {
     }
 
     /// What the mean of the model bears at a load.
-    fn mean_at(&self, load: f64, is_film: bool, near: Option<f64>) -> Result<OfLaw, Error> {
-        let mut near = near;
-        let unchanged = Terms::at(self.middle(), load, is_film, &mut near)?;
-        let separation = near;
-        let mut at = |surfaces: &Surfaces| Terms::at(surfaces, load, is_film, &mut near);
-        let mut others = |(k, surfaces)| if k == self.middle { Ok(unchanged) } else { at(surfaces) };
+    fn mean_at(&self, load: f64, is_film: bool, near: &[f64]) -> Result<OfLaw, Error> {
+        let mut separations: Vec<f64> = Vec::new();
+        let mut at = |surfaces: &Surfaces, load: f64| {
+            // As far from the first as at the other load.
+            let guess = match (near.get(separations.len()), separations.first()) {
+                (Some(near_it), Some(first)) => Some(first + near_it - near[0]),
+                (near_it, _) => near_it.or(separations.last()).copied(),
+            };
+            let (terms, borne) = Terms::at(surfaces, load, is_film, guess)?;
+            separations.push(borne.separation);
+            Ok::<_, Error>((terms, borne.pressing))
+        };
+        let (middle, pressing) = at(self.middle(), load)?;
+        // Surfaces without waves are like those on them where these press.
+        let mut at = |surfaces: &Surfaces, load: f64| at(surfaces, load).map(|(terms, _)| terms);
+        let mut others = |(k, surfaces)| if k == self.middle { Ok(middle) } else { at(surfaces, load) };
         let models = self.models.iter().enumerate().map(&mut others).collect::<Result<Vec<_>, _>>()?;
-        let changed = self.changed_by(|surfaces| at(surfaces))?;
-        let middle = self.middle;
-        Ok(OfLaw {
-            separation,
-            area: self.area,
-            models,
-            middle,
-            unchanged,
-            changed,
-            specimens: Vec::new(),
-            pulls: Vec::new(),
-        })
+        let there = load * pressing;
+        let unchanged = self.even.as_ref().map_or(Ok(middle), |even| at(even, there))?;
+        let changed = self.changed_by(|surfaces| at(surfaces, there))?;
+        let (area, middle) = (self.area, self.middle);
+        Ok(OfLaw { separations, area, models, middle, unchanged, changed, specimens: Vec::new(), pulls: Vec::new() })
     }
 
     /// What is made of the surfaces that are changed.
@@ -343,16 +351,8 @@ impl Law {
         let changed = self.changed_by(|surfaces| draw(surfaces, COMPARED).map(|(all, _)| Terms::mean(&all)))?;
         let unchanged = Terms::mean(&specimens[self.middle][..COMPARED]);
         let models = specimens.iter().map(|all| Terms::mean(all)).collect();
-        Ok(OfLaw {
-            separation: None,
-            area: self.area,
-            models,
-            middle: self.middle,
-            unchanged,
-            changed,
-            specimens,
-            pulls,
-        })
+        let (area, middle) = (self.area, self.middle);
+        Ok(OfLaw { separations: Vec::new(), area, models, middle, unchanged, changed, specimens, pulls })
     }
 }
 
@@ -490,10 +490,14 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
         models.push(of(&params)?);
     }
     let mut changed = [const { None }; INPUTS];
-    for Input { at, deviation, change } in inputs(described, params, machined, first) {
+    let mut params = Params { work_of_adhesion: made[middle], ..params.clone() };
+    let is_wavy = params.waviness.height > 0.0;
+    params.waviness.height = 0.0;
+    let even = is_wavy.then(|| Surfaces::new(&params)).transpose()?;
+    for Input { at, deviation, change } in inputs(described, &params, machined, first) {
         // What is refused to one side is looked at on the other.
         changed[at] = [1.0, -1.0].into_iter().find_map(|sign| {
-            let mut other = Params { work_of_adhesion: made[middle], ..params.clone() };
+            let mut other = params.clone();
             change(&mut other, exp(sign * deviation));
             Surfaces::with_single_minimum(&other).ok().map(|surfaces| (surfaces, sign))
         });
@@ -502,7 +506,18 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
     let is_known = !is_open && !described.pressure_is_free && described.model_error == 0.0;
     let specimens = if is_known { SPECIMENS[is_told] } else { FEWER_SPECIMENS };
     let heights = Rc::default();
-    Ok(Law { probability: 1.0, works, models, middle, changed, specimens, alike: ALIKE[is_told], area: 0.0, heights })
+    Ok(Law {
+        probability: 1.0,
+        works,
+        models,
+        middle,
+        even,
+        changed,
+        specimens,
+        alike: ALIKE[is_told],
+        area: 0.0,
+        heights,
+    })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.

@@ -255,7 +255,7 @@ impl Estimate {
         if let Some(one) = kept.iter().find(is_same) {
             return Ok(one.of.clone());
         }
-        let near = |law: usize| kept.first().and_then(|one| one.of[law].separation);
+        let near = |law: usize| kept.first().map_or(&[][..], |one| &one.of[law].separations);
         let laws = there.unwrap_or(&self.laws).iter().enumerate();
         let of = laws.map(|(i, law)| law.at(load, is_of_many, self.is_film(), near(i))).collect::<Result<_, _>>()?;
         let of = Rc::new(of);
@@ -477,23 +477,25 @@ impl Estimate {
         self.nodes.iter().map(of).collect()
     }
 
-    /// ln F at a load, with what makes its variance: within nodes its parts, between them each of what they differ in. Of a specimen
-    /// that is the one which was measured, or of another. Of loads that do not press only of surfaces that adhere.
-    fn looked(&self, at: &[OfLaw], load: f64, is_another: bool) -> (Mixture, Shares) {
+    /// ln F at a load, with what makes its variance: within nodes its parts, between them each of what they differ in; and ln F of another
+    /// specimen than the one that was measured. Of loads that do not press only of surfaces that adhere.
+    fn looked(&self, at: &[OfLaw], load: f64) -> (Mixture, Mixture, Shares) {
         let decades = self.decades(at, load);
+        let is_device = self.is_device();
         let mut within = [0.0; PARTS];
         let (mut of_specimens, mut of_shape) = (0.0, 0.0);
         // The probability and the mean of all nodes that have one thing alike.
         let mut alike = [[(0.0, 0.0); PRESSURES as usize + 1]; 5];
-        let mut mixture = Mixture::default();
+        let (mut mixture, mut others) = (Mixture::default(), Mixture::default());
         let adheres = |node: &&Node| load > 0.0 || node.work.work > 0.0;
         let all: f64 = self.nodes.iter().filter(adheres).map(|node| node.weight).sum();
-        let mut specimens: (Option<&Node>, Vec<f64>) = (None, Vec::new());
+        let mut group: Option<Alike> = None;
         for node in self.nodes.iter().filter(adheres) {
-            if !specimens.0.is_some_and(|before| before.is_like(node)) {
-                specimens = (Some(node), node.specimens(at));
-            }
             let seen = node.seen(at, decades);
+            if !group.as_ref().is_some_and(|before| before.first.is_like(node)) {
+                group = Some(Alike::of(node, &seen, at));
+            }
+            let Some(group) = &mut group else { continue };
             let parts = node.solved.parts(&seen);
             let weight = node.weight / all;
             within.iter_mut().zip(parts).for_each(|(sum, part)| *sum += weight * part);
@@ -501,10 +503,7 @@ impl Estimate {
             let own = (self.described.model_error * node.more.0 * self.described.class.wander).powi(2);
             let part = (node.kernel.wander - own).max(0.0) * decades.abs() / leaving;
             of_shape += weight * (parts[AREA_INPUT] + part * parts[INPUTS + 1]);
-            let mut means = node.solved.means(&seen, &specimens.1, is_another);
-            if !specimens.1.is_empty() {
-                means.iter_mut().for_each(|(_, mean)| *mean += node.more.1 * decades);
-            }
+            let (means, of_others) = group.means(node, &seen, is_device);
             let mean: f64 = means.iter().map(|(part, mean)| part * mean).sum();
             of_specimens += weight * means.iter().map(|(part, one)| part * (one - mean) * (one - mean)).sum::<f64>();
             for (what, &place) in alike.iter_mut().zip(&node.place) {
@@ -512,11 +511,16 @@ impl Estimate {
             }
             let deviation = parts.iter().sum::<f64>().sqrt();
             let of = Normal { weight, mean, deviation, part: node.part(at) };
-            mixture.add(&means, of, MOST_NORMALS / self.nodes.len().max(1) + 1);
+            let most = MOST_NORMALS / self.nodes.len().max(1) + 1;
+            mixture.add(&means, of, most, group.order(0, &means));
+            if is_device {
+                let means = of_others.as_ref().unwrap_or(&means);
+                others.add(means, of, most, group.order(1, means));
+            }
         }
         let (mean, variance) = mixture.moments();
         if variance < CERTAIN {
-            return (mixture, Shares::default());
+            return (mixture, others, Shares::default());
         }
         let apart = alike.each_ref().map(|what| {
             let known = what.iter().filter(|(weight, _)| *weight > 0.0);
@@ -539,7 +543,7 @@ impl Estimate {
             shape: share(of_shape),
             specimen: share(of_specimens),
         };
-        (mixture, shares)
+        (mixture, others, shares)
     }
 
     /// All that is known at a load.
@@ -549,15 +553,14 @@ impl Estimate {
     pub fn at_load(&self, load: f64) -> Result<Answer, Error> {
         let mut answer = self.friction_at(load)?;
         let Some(at) = self.held_at(load)? else { return Ok(answer) };
-        if answer.whose == Whose::Measured {
-            answer.another = self.force_of(self.looked(&at, load, true).0);
-        }
         let of_shape = self.described.shape.area;
         let error = self.described.model_error * (deviation(priors::STIFFNESS).powi(2) + of_shape * of_shape).sqrt();
         answer.stiffness =
             std::array::from_fn(|i| self.of_surfaces(&at, error, |terms| terms.stiffness[i]).map(some_exp));
+        // In sigma.
+        let length = self.laws[0].middle().units().length;
         let widening = self.widening(&at);
-        answer.gap = self.of_surfaces(&at, 0.0, |terms| terms.gap).map(|gap| gap + widening);
+        answer.gap = self.of_surfaces(&at, 0.0, |terms| terms.gap / length).map(|gap| gap * length + widening);
         answer.pull_off = self.pulled(&at);
         Ok(answer)
     }
@@ -597,15 +600,20 @@ impl Estimate {
         }
     }
 
+    /// Whether the surfaces asked for are those of the specimen that was measured.
+    fn is_device(&self) -> bool {
+        self.laws_there.is_none() && self.nodes.iter().any(|node| node.solved.has_devices())
+    }
+
     fn add_friction(&self, at: &[OfLaw], answer: &mut Answer) {
         let is_few = at.iter().any(OfLaw::has_specimens);
-        let is_device = self.nodes.iter().any(|node| node.solved.has_devices()) && self.laws_there.is_none();
+        let is_device = self.is_device();
         answer.whose = match is_few || is_device && answer.contacts < self.laws[0].alike {
             true if is_device => Whose::Measured,
             true => Whose::Any,
             false => Whose::Many,
         };
-        let (mixture, shares) = self.looked(at, answer.load, !is_device);
+        let (mixture, others, shares) = self.looked(at, answer.load);
         answer.shares = shares;
         if answer.load > 0.0 {
             let constant = self.strength.mean + log(answer.load);
@@ -613,7 +621,7 @@ impl Estimate {
             answer.constant_odds = mixture.between(constant - near, constant + near);
         }
         answer.force = self.force_of(mixture);
-        answer.another = answer.force;
+        answer.another = if answer.whose == Whose::Measured { self.force_of(others) } else { answer.force };
         if answer.load > 0.0 {
             answer.friction = answer.force.map(|force| force / answer.load);
         }
@@ -627,9 +635,8 @@ impl Estimate {
     fn widening(&self, at: &[OfLaw]) -> f64 {
         let of_law = |(i, (law, of)): (usize, (&Law, &OfLaw))| {
             let weight: f64 = self.nodes.iter().filter(|node| node.law == i).map(|node| node.weight).sum();
-            weight
-                * of.separation
-                    .map_or(0.0, |separation| law.middle().widening(separation) * law.middle().units().length)
+            let length = law.middle().units().length;
+            weight * of.separation().map_or(0.0, |separation| law.middle().widening(separation) * length)
         };
         self.laws.iter().zip(at).enumerate().map(of_law).sum()
     }
@@ -694,7 +701,7 @@ impl Estimate {
         let Curve { params, surfaces, failure } = &self.curve;
         let load = answer.load;
         let is_like = |law: &Law| law.middle().params().contact_law == params.contact_law;
-        let near = self.laws.iter().zip(at).find(|(law, _)| is_like(law)).and_then(|(_, of)| of.separation);
+        let near = self.laws.iter().zip(at).find(|(law, _)| is_like(law)).and_then(|(_, of)| of.separation());
         let borne = match surfaces.borne_near(load, near) {
             // Apart, or no number is small enough for what the mean of so rough surfaces has without a load.
             Err(_) if load <= 0.0 => None,
@@ -737,12 +744,27 @@ impl Estimate {
             self.laws.iter().find_map(|law| law.like(&params)).map_or_else(|| Surfaces::new(&params), Ok)
         };
         let found = surfaces(&params)?;
+        // The strength is that of the specimen that was measured, in Pa.
+        let mut measured = match &self.described.measured_on {
+            Some(there) => {
+                let work_of_adhesion = there.params.work_of_adhesion.min(params.work_of_adhesion);
+                let there = Params { slip: params.slip, work_of_adhesion, ..there.params.clone() };
+                self.described.with_law(there)?
+            }
+            None => params.clone(),
+        };
+        let there = if self.laws_there.is_some() { surfaces(&measured)? } else { found.clone() };
+        // Where few summits touch at the reference, the mean of their specimens has the friction that was measured.
+        let alone = Law::alone(&there, &self.laws_there.as_ref().unwrap_or(&self.laws)[0]);
+        let is_few = !self.strength.is_stress && self.at(self.strength.load, true)?.iter().any(OfLaw::has_specimens);
+        let reference = || alone.at(self.strength.load, !is_few, false, &[]).map(|at| at.terms(&alone.works[0]));
+        let specimens = if is_few { Some(reference()?) } else { None };
         // What other materials have is told of all of the friction: none is by pressure, which would be taken for known.
         if self.described.pressure_is_free && !self.strength.is_stress && !self.is_of_other_materials() {
             // The same part of the force, also where adhesion presses more or less than in the nodes.
-            let log_force = self.strength.log_force();
-            let hertz = found.borne_at_load(self.strength.load)?.hertz_load;
-            params.pressure_coefficient = mean(&|node| node.pressed) * exp(log_force) / hertz;
+            let hertz = specimens.map_or_else(reference, Ok)?.hertz;
+            measured.pressure_coefficient = exp(log(mean(&|node| node.pressed)) + self.strength.log_force() - hertz);
+            params.pressure_coefficient = measured.pressure_coefficient;
         }
         if self.strength.is_stress && !self.described.has_stress {
             let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
@@ -754,55 +776,45 @@ impl Estimate {
             self.mark(&mut params);
             return Ok(Curve { surfaces: found, params, failure: None });
         }
-        let failure = match &self.described.measured_on {
-            None => self.strengthen(&mut params, &found).err(),
-            Some(there) => {
-                // The strength is that of the specimen that was measured, in Pa.
-                let mut measured = Params {
-                    slip: params.slip,
-                    pressure_coefficient: params.pressure_coefficient,
-                    ..there.params.clone()
-                };
-                if self.described.yields() {
-                    measured.set_elastic_plastic(measured.hardness)?;
-                }
-                let unit = measured.slip.stress_1;
-                let found = surfaces(&measured)?;
-                let failure = self.strengthen(&mut measured, &found).err();
-                let factor =
-                    measured.slip.stress_1 / unit * measured.effective_shear_modulus / params.effective_shear_modulus;
-                params.slip.stress_1 *= factor;
-                params.slip.stress_2 *= factor;
-                failure
-            }
+        let unit = measured.slip.stress_1;
+        let failure = match self.strengthen(&mut measured, &alone, specimens) {
+            Err(error) if !matches!(error, Error::Uncalibrated { .. }) => return Err(error),
+            strengthened => strengthened.err(),
         };
-        if let Some(error) = failure {
-            if !matches!(error, Error::Uncalibrated { .. }) {
-                return Err(error);
-            }
-            return Ok(Curve { params, surfaces: found, failure: Some(error) });
+        if failure.is_none() {
+            let factor =
+                measured.slip.stress_1 / unit * measured.effective_shear_modulus / params.effective_shear_modulus;
+            params = match self.described.measured_on {
+                Some(_) => Params {
+                    slip: SlipConstants {
+                        stress_1: params.slip.stress_1 * factor,
+                        stress_2: params.slip.stress_2 * factor,
+                        ..params.slip
+                    },
+                    ..params
+                },
+                None => measured,
+            };
+            self.mark(&mut params);
         }
-        self.mark(&mut params);
-        Ok(Curve { params, surfaces: found, failure: None })
+        Ok(Curve { params, surfaces: found, failure })
     }
 
-    /// Gives parameters the strength of the median at the reference, or that of the only point. Where few summits touch there, their
-    /// specimens have the friction that was measured, on the mean.
-    fn strengthen(&self, params: &mut Params, surfaces: &Surfaces) -> Result<(), Error> {
+    /// Gives parameters the strength of the median at the reference, or that of the only point: of the mean of specimens where there are
+    /// any.
+    fn strengthen(&self, params: &mut Params, law: &Law, specimens: Option<Terms>) -> Result<(), Error> {
         let points = &self.described.points[..];
-        let at = self.at(self.strength.load, true)?;
-        let is_few = at.iter().any(OfLaw::has_specimens);
-        if let ([point], false) = (points, is_few) {
+        if let ([point], None) = (points, &specimens) {
             params.calibration_error = point.error;
-            return params.strengthen(surfaces, point.load, point.force);
+            return params.strengthen(law.middle(), point.load, point.force);
         }
         let mut load = self.strength.load;
-        let mixture = Mixture(self.nodes_at(&at, 0.0));
+        let mixture = Mixture(self.nodes_at(&*self.at(load, true)?, 0.0));
         let mut force = exp(mixture.quantile(0.5));
-        if is_few {
-            (load, force) = Law::alone(surfaces, &self.laws[0]).calibrated(params, load, force)?;
+        if let Some(specimens) = specimens {
+            (load, force) = law.calibrated(params, &specimens, load, force)?;
         }
-        params.strengthen(surfaces, load, force)?;
+        params.strengthen(law.middle(), load, force)?;
         params.calibration_error = if let [point] = points { point.error } else { mixture.moments().1.sqrt().min(1.0) };
         Ok(())
     }
@@ -988,6 +1000,48 @@ impl Node {
     /// ln F of single specimens, but for a rise from decade to decade; none where many summits touch.
     fn specimens(&self, at: &[OfLaw]) -> Vec<f64> {
         at[self.law].specimens(&self.work).map(|terms| self.log_force(&terms).0).collect()
+    }
+}
+
+/// Nodes that leave the law otherwise, and that is all: what they have in common at a load, and in which order what the first of them has
+/// is that of the others, or nearly so.
+struct Alike<'a> {
+    first: &'a Node,
+    /// ln F of single specimens, and the same in ascending order.
+    specimens: Vec<f64>,
+    sorted: Vec<f64>,
+    devices: Vec<usize>,
+    orders: [Vec<usize>; 2],
+}
+
+impl<'a> Alike<'a> {
+    fn of(first: &'a Node, seen: &Seen, at: &[OfLaw]) -> Self {
+        let specimens = first.specimens(at);
+        let sorted = ascending(&specimens).into_iter().map(|i| specimens[i]).collect();
+        let devices = ascending(&first.solved.pulled(seen).collect::<Vec<_>>());
+        Self { first, specimens, sorted, devices, orders: [Vec::new(), Vec::new()] }
+    }
+
+    /// Means of a node with their probabilities, of the specimen that was measured, if one is asked for, and of others.
+    fn means(&self, node: &Node, seen: &Seen, is_device: bool) -> (Vec<(f64, f64)>, Option<Vec<(f64, f64)>>) {
+        let rise = node.more.1 * seen.decades;
+        let has_devices = node.solved.has_devices();
+        let others = has_devices.then(|| node.solved.means_of_others(seen, (&self.sorted, rise), &self.devices));
+        match others {
+            Some(others) if !is_device => (others, None),
+            others => {
+                let specimens = if has_devices { &self.specimens } else { &self.sorted };
+                (node.solved.means(seen, (specimens, rise)), others)
+            }
+        }
+    }
+
+    fn order(&mut self, of: usize, means: &[(f64, f64)]) -> &[usize] {
+        let order = &mut self.orders[of];
+        if order.len() != means.len() {
+            *order = ascending(&means.iter().map(|one| one.1).collect::<Vec<_>>());
+        }
+        order
     }
 }
 

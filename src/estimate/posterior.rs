@@ -118,29 +118,35 @@ impl Solved {
         !self.devices.is_empty()
     }
 
-    /// Means of y at a load, with their probabilities: `at` has it of the mean of all specimens, `specimens` of single ones, of which each is
-    /// the one that was measured, or another.
-    pub fn means(&self, at: &Seen, specimens: &[f64], is_another: bool) -> Vec<(f64, f64)> {
-        let with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
-        let pulled = |pull: &[f64]| with.iter().zip(pull).map(|(a, b)| a * b).sum::<f64>();
+    /// Means of y at a load, with their probabilities: `at` has it of the mean of all specimens, `specimens` of single ones, but for a rise, of
+    /// which each is the one that was measured.
+    pub fn means(&self, at: &Seen, (specimens, rise): (&[f64], f64)) -> Vec<(f64, f64)> {
         let n = self.devices.len();
         if n == 0 {
-            let by = pulled(&self.pull);
-            let each = 1.0 / specimens.len().max(1) as f64;
-            let all = if specimens.is_empty() { std::slice::from_ref(&at.mean) } else { specimens };
-            return all.iter().map(|mean| (each, mean + by)).collect();
+            let by = self.mean(at) - at.mean;
+            let each = 1.0 / specimens.len() as f64;
+            return match specimens {
+                [] => vec![(1.0, at.mean + by)],
+                some => some.iter().map(|mean| (each, mean + rise + by)).collect(),
+            };
         }
-        let by: Vec<f64> = self.pulls.chunks(with.len()).map(pulled).collect();
-        let mean = |i: usize| specimens.get(i).copied().unwrap_or(at.mean);
-        if !is_another {
-            return (0..n).map(|i| (self.devices[i], mean(i) + by[i])).collect();
-        }
-        // All with all, as few pairs stand for them: those of a lattice, from the least to the largest of both.
-        let means: Vec<f64> = (0..n).map(mean).collect();
-        let (order, devices) = (ascending(&means), ascending(&by));
+        let mean = |i: usize| specimens.get(i).map_or(at.mean, |mean| mean + rise);
+        self.pulled(at).enumerate().map(|(i, by)| (self.devices[i], mean(i) + by)).collect()
+    }
+
+    /// The same of other specimens than the one that was measured, in ascending order: all with all, as few pairs stand for them, those of a
+    /// lattice, from the least to the largest of both; `order` is that of what the points add.
+    pub fn means_of_others(&self, at: &Seen, (specimens, rise): (&[f64], f64), order: &[usize]) -> Vec<(f64, f64)> {
+        let (n, by) = (self.devices.len(), self.pulled(at).collect::<Vec<_>>());
         let step = (0.618 * n as f64).round() as usize;
-        let pair = |i: usize| (order[i], devices[(i * step + n / 2) % n]);
-        (0..n).map(pair).map(|(i, k)| (self.devices[k], means[i] + by[k])).collect()
+        let mean = |i: usize| specimens.get(i).map_or(at.mean, |mean| mean + rise);
+        (0..n).map(|i| (i, order[(i * step + n / 2) % n])).map(|(i, k)| (self.devices[k], mean(i) + by[k])).collect()
+    }
+
+    /// What the points add to y, of each specimen that may be the one that was measured.
+    pub fn pulled<'a>(&'a self, at: &Seen) -> impl Iterator<Item = f64> + 'a {
+        let with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
+        self.pulls.chunks(with.len().max(1)).map(move |pull| with.iter().zip(pull).map(|(a, b)| a * b).sum())
     }
 
     /// How much of each point is taken for y at a load.
@@ -240,12 +246,8 @@ const SHARPEST: f64 = 1e-12;
 const UNLIKELY: f64 = 1e-7;
 
 impl Mixture {
-    /// Adds some of one deviation, with their weights and means: of many those that are next to each other as one.
-    pub fn add(&mut self, means: &[(f64, f64)], of: Normal, most: usize) {
-        let mut order: Vec<usize> = (0..means.len()).collect();
-        if means.len() > most {
-            order = ascending(&means.iter().map(|one| one.1).collect::<Vec<_>>());
-        }
+    /// Adds some of one deviation, with their weights and means: of many those that are next to each other in an order as one.
+    pub fn add(&mut self, means: &[(f64, f64)], of: Normal, most: usize, order: &[usize]) {
         self.0.extend(order.chunks(means.len().div_ceil(most)).map(|alike| {
             let all: f64 = alike.iter().map(|&i| means[i].0).sum();
             let mean = alike.iter().map(|&i| means[i].0 * means[i].1).sum::<f64>() / all;
@@ -261,7 +263,7 @@ impl Mixture {
         const BESIDE: f64 = 0.37;
         // Of more classes of means the last is one.
         const MEANS: f64 = 1e6;
-        if self.0.len() <= MANY {
+        if self.0.len() <= MANY || self.is_sharp() {
             return self;
         }
         let (middle, _) = self.moments();
@@ -317,6 +319,10 @@ impl Mixture {
         self.below(high).0 - self.below(low).0
     }
 
+    fn is_sharp(&self) -> bool {
+        self.0.iter().all(|one| one.deviation <= SHARPEST)
+    }
+
     /// The same of numbers without a deviation.
     fn sharp_quantile(&self, probability: f64) -> f64 {
         let order = ascending(&self.0.iter().map(|one| one.mean).collect::<Vec<_>>());
@@ -330,7 +336,7 @@ impl Mixture {
 
     /// What it is below of with a probability: by Newton's method within a bracket that is halved where it leads outside.
     pub fn quantile(&self, probability: f64) -> f64 {
-        if self.0.iter().all(|one| one.deviation <= SHARPEST) {
+        if self.is_sharp() {
             return self.sharp_quantile(probability);
         }
         let mut low = self.likely().map(|one| one.end(-40.0)).fold(f64::INFINITY, f64::min);

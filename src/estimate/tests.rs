@@ -396,6 +396,77 @@ fn bands_have_what_is_not_told_of_the_shape_of_heights() {
     }
 }
 
+/// A solver gets a curve also where adhesion presses few summits far more than many, and where it does so on a measured specimen alone.
+#[test]
+fn surfaces_that_stick_have_curves() {
+    let gold = "pair = \"Au/Au\"\nnominal_area = 1.801e-12\nmeasured = [1.448e-07, 0.7172, 0.05288]\nspecimens = 1\nwork_of_adhesion = 0.1843\n\
+                [roughness]\nSq = 1.796e-08\nSdq = 0.2826\nSsk = -1.126\nSku = 5.348\n";
+    let ceramic = "pair = \"steel/Al2O3\"\nnominal_area = 1.862e-10\npressure_coefficient = 0.0038\n\
+                   measured = [[5.1e-5, 0.179], [0.00175, 0.14], [1.93e-6, 0.179, 0.011]]\n[roughness]\nSq = 6e-9\nSdq = 0.0234\n[measured_on]\n\
+                   hardness = 3e9\n";
+    for text in [gold, ceramic] {
+        let found = answer(text, 4e-5);
+        assert!(found.curve > 0.3 * found.friction.value && found.curve < 2.0 * found.friction.value, "{found:?}");
+    }
+}
+
+/// Surfaces on waves are compared with inputs changed as those without, where they press: two exact states a load, not dozens.
+#[test]
+fn waves_change_what_inputs_do_little() {
+    let text = |waves: &str| format!("{waves}measured = [1000, 0.16]\n{STEEL}{ROUGH}");
+    let even = answer(&text(""), 10.0).friction;
+    for shape in ["ridges", "hills"] {
+        let wavy = format!("waviness_height = 2e-6\nwaviness_width = 2e-3\nwaviness_shape = \"{shape}\"\n");
+        let found = answer(&text(&wavy), 10.0);
+        let width = |band: Band| (band.high / band.low).ln();
+        assert_near(width(found.friction), width(even), 0.1);
+        assert!(found.friction.low < found.curve && found.curve < found.friction.high, "{found:?}");
+        assert!(found.stiffness[0].high > 2.0 * found.stiffness[0].low, "{found:?}");
+    }
+}
+
+/// A measured surface is told in all the ways of the one that is asked for, in any order of the tables: the strength is that of its own text.
+#[test]
+fn a_measured_surface_is_told_as_the_one_that_is_asked_for() {
+    let at_scores =
+        |of: fn(f64) -> f64| (-6..=6).map(|i| format!("{:e}", of(f64::from(i)))).collect::<Vec<_>>().join(", ");
+    let heights = at_scores(|z| 3.5e-7 * (z - 0.05 * z * z));
+    let slopes = at_scores(|z| 0.1 - 0.002 * z);
+    let table = format!("heights_at_scores = [{heights}]\nslopes_at_scores = [{slopes}]");
+    let rough = [
+        "Sq = 8e-7\nSdq = 0.12",
+        "Sq = [7e-7, 2e-7]\nSdq = [0.1, 0.05]",
+        "Sq = 8e-7\nSdq = 0.12\nSsk = -0.8\nSku = 4.5",
+        "Spq = 2e-7\nSvq = 2e-6\nSmq = 0.7\nSdq = 0.1",
+        &table,
+        &format!("heights_at_scores = [{heights}]\nSdq = 0.1\nSdq_top = 0.08"),
+        "Rq = 8e-7\nRdq = 0.09\nlay = 4",
+        "Rq = 8e-7\nRSm = 5e-5\nRSm_along = 2e-4",
+        "m0 = 6e-13\nm2 = 0.008\nm4 = 4e8",
+        "Sq = 8e-7\nSdq = 0.12\nSsc = 3e4\nSds = 3e9\nsummits = \"mccool\"",
+        "process = \"ground\"",
+        "process = \"turned\"\nRa = 2e-6",
+    ];
+    let known = "contact_law = \"elastic-plastic\"\nsize_effect = 1\npressure_coefficient = 0\nmodel_error = 0\n";
+    let exact = "[known_to]\nslope = 1\nhardness = 1\n";
+    let text = |points: &str, rest: &str| format!("{known}{points}{STEEL}{rest}\n");
+    let points = "measured = [1000, 0.16]\n";
+    for i in 0..rough.len() {
+        for k in [i, (i + 1) % rough.len(), (i + 5) % rough.len()] {
+            let measured = Params::from_toml(&text(points, &format!("[roughness]\n{}", rough[k]))).expect("parameters");
+            let mut asked = Params::from_toml(&text("", &format!("[roughness]\n{}", rough[i]))).expect("parameters");
+            asked.slip = measured.slip;
+            let expected = Model::new(&asked).expect("a model").friction_at_load(100.0);
+            let [one, other] = [format!("[roughness]\n{}\n", rough[i]), format!("[measured_on]\n{}\n", rough[k])];
+            for rest in [format!("{one}{other}"), format!("{other}{one}")] {
+                let found = answer(&text(points, &format!("{exact}{rest}")), 100.0);
+                assert_near(found.curve, expected, 1e-6);
+                assert_near(found.friction.value, expected, 1e-3);
+            }
+        }
+    }
+}
+
 /// Where adhesion would press so hard that a pressure coefficient alone makes more than was measured, there is none.
 #[test]
 fn a_pressure_coefficient_tells_of_adhesion() {
@@ -452,6 +523,12 @@ fn answers_are_continuous_from_many_contacts_to_none() {
         let pull = answer(two, load).pull_off;
         assert!(pull.value.is_nan() || pull.value <= pull.high, "{pull:?} at {load}");
     }
+    // None that may not adhere, among many that do, pushes.
+    let open = answer(
+        "pair = \"Si/Si\"\nnominal_area = 1e-8\nmeasured = [1e-3, 0.3]\n[roughness]\nSq = 5e-9\nSdq = 0.05\n",
+        1e-5,
+    );
+    assert!(open.pull_off.low == 0.0 && open.pull_off.value >= 0.0 && open.pull_off.high > 0.0, "{open:?}");
     // What may not adhere says so; metal that yields does not.
     let shown = written(&format!("{SILICON}{SMOOTH}"), &[0.0]);
     assert!(shown.contains(", if there is any"), "{shown}");
@@ -512,6 +589,13 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nE = inf\n", "line 6: [known_to] E = inf: must be a factor from 1, exact, to 1000"),
         ("", "[roughness]\nprocess = \"ground\"\n[known_to]\nRa = 2\n", "line 6: [known_to] Ra: belongs in [roughness]"),
         ("", "[roughness]\nprocess = \"ground\"\n[measured_on]\nRa = 1e-6\n", "line 5: [measured_on]: measured must be set"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nSq = 1e-6\nSdq = 0.1\nSsk = -1", "line 6: [measured_on] Sku: must be set: Ssk and Sku go together"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nheights_at_scores = [1e-6, 2e-6]\nSdq = 0.1", "line 7: [measured_on] heights_at_scores: 2 numbers for 13: one for each normal score"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nSq = 800\nSdq = 0.1", "line 7: [measured_on] Sq = 800: must be in m, and at most 1e-3; is it in nm?"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nRq = 1e-6\nRdq = 0.1\nlay = 1e9", "line 9: [measured_on] lay"),
+        ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nSq = 1e-6\nSdq = 0.1\nsummits = \"mccool\"", "line 9: [measured_on] summits: \"mccool\" needs the curvature"),
+        ("measured = [10, 0.1]\nheights = \"gaussian\"\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nSpq = 2e-7\nSvq = 2e-6\nSmq = 0.7\nSdq = 0.1", "line 2: height_distribution: [measured_on] sets it already"),
+        ("measured = [10, 0.1]\nbandwidth = 3\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nSq = 1e-6\nSdq = 0.1\nSsc = 3e4", "line 2: bandwidth: [measured_on] sets it already"),
         ("measured = [10, 0.1]\n", "[roughness]\nprocess = \"ground\"\n[measured_on]\nRa = 1e-6\n", "line 7: [measured_on] Ra: give with it RSm or Rdq, or process, or Sdq, or m2"),
         ("", "[roughness]\nprocess = \"grund\"", "[roughness] process = \"grund\": must be one of superfinished, lapped, honed, ground,"),
         ("", "[roughness]\nprocess = 3", "[roughness] process = 3: must be one of superfinished"),

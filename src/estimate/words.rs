@@ -96,16 +96,18 @@ fn write_ground(
         let index = Figures(estimate.described.params.plasticity_index());
         writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
     }
-    if let Some(Error::Uncalibrated { load, number, reason: CalibrationFailure::Strength, .. }) =
-        &estimate.curve.failure
-    {
-        let [load, most] = [*load, *number / *load].map(Figures);
-        writeln!(
-            out,
-            "check: not the shear of contacts: at {load} {} a strength below the shear modulus gives at most {most}; a solver gets no \
-             curve of this",
-            estimate.unit()
-        )?;
+    match &estimate.curve.failure {
+        Some(Error::Uncalibrated { load, number, reason: CalibrationFailure::Strength, .. }) => {
+            let [load, most] = [*load, *number / *load].map(Figures);
+            writeln!(
+                out,
+                "check: not the shear of contacts: at {load} {} a strength below the shear modulus gives at most {most}; a solver gets no \
+                 curve of this",
+                estimate.unit()
+            )?;
+        }
+        Some(error) => writeln!(out, "check: a solver gets no curve of this: {error}")?,
+        None => {}
     }
     if warnings != 0 {
         let names = WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(name, ..)| text(name));

@@ -1,6 +1,6 @@
 //! What is evaluated exactly, by sums over the summits at a separation: states, microslip, warnings.
 
-use super::validity::{warnings_between, Measures};
+use super::validity::{warnings_between, Measures, NEAR_STEPS};
 use super::{Model, Surfaces};
 use crate::error::Error;
 use crate::numerics::elementary::log;
@@ -14,6 +14,9 @@ const LARGEST_DISPLACEMENT: f64 = 1e200;
 const SMALLEST_DISPLACEMENT: f64 = 1e-200;
 /// Separations, overlaps and heights beyond this many sigma are out of range.
 const FARTHEST_SEPARATION: f64 = 1e50;
+
+/// To this part of the load states are found whose loads are not handed back.
+const BORNE: f64 = 1e-9;
 
 /// Why there is no state at zero load where the pull-off load is 0.
 const NO_ADHESION: &str = "without adhesion the surfaces part at zero load, at no finite separation; must be > 0";
@@ -89,6 +92,8 @@ pub struct State {
 pub(crate) struct Borne {
     /// Of the mean of the summits, in standard deviations of their heights.
     pub separation: f64,
+    /// The pressure on the places of waves, as the mean over the load, over the nominal one.
+    pub pressing: f64,
     pub friction_force: f64,
     pub real_area: f64,
     pub hertz_load: f64,
@@ -117,7 +122,7 @@ impl Model {
 
     /// The separation at a load, in sigma, and the sums there.
     pub(super) fn equilibrium_at(&self, load: f64) -> Result<(f64, Sums), Error> {
-        self.surfaces.equilibrium_at(load, || self.law.separation_of(load))
+        self.surfaces.equilibrium_at(load, || self.law.separation_of(load), 0.0)
     }
 
     /// The tangential force T at a load and a displacement along the surfaces, and dT/d(displacement), without the compiled
@@ -175,17 +180,21 @@ impl Surfaces {
     /// # Errors
     /// As [`Model::state_at_load`].
     pub(crate) fn borne_at_load(&self, load: f64) -> Result<Borne, Error> {
-        self.borne_near(load, None)
+        Ok(self.borne(self.equilibrium_at(load, || None, 0.0)?))
     }
 
-    /// The same, from the separation of surfaces like these under this load.
+    /// The same, from the separation of surfaces like these under this load, to 1e-9 of the load.
     pub(crate) fn borne_near(&self, load: f64, guess: Option<f64>) -> Result<Borne, Error> {
-        let (separation, sums) = self.equilibrium_at(load, || guess)?;
+        Ok(self.borne(self.equilibrium_at(load, || guess, BORNE)?))
+    }
+
+    fn borne(&self, (separation, sums): (f64, Sums)) -> Borne {
         let (spread_radius, _) = sums.spread_radius();
         let contact_radius_sum = spread_radius * self.params.burgers_vector * self.units.count;
         let normal_stiffness = self.normal_stiffness(&sums);
-        Ok(Borne {
+        Borne {
             separation,
+            pressing: self.branch.pressing(separation),
             friction_force: sums.friction * self.units.force,
             real_area: sums.area * self.units.area,
             hertz_load: sums.hertz_load * self.units.load,
@@ -194,11 +203,16 @@ impl Surfaces {
             contact_radius_sum,
             unloading_stiffness: self.unloading_stiffness(contact_radius_sum, normal_stiffness),
             contacting: sums.contacting * self.units.count,
-        })
+        }
     }
 
-    /// The separation at a load, in sigma, and the sums there, from a guess if there is one.
-    fn equilibrium_at(&self, load: f64, guess: impl FnOnce() -> Option<f64>) -> Result<(f64, Sums), Error> {
+    /// The separation at a load, in sigma, and the sums there, from a guess if there is one, to a part of the load.
+    fn equilibrium_at(
+        &self,
+        load: f64,
+        guess: impl FnOnce() -> Option<f64>,
+        tolerance: f64,
+    ) -> Result<(f64, Sums), Error> {
         self.validate_load(load)?;
         let pull_off = self.pull_off_load();
         if let Some(point) = self.branch.pull_off() {
@@ -212,7 +226,8 @@ impl Surfaces {
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
         let log_excess = log(load - pull_off) - log(self.units.load);
         // A guess may lead nowhere where the load hardly changes with separation.
-        self.branch.at_log_excess(log_excess, guess()).or_else(|_| self.branch.at_log_excess(log_excess, None))
+        let at = |guess| self.branch.at_log_excess(log_excess, guess, tolerance);
+        at(guess()).or_else(|_| at(None))
     }
 
     /// -d(load)/d(gap) on the branch of loading.
@@ -233,24 +248,30 @@ impl Surfaces {
     /// # Errors
     /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
     pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
-        let (farthest, light) = self.equilibrium_at(lightest, || None).map_err(|error| error.of_load("lightest"))?;
+        let (farthest, light) =
+            self.equilibrium_at(lightest, || None, BORNE).map_err(|error| error.of_load("lightest"))?;
         if lightest == heaviest {
             return Ok(self.measures_of(lightest, farthest, &light)?.warnings());
         }
         let (nearest, heavy) =
-            self.equilibrium_at(heaviest, || Some(farthest)).map_err(|error| error.of_load("heaviest"))?;
+            self.equilibrium_at(heaviest, || Some(farthest), BORNE).map_err(|error| error.of_load("heaviest"))?;
         if lightest > heaviest {
             return Err(Error::invalid("lightest", lightest, "must not be above heaviest"));
         }
         let ends = self.measures_of(lightest, farthest, &light)?.warnings()
             | self.measures_of(heaviest, nearest, &heavy)?.warnings();
-        Ok(ends | warnings_between(nearest, farthest, |d| self.measures_at(d))?)
+        let step = NEAR_STEPS[usize::from(self.params.waviness.height > 0.0)];
+        Ok(ends | warnings_between((nearest, farthest), step, |d| self.measures_at(d))?)
     }
 
     /// How far what the model assumes fails under a load, at a separation in sigma, with these sums.
     fn measures_of(&self, load: f64, separation: f64, sums: &Sums) -> Result<Measures, Error> {
-        // None looks at the largest contact.
-        let contacts = self.contacts(separation, sums, sums.contacting)?;
+        sums.known(separation)?;
+        // None looks at the largest contact; where the slope is known, none at more than the mean radius.
+        let contacts = match self.params.rms_slope > 0.0 && sums.contacting > 0.0 {
+            true => Statistics { mean_radius: sums.radius / sums.contacting, ..Statistics::default() },
+            false => self.contacts(separation, sums, sums.contacting)?,
+        };
         Ok(self.measures(&self.state_of(load, separation, sums, &contacts)))
     }
 
@@ -268,7 +289,7 @@ impl Surfaces {
         }
         let of = |(at, weight): (f64, f64)| weight * self.branch.sums(at).given_way;
         match self.params.nominal_area > 0.0 {
-            true => quadrature::nodes_of_part(0.3, separation, FARTHEST.max(separation + 2.0)).map(of).sum(),
+            true => quadrature::nodes_of_part(0.0, separation, FARTHEST.max(separation + 2.0)).map(of).sum(),
             false => 0.0,
         }
     }

@@ -20,6 +20,7 @@ use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
 use borne::Unloaded;
+pub(crate) use exact::Borne;
 pub use exact::State;
 pub(crate) use gap::by_gap;
 use std::ops::Deref;

@@ -131,8 +131,9 @@ fn shear_strength(hardness: f64) -> f64 {
     hardness / (3.0 * 3.0_f64.sqrt())
 }
 
-/// How far apart the states are that are looked at [sigma], next to the middle of the heights and to the lightest load ...
-const NEAR_STEP: f64 = 0.1;
+/// How far apart the states are that are looked at [sigma], next to the middle of the heights and to the lightest load, of surfaces and of
+/// those on waves, which are means over many separations ...
+pub const NEAR_STEPS: [f64; 2] = [0.1, 0.5];
 /// ... and up to this distance from both; farther off, by this part of what the distance exceeds it: the contacts change
 /// slowly there.
 const NEAR_DISTANCE: f64 = 10.0;
@@ -153,8 +154,12 @@ const RISE: f64 = 4.0;
 ///
 /// # Errors
 /// Those of the states.
-pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures, Error>) -> Result<u64, Error> {
-    let states: Result<Vec<_>, Error> = separations(near, far).into_iter().map(|d| Ok((d, at(d)?))).collect();
+pub fn warnings_between(
+    (near, far): (f64, f64),
+    step: f64,
+    at: impl Fn(f64) -> Result<Measures, Error>,
+) -> Result<u64, Error> {
+    let states: Result<Vec<_>, Error> = separations(near, far, step).into_iter().map(|d| Ok((d, at(d)?))).collect();
     let states = states?;
     let mut warnings = states.iter().fold(0, |bits, (_, measures)| bits | measures.warnings());
     for around in states.windows(3) {
@@ -168,13 +173,13 @@ pub fn warnings_between(near: f64, far: f64, at: impl Fn(f64) -> Result<Measures
 }
 
 /// Separations from `near` to `far`, both included.
-fn separations(near: f64, far: f64) -> Vec<f64> {
+fn separations(near: f64, far: f64, step: f64) -> Vec<f64> {
     let beside = NEXT_TO_END.min(0.5 * (far - near));
     let mut all = vec![near, near + beside];
     let mut here = near;
     while here < far {
         let distance = here.abs().min(far - here);
-        here = (here + NEAR_STEP + GROWTH * (distance - NEAR_DISTANCE).max(0.0)).max(here.above());
+        here = (here + step + GROWTH * (distance - NEAR_DISTANCE).max(0.0)).max(here.above());
         all.push(here);
     }
     all.retain(|&d| d < far - beside);
@@ -333,7 +338,7 @@ mod tests {
                 measures.0[2] = if (from..=to).contains(&d) { 2.0 } else { 0.0 };
                 Ok(measures)
             };
-            assert_eq!(warnings_between(near, far, at), Ok(1 << 2), "{from} to {to}");
+            assert_eq!(warnings_between((near, far), NEAR_STEPS[0], at), Ok(1 << 2), "{from} to {to}");
         }
     }
 
@@ -349,7 +354,7 @@ mod tests {
                     measures.0[2] = steep;
                     Ok(measures)
                 };
-                assert_eq!(warnings_between(-1e6, 7.8, at), Ok(found), "{peak}");
+                assert_eq!(warnings_between((-1e6, 7.8), NEAR_STEPS[0], at), Ok(found), "{peak}");
             }
         }
     }

@@ -97,8 +97,14 @@ impl Heights {
         let (width, size) = (to.0 - from.0, 1.0 + from.0.abs().min(to.0.abs()));
         if width > CLOSEST * size && (logit(from) - logit(to) > STEPS[0] || width > STEPS[1] * size) {
             let middle = 0.5 * (from.0 + to.0);
-            let lower = fraction(heights, from.0, middle);
-            let upper = fraction(heights, middle, to.0);
+            // The half with fewer summits is summed, and the other is the rest.
+            let (upper, lower) = if from.1 < from.2 {
+                let upper = fraction(heights, middle, to.0);
+                (upper, from.1 - to.1 - upper)
+            } else {
+                let lower = fraction(heights, from.0, middle);
+                (to.2 - from.2 - lower, lower)
+            };
             let at_middle = (middle, to.1 + upper, from.2 + lower);
             self.divide(heights, from, at_middle, all);
             self.divide(heights, at_middle, to, all);
