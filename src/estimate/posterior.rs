@@ -13,6 +13,9 @@ pub const INPUTS: usize = 8;
 /// What makes a variance: these, the errors of the points, how real interfaces leave the law.
 pub const PARTS: usize = INPUTS + 2;
 
+/// Means with their probabilities.
+pub type Means = Vec<(f64, f64)>;
+
 /// What one node makes of a load.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen {
@@ -120,7 +123,7 @@ impl Solved {
 
     /// Means of y at a load, with their probabilities: `at` has it of the mean of all specimens, `specimens` of single ones, but for a rise, of
     /// which each is the one that was measured.
-    pub fn means(&self, at: &Seen, (specimens, rise): (&[f64], f64)) -> Vec<(f64, f64)> {
+    pub fn means(&self, at: &Seen, (specimens, rise): (&[f64], f64)) -> Means {
         let n = self.devices.len();
         if n == 0 {
             let by = self.mean(at) - at.mean;
@@ -136,7 +139,7 @@ impl Solved {
 
     /// The same of other specimens than the one that was measured, in ascending order: all with all, as few pairs stand for them, those of a
     /// lattice, from the least to the largest of both; `order` is that of what the points add.
-    pub fn means_of_others(&self, at: &Seen, (specimens, rise): (&[f64], f64), order: &[usize]) -> Vec<(f64, f64)> {
+    pub fn means_of_others(&self, at: &Seen, (specimens, rise): (&[f64], f64), order: &[usize]) -> Means {
         let (n, by) = (self.devices.len(), self.pulled(at).collect::<Vec<_>>());
         let step = (0.618 * n as f64).round() as usize;
         let mean = |i: usize| specimens.get(i).map_or(at.mean, |mean| mean + rise);

@@ -149,6 +149,63 @@ fn values_are_continuous_in_what_is_given() {
     }
 }
 
+/// A text of random numbers: of many contacts or few, of metals and of what adheres, with points that agree or not.
+fn drawn(random: &mut Random) -> (Vec<(String, f64)>, f64) {
+    let mut between = |from: f64, to: f64| from * (to / from).powf(random.uniform());
+    let pick = |share: f64, words: &[&str]| words[((share - 1.0) * words.len() as f64) as usize].to_owned();
+    let pair = pick(between(1.0, 2.0), &["steel/steel", "Si/Si", "Al-6061/steel", "glass/glass", "Ti/Ti", "Cu/steel"]);
+    let kind = pick(
+        between(1.0, 2.0),
+        &["", "interface_kind = \"dry metal\"\n", "interface_kind = \"rock\"\n", "interface_kind = \"clean\"\n"],
+    );
+    let (height, slope, pressure) = (between(2e-9, 1e-6), between(0.02, 0.3), between(1e5, 3e7));
+    let area = (height / slope).powi(2) * 40.0 * between(3.0, 1e6);
+    let mut numbers = vec![(format!("{kind}pair = \"{pair}\"\nnominal_area = "), area)];
+    let mut before = "\nmeasured = [[";
+    for _ in 0..between(1.0, 4.0) as usize {
+        numbers.push((before.into(), area * pressure * between(0.03, 30.0)));
+        numbers.push((", ".into(), between(0.1, 0.5)));
+        numbers.push((", ".into(), between(0.02, 0.2)));
+        before = "], [";
+    }
+    numbers.push(("]]\n[roughness]\nSq = ".into(), height));
+    numbers.push(("\nSdq = ".into(), slope));
+    (numbers, area * pressure * between(1e-3, 1e3))
+}
+
+/// Whatever is given: a value lies in its band, a point in that of its load or a line says why not, and no number matters in its fourth digit.
+#[test]
+fn estimates_of_any_text_hold_together() {
+    let mut random = Random(20_261_128);
+    let text = |numbers: &[(String, f64)], altered: usize| {
+        let written = |(i, (before, number)): (usize, &(String, f64))| {
+            format!("{before}{:e}", number * if i == altered { 1.0001 } else { 1.0 })
+        };
+        numbers.iter().enumerate().map(written).collect::<String>() + "\n"
+    };
+    for _ in 0..40 {
+        let (numbers, load) = drawn(&mut random);
+        let whole = text(&numbers, usize::MAX);
+        let (found, answers) = estimate(&whole, &[load]);
+        let one = answers[0];
+        for band in one.stiffness.iter().chain([&one.friction, &one.force, &one.another, &one.gap, &one.pull_off]) {
+            assert!(band.value.is_nan() || band.low <= band.value && band.value <= band.high, "{one:?} of\n{whole}");
+        }
+        for point in &found.described.points {
+            let Band { low, high, .. } = found.at_load(point.load).expect("an answer").force;
+            let says = || write(&found, &answers, 0).expect("a text").contains("is outside the band");
+            assert!((low..=high).contains(&point.force) || says(), "{point:?} of\n{whole}");
+        }
+        for altered in 0..numbers.len() {
+            let other = answer(&text(&numbers, altered), load);
+            let of = |answer: &Answer| [answer.friction.value, answer.friction.low, answer.friction.high, answer.curve];
+            for (one, other) in of(&one).into_iter().zip(of(&other)) {
+                assert!((one / other).ln().abs() < 0.02, "{one} and {other} with {altered} altered of\n{whole}");
+            }
+        }
+    }
+}
+
 /// With what is said to be unknown drawn as it is said to be, 95 % of the bands have the friction of the surface drawn.
 #[test]
 fn bands_have_the_coverage_that_they_say() {
