@@ -85,10 +85,11 @@ const fn shape(called: &'static str, area: f64, wander: f64) -> Shape {
 
 /// Summits that are given one by one, and machined surfaces that are Gaussian.
 pub static SUMMITS: Shape = shape("", 0.0, 0.0);
-/// As 13 measured maps have it: surfaces that are made are nearer, as grooves and lines do not become long by chance.
+/// As 13 measured maps have it: surfaces that are made are nearer, as grooves and lines do not become long by chance. Who tells less knows no
+/// better.
 pub static TABLE: Shape = shape("heights and slopes at normal scores", 0.11, 0.13);
-pub static TOP: Shape = shape("heights at normal scores, and the slope of the top", 0.1, 0.1);
-pub static HEIGHTS: Shape = shape("heights that are not Gaussian, and one slope", 0.2, 0.1);
+pub static TOP: Shape = shape("heights at normal scores, and the slope of the top", 0.11, 0.13);
+pub static HEIGHTS: Shape = shape("heights that are not Gaussian, and one slope", 0.2, 0.13);
 /// 31 surfaces of boundary elements of which height and slope are known: Gaussian ones, with a lay, skewed ones, plateaus, but no flat tops.
 pub static ALONE: Shape = shape("height and slope alone", 0.49, 0.26);
 
