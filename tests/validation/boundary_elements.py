@@ -338,7 +338,7 @@ def compare(spectrum: Spectrum, seed: int, ratios: tuple[float, ...] = PRESSURES
         yield Row(*known(spectrum, seed, moments), ratio, *answer)
 
 
-AnyRow = TypeVar("AnyRow", bound=Known)
+AnyRow = TypeVar("AnyRow", bound=Any)
 
 
 def read(file: Path, row: type[AnyRow]) -> list[AnyRow]:
@@ -351,14 +351,14 @@ def read(file: Path, row: type[AnyRow]) -> list[AnyRow]:
         return [row(*(kind(cell) for kind, cell in zip(kinds, line))) for line in lines]
 
 
-def write(file: Path, row: type[Any], rows: Iterable[Any], script: str) -> None:
+def write(file: Path, row: type[AnyRow], rows: Iterable[AnyRow], script: str) -> None:
     """A frozen file, row by row as they come."""
     with file.open("w", encoding="utf-8", newline="") as out:
         out.write(f"# Written by {script} with tamaas {tamaas.__version__}.\n")
         table = csv.writer(out, lineterminator="\n")
         table.writerow([field.name for field in fields(row)])
         for found in rows:
-            table.writerow([f"{value:.7g}" if isinstance(value, float) else value for value in astuple(found)])
+            table.writerow([value if isinstance(value, int) else f"{value:.7g}" for value in astuple(found)])
             out.flush()
 
 

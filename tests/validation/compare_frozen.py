@@ -1,8 +1,7 @@
-"""Whether boundary elements computed anew are those of boundary_elements.csv, adhesion.csv, joints.csv or yielding.csv to
-1e-3; versions of
-tamaas may differ, and half of the first file is by another program of the same algorithm.
+"""Whether boundary elements computed anew are those of boundary_elements.csv, adhesion.csv, joints.csv, shaped.csv or
+yielding.csv to 1e-3; versions of tamaas may differ, and half of the first file is by another program of the same algorithm.
 
-usage: compare_frozen.py elastic|sticky|joints|yielding FILE.csv
+usage: compare_frozen.py elastic|joints|shaped|sticky|yielding FILE.csv
 """
 
 from __future__ import annotations
@@ -10,15 +9,17 @@ from __future__ import annotations
 import sys
 from dataclasses import astuple, fields
 from pathlib import Path
+from typing import Any
 
 import adhesion
 import boundary_elements
 import joints
+import shaped
 import yielding
-from boundary_elements import Known
 
-FROZEN: dict[str, tuple[Path, type[Known]]] = {
+FROZEN: dict[str, tuple[Path, type[Any]]] = {
     "elastic": (boundary_elements.FILE, boundary_elements.Row),
+    "shaped": (shaped.FILE, shaped.Row),
     "sticky": (adhesion.FILE, adhesion.Row),
     "joints": (joints.FILE, joints.Row),
     "yielding": (yielding.FILE, yielding.Row),

@@ -23,7 +23,7 @@ length="${1:-short}"
 
 if [ "$length" = long ]; then
     mkdir -p "$target/validation"
-    for pair in yielding:yielding joints:joints sticky:adhesion elastic:boundary_elements; do
+    for pair in yielding:yielding joints:joints sticky:adhesion shaped:shaped elastic:boundary_elements; do
         name="${pair#*:}"
         "$venv/bin/python" "tests/validation/$name.py" "$target/validation/$name.csv"
         "$venv/bin/python" tests/validation/compare_frozen.py "${pair%:*}" "$target/validation/$name.csv"

@@ -19,6 +19,7 @@ import beads
 import boundary_elements
 import coverage
 import estimates
+import shaped
 import shapes
 import yielding
 from boundary_elements import PRESSURES, AnyRow
@@ -207,6 +208,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("validation.md", "measurements"): measured.verdicts,
     ("dev/validation-data.md", "errors"): errors,
     ("dev/validation-data.md", "shapes"): shapes.table,
+    ("dev/validation-data.md", "shaped"): shaped.table,
     ("validation.md", "counts"): shapes.counts,
     ("roughness.md", "inputs"): shapes.inputs,
     ("dev/validation-data.md", "beads"): beads.table,

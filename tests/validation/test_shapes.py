@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
+import shaped
 import shapes
+import yielding
+from boundary_elements import SLOPE
 
 MADE = [one for one in shapes.frozen() if not one.is_measured]
 MEASURED = [one for one in shapes.frozen() if one.is_measured]
@@ -37,6 +40,24 @@ def test_every_kind_is_as_the_page_says(kind: str) -> None:
         assert 0.7 < min(areas) < max(areas) < 1.4 and 0.7 < min(frictions) < max(frictions) < 1.15
     else:
         assert 0.8 < min(areas) <= max(areas) < 1.16 and 0.84 < min(frictions) <= max(frictions) < 1.1
+
+
+def test_bent_surfaces_that_yield_or_adhere_are_as_the_page_says() -> None:
+    rows = shaped.frozen()
+    cases = 1 + len(shaped.HARDNESSES) + len(shaped.WORKS)
+    assert len(rows) == len(shaped.BENDS) * shaped.SPECTRUM.seeds * len(shaped.PRESSURES) * cases
+    for row in rows:
+        if row.work == 0:
+            assert 0.85 < row.found.area < 1.25 and 0.85 < row.found.friction < 1.2, row
+        elif row.work == shaped.WORKS[0]:
+            assert 0.8 < row.found.area < 1.15, row
+
+
+def test_a_frozen_row_of_bent_surfaces_is_what_the_script_computes() -> None:
+    row = next(row for row in shaped.frozen() if row.hardness == shaped.HARDNESSES[1])
+    pressure, _ = yielding.press(shaped.bent(row.bend, row.seed), row.hardness * SLOPE, row.pressure * SLOPE)
+    area, friction, *_ = shaped.boundary_elements.patches(pressure, row.hardness * SLOPE)
+    assert (area, friction) == pytest.approx((row.area, row.friction), rel=1e-4)
 
 
 def test_the_picture_has_all_surfaces(tmp_path: Path) -> None:
