@@ -45,9 +45,9 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_GIVEN = 2
   ! A strength_source: measured on these surfaces
   integer(c_int32_t), parameter, public :: ASPERITY_STRENGTH_MEASURED = 3
-  ! A specimen: so many summits touch that nominally equal specimens hardly differ
+  ! A specimen: so many asperities touch that nominally equal specimens hardly differ
   integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_MANY_CONTACTS = 0
-  ! A specimen: one specimen, whichever it is, since few summits touch
+  ! A specimen: one specimen, whichever it is, since few asperities touch
   integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_ANY = 1
   ! A specimen: the one that was measured, with specimens = 1
   integer(c_int32_t), parameter, public :: ASPERITY_SPECIMEN_MEASURED = 2
@@ -60,9 +60,9 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_TABULATED = 3
   ! Summit heights and radii of a surface that is not Gaussian, by its heights and slopes at 13 normal scores, -3 to 3
   integer(c_int32_t), parameter, public :: ASPERITY_HEIGHTS_AT_SCORES = 4
-  ! Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default
+  ! Elastic asperities with adhesion after Maugis, or Hertz' law without adhesion: the default
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_MAUGIS = 0
-  ! Summits that yield, after Zhao, Maietta and Chang (2000): needs hardness > 0 and work_of_adhesion = 0
+  ! Asperities that yield, after Zhao, Maietta and Chang (2000): needs hardness > 0 and work_of_adhesion = 0
   integer(c_int32_t), parameter, public :: ASPERITY_CONTACT_ELASTIC_PLASTIC = 1
   ! Before gross slip each contact slips from its rim inwards, after Cattaneo (1938) and Mindlin (1949)
   integer(c_int32_t), parameter, public :: ASPERITY_SLIP_PARTIAL = 0
@@ -92,9 +92,10 @@ module asperity
   integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_LOW = 2  ! The 2.5 % quantile: one specimen in forty has less
   integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_MEDIAN = 3  ! The median
   integer(c_int32_t), parameter, public :: ASPERITY_SPREAD_HIGH = 4  ! The 97.5 % quantile
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1  ! summits yield, but the contact law is elastic
-  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! summits do not act independently
-  ! contacts are not small compared with their summits
+  ! asperities yield, but the contact law is elastic
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_PLASTIC = 1
+  integer(c_int64_t), parameter, public :: ASPERITY_WARNING_CROWDED = 2  ! asperities do not act independently
+  ! contacts are not small compared with their asperities
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_STEEP = 4
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_ATOMIC = 8  ! contacts have few atoms
   integer(c_int64_t), parameter, public :: ASPERITY_WARNING_FEW = 16  ! averages are not reliable at this load
@@ -119,7 +120,7 @@ module asperity
 
   ! ---- The C interface: types ----
 
-  ! Friction at one load, with its band, and stiffness with theirs; if few summits touch, of one specimen
+  ! Friction at one load, with its band, and stiffness with theirs; if few asperities touch, of one specimen
   type, bind(c), public :: asperity_estimate
     integer(c_int64_t) :: struct_size = 360         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load [N]
@@ -134,7 +135,7 @@ module asperity
                                                     ! NaN if no strength gives the measured friction
     real(c_double) :: constant_odds                 ! How probable it is that F/P is within 10 % of the measured mean:
                                                     ! above 0.8 a constant coefficient does
-    real(c_double) :: contacts                      ! Summits in contact, by the mean of the model; NaN if loads are
+    real(c_double) :: contacts                      ! Asperities in contact, by the mean of the model; NaN if loads are
                                                     ! pressures
     real(c_double) :: another_force                 ! F of another specimen than the one that was measured [N];
                                                     ! friction_force if it is of no measured one
@@ -151,7 +152,7 @@ module asperity
     real(c_double) :: measurement_share             ! Share from the errors of the measured points: measure more
     real(c_double) :: model_share                   ! Share from how real interfaces leave the law between loads:
                                                     ! measure at this load
-    real(c_double) :: specimen_share                ! Share from which summits a specimen happens to have: take a
+    real(c_double) :: specimen_share                ! Share from which asperities a specimen happens to have: take a
                                                     ! heavier load or a larger area
     real(c_double) :: tangential_stiffness          ! K_t [N/m] before any contact slips; 0 for loads <= 0, as all
                                                     ! stiffness
@@ -172,7 +173,7 @@ module asperity
     real(c_double) :: gap_low                       ! Lower end of its band
     real(c_double) :: gap_high                      ! Upper end
     real(c_double) :: pull_off_force                ! The largest pull that a specimen withstands [N]; NaN if so many
-                                                    ! summits touch that specimens are alike
+                                                    ! asperities touch that specimens are alike
     real(c_double) :: pull_off_force_low            ! Lower end of its band
     real(c_double) :: pull_off_force_high           ! Upper end
     real(c_double) :: error_growth                  ! By how much the errors of the measured points grew, since they
@@ -192,21 +193,22 @@ module asperity
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat
   type, bind(c), public :: asperity_params
     integer(c_int64_t) :: struct_size = 0           ! bytes of this type; set by asperity_params_init
-    real(c_double) :: composite_modulus             ! E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
+    real(c_double) :: composite_modulus             ! E* [stress], > 0: reduced modulus, 1/E* = (1 - nu1^2)/E1 + (1 -
+                                                    ! nu2^2)/E2
     real(c_double) :: effective_shear_modulus       ! G* [stress], > 0: 2 G1 G2/(G1 + G2)
     real(c_double) :: work_of_adhesion              ! w [force/length], >= 0: work of adhesion; 0 is Hertzian contact
     real(c_double) :: adhesion_range                ! h [length], > 0: range of adhesion, within which surfaces attract
                                                     ! with the stress w/h
     real(c_double) :: burgers_vector                ! b [length], > 0: Burgers vector, the length in which the slip
                                                     ! radii are given
-    real(c_double) :: height_std                    ! sigma [length], > 0: standard deviation of the summit heights
-    real(c_double) :: summit_radius                 ! R [length], > 0: mean radius of curvature of the summits
-    real(c_double) :: asperity_count                ! N [-], > 0: number of summits, i.e. summit density times nominal
-                                                    ! area; need not be an integer
-    integer(c_int32_t) :: height_distribution       ! Family of the summit heights, one of ASPERITY_HEIGHTS_; Gaussian
+    real(c_double) :: height_std                    ! sigma [length], > 0: standard deviation of the asperity heights
+    real(c_double) :: summit_radius                 ! R [length], > 0: mean radius of curvature of the asperities
+    real(c_double) :: asperity_count                ! N [-], > 0: number of asperities, i.e. their density times the
+                                                    ! nominal area; need not be an integer
+    integer(c_int32_t) :: height_distribution       ! Family of the asperity heights, one of ASPERITY_HEIGHTS_; Gaussian
                                                     ! by default
-    integer(c_int32_t) :: attraction                ! 1: summits out of contact attract (the default, as in the paper);
-                                                    ! 0: they do not
+    integer(c_int32_t) :: attraction                ! 1: asperities out of contact attract (the default, as in the
+                                                    ! paper); 0: they do not
     real(c_double) :: weibull_shape                 ! omega [-], 1 to 200: shape of the Weibull heights; 3.602, the
                                                     ! default, has no skew
     real(c_double) :: radius_amplitude              ! epsilon [-], -1 to 1: how much the radius grows with height, R (1
@@ -223,12 +225,12 @@ module asperity
                                                     ! must not be below tau_1 a_1^2.
     real(c_double) :: max_friction_coefficient      ! Upper bound of every friction coefficient returned [-], > 0; 1000
                                                     ! by default, infinity allowed
-    real(c_double) :: skew                          ! Skew of Johnson's summit heights [-], -3 to 3; 0 by default
-    real(c_double) :: kurtosis                      ! Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to
+    real(c_double) :: skew                          ! Skew of Johnson's asperity heights [-], -3 to 3; 0 by default
+    real(c_double) :: kurtosis                      ! Kurtosis of Johnson's asperity heights [-], 1.87 + 1.25 skew^2 to
                                                     ! 100; 3 by default, which with skew 0 is Gaussian
     real(c_double) :: hardness                      ! H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer
                                                     ! body; 0, the default, means not known
-    type(c_ptr) :: table_height = c_null_ptr        ! table_length summit heights in ascending order, in any unit and
+    type(c_ptr) :: table_height = c_null_ptr        ! table_length asperity heights in ascending order, in any unit and
                                                     ! from any origin: the library standardises them
     type(c_ptr) :: table_density = c_null_ptr       ! The density at each of these heights, >= 0; it need not be
                                                     ! normalised
@@ -238,8 +240,8 @@ module asperity
                                                     ! (E* + G*))
     real(c_double) :: nominal_area                  ! Nominal area A_0 of contact [length^2], >= 0; 0, the default,
                                                     ! means not known
-    integer(c_int32_t) :: contact_law               ! Law of one summit in contact, one of ASPERITY_CONTACT_; Maugis' by
-                                                    ! default
+    integer(c_int32_t) :: contact_law               ! Law of one asperity in contact, one of ASPERITY_CONTACT_; Maugis'
+                                                    ! by default
     integer(c_int32_t) :: slip_onset                ! How a contact begins to slip, one of ASPERITY_SLIP_; partial slip
                                                     ! by default
     real(c_double) :: pressure_coefficient          ! kappa [-], 0 to 1000: the pressure coefficient of the interface;
@@ -253,7 +255,7 @@ module asperity
                                                     ! default: not calibrated
     real(c_double) :: calibration_error             ! Relative standard error of that measurement [-], > 0 and at most
                                                     ! 1; 0.05 by default
-    real(c_double) :: summit_mean_height            ! Height of the mean of the summits above the mean plane of the
+    real(c_double) :: summit_mean_height            ! Height of the mean of the asperities above the mean plane of the
                                                     ! surface [length], >= 0; 0, the default, means not known
     real(c_double) :: rms_slope                     ! Root mean square slope of the surface [-], Sdq, 0 to 5, with which
                                                     ! warnings judge; 0, the default, means not known
@@ -298,9 +300,9 @@ module asperity
     real(c_double) :: dmu_dload                     ! d(F/P)/dP [1/force]; 0 where the coefficient is capped
     real(c_double) :: dload_dgap                    ! d(load)/d(gap) [force/length]: minus the normal contact stiffness
     real(c_double) :: real_area                     ! Real area of contact [length^2]
-    real(c_double) :: contacting                    ! Number of summits in contact [-]; need not be an integer
-    real(c_double) :: attracted                     ! Number of summits that attract without contact [-]
-    real(c_double) :: attraction_load               ! Load of the summits that attract without contact [force], <= 0
+    real(c_double) :: contacting                    ! Number of asperities in contact [-]; need not be an integer
+    real(c_double) :: attracted                     ! Number of asperities that attract without contact [-]
+    real(c_double) :: attraction_load               ! Load of the asperities that attract without contact [force], <= 0
     real(c_double) :: mean_contact_radius           ! Mean radius of the contacts [length]; 0 if nothing touches
     real(c_double) :: max_contact_radius            ! Expected radius of the largest of n = contacting contacts
                                                     ! [length]: the largest radius up to the height that 1/(n + 1) of
@@ -310,8 +312,8 @@ module asperity
     real(c_double) :: fraction_between_slip_radii   ! Fraction of the contacts with radii between slip_radius_1 and
                                                     ! slip_radius_2 [-]
     real(c_double) :: fraction_above_slip_radius_2  ! Fraction of the contacts with radii of at least slip_radius_2 [-]
-    real(c_double) :: fraction_in_contact           ! Fraction of all summits that are in contact [-]
-    real(c_double) :: mean_asperity_pressure        ! Load of the summits in contact over their real area [stress];
+    real(c_double) :: fraction_in_contact           ! Fraction of all asperities that are in contact [-]
+    real(c_double) :: mean_asperity_pressure        ! Load of the asperities in contact over their real area [stress];
                                                     ! negative where adhesion pulls more than they push
     real(c_double) :: plasticity_index              ! Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H
                                                     ! [-]; 0 if the hardness H is not given
@@ -322,7 +324,7 @@ module asperity
     real(c_double) :: fraction_elastic              ! Fraction of the contacts below first yield [-]; 1 for
                                                     ! ASPERITY_CONTACT_MAUGIS without a hardness
     real(c_double) :: fraction_flowing              ! Fraction of the contacts that are fully plastic [-]
-    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts over psi (see nominal_area)
+    real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts over chi (see nominal_area)
                                                     ! [length]
     real(c_double) :: hertz_load                    ! Sum of the loads of Hertz' contacts of the same radii [force]: the
                                                     ! load and what adhesion adds to it
@@ -337,13 +339,13 @@ module asperity
     real(c_double) :: gamma                         ! Surface energy parameter w/(E* b) [-]
     real(c_double) :: lambda                        ! Maugis' adhesion parameter [-]: small values are the DMT limit,
                                                     ! large ones the JKR limit
-    real(c_double) :: skew                          ! Skew of the summit heights [-]
-    real(c_double) :: kurtosis                      ! Kurtosis of the summit heights [-]; 3 for Gaussian
+    real(c_double) :: skew                          ! Skew of the asperity heights [-]
+    real(c_double) :: kurtosis                      ! Kurtosis of the asperity heights [-]; 3 for Gaussian
     real(c_double) :: pull_off_load                 ! Pull-off load [force], <= 0: the smallest load at which the
                                                     ! surfaces hold together
     real(c_double) :: pull_off_friction_force       ! Friction force at the pull-off load [force]
     real(c_double) :: zero_load_friction_force      ! Friction force at zero load [force]
-    real(c_double) :: stiffness_per_radius          ! 8 G^ [stress]: K_t over the sum of the contact radii over psi (see
+    real(c_double) :: stiffness_per_radius          ! 8 G^ [stress]: K_t over the sum of the contact radii over chi (see
                                                     ! nominal_area)
     real(c_double) :: min_table_load                ! Lightest load of the compiled table [force]
     real(c_double) :: max_table_load                ! Heaviest load of the compiled table [force]
@@ -366,7 +368,7 @@ module asperity
     real(c_double) :: normal_stiffness(5)           ! Minus d(load)/d(gap) [force/length]
     real(c_double) :: gap(5)                        ! Gap between the mean planes of the surfaces [length], of the
                                                     ! specimens that hold; NaN if none does
-    real(c_double) :: contacts(5)                   ! Number of summits in contact [-]
+    real(c_double) :: contacts(5)                   ! Number of asperities in contact [-]
     real(c_double) :: pull_off_force(5)             ! The largest pull that a specimen withstands [force], >= 0; the
                                                     ! same at each load
   end type asperity_specimens
@@ -412,8 +414,8 @@ module asperity
       integer(c_int32_t) :: asperity_estimate_at_loads_c
     end function asperity_estimate_at_loads_c
 
-    ! Writes what asperity_estimate_at_loads finds for people: coefficients with their bands, what they rest on,
-    ! warnings, and what would narrow the bands
+    ! Writes what asperity_estimate_at_loads finds for people: coefficients with bands, what they rest on, and what
+    ! would narrow them
     function asperity_estimate_text_c(surface, length, n, load, buffer, buffer_length) &
         bind(c, name='asperity_estimate_text')
       import
@@ -465,8 +467,8 @@ module asperity
       type(asperity_params), intent(inout) :: params
       real(c_double), intent(in), value :: m0       ! variance of the heights [length^2] > 0
       real(c_double), intent(in), value :: m2       ! variance of the slopes [-] > 0
-      real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0, alpha at least 1.5;
-                                                    ! 0: not known, alpha = 10
+      real(c_double), intent(in), value :: m4       ! variance of the curvatures [1/length^2] > 0, m0 m4/m2^2 at least
+                                                    ! 1.5; 0: not known
       real(c_double), intent(in), value :: nominal_area ! [length^2] > 0
       integer(c_int32_t) :: asperity_params_set_spectral_moments
     end function asperity_params_set_spectral_moments
@@ -676,7 +678,9 @@ module asperity
       import
       type(c_ptr), intent(in), value :: model
       real(c_double), intent(in), value :: load     ! normal load [force]
-      type(c_ptr), intent(in), value :: dforce_dload ! real(c_double): receives dF/d(load) [-]
+      type(c_ptr), intent(in), value :: dforce_dload
+                                                    ! real(c_double): receives dF/d(load) [-], as
+                                                    ! asperity_friction_force_at_loads has it; NaN where F is NaN
       real(c_double) :: asperity_friction_force_and_slope_at_load
     end function asperity_friction_force_and_slope_at_load
 
@@ -714,7 +718,7 @@ module asperity
       integer(c_int32_t) :: asperity_tangential_stiffness_at_loads
     end function asperity_tangential_stiffness_at_loads
 
-    ! The tangential force T at a load and a displacement, by integration over the summits, without the table
+    ! The tangential force T at a load and a displacement, by integration over the asperities, without the table
     function asperity_tangential_at_load(model, load, displacement, force, stiffness) bind(c)
       import
       type(c_ptr), intent(in), value :: model
@@ -798,7 +802,7 @@ module asperity
       integer(c_int32_t) :: asperity_loads_at_gaps
     end function asperity_loads_at_gaps
 
-    ! Computes the exact state at a load, by integration over the summits, without the table
+    ! Computes the exact state at a load, by integration over the asperities, without the table
     function asperity_state_at_load(model, load, state) bind(c)
       import
       type(c_ptr), intent(in), value :: model
@@ -848,7 +852,7 @@ module asperity
       real(c_double), intent(in), value :: sphere_radius ! R [length]; 0: the surface is flat
       integer(c_int64_t), intent(in), value :: first
                                                     ! the first specimen, from 0; those before it count among the
-                                                    ! summits that may be drawn
+                                                    ! asperities that may be drawn
       integer(c_size_t), intent(in), value :: specimens ! how many
       integer(c_int64_t), intent(in), value :: seed ! as of asperity_specimens_at_loads
       integer(c_size_t), intent(in), value :: n
@@ -862,7 +866,7 @@ module asperity
                                                     ! likewise
       type(c_ptr), intent(in), value :: gap         ! real(c_double): receives the gaps [length] likewise; NaN if it is
                                                     ! apart
-      type(c_ptr), intent(in), value :: contacts    ! real(c_double): receives numbers of summits in contact [-]
+      type(c_ptr), intent(in), value :: contacts    ! real(c_double): receives numbers of asperities in contact [-]
                                                     ! likewise
       type(c_ptr), intent(in), value :: pull_off_force
                                                     ! real(c_double): receives the largest pull that the specimen
@@ -909,7 +913,8 @@ module asperity
       type(c_ptr) :: asperity_status_string
     end function asperity_status_string
 
-    ! Returns the version of the binary interface of the library loaded; compare it with ASPERITY_ABI_VERSION
+    ! Returns the version of the binary interface of the library loaded: callers compiled with another
+    ! ASPERITY_ABI_VERSION do not fit
     function asperity_abi_version() bind(c)
       import
       integer(c_int32_t) :: asperity_abi_version

@@ -37,7 +37,7 @@ static inline int surface_holds(const asperity_model *model, double lightest, do
         asperity_warnings_text(bit, message, sizeof message);
         printf("surface from %.4g to %.4g: %s\n", lightest, heaviest, message);
     }
-    if (!(params.hardness > 0)) printf("surface: the hardness is not given: whether summits yield is not known\n");
+    if (!(params.hardness > 0)) printf("surface: the hardness is not given: whether asperities yield is not known\n");
     warnings &= ~(uint64_t)ASPERITY_WARNING_UNCALIBRATED;
     if (warnings != 0 || !(params.hardness > 0)) return 0;
     printf("surface: the model holds from %.4g to %.4g\n", lightest, heaviest);

@@ -22,7 +22,7 @@ def demand(model, lightest, heaviest, fewest_summits=None):
     """Raises RuntimeError unless the model holds at all loads between two. fewest_summits: how many of the model's summits
     lie on the smallest contact, where loads are loads per area; the warning of too few contacts is about all of them."""
     if not model.params.hardness > 0:
-        raise RuntimeError("the hardness of the surface is not given: whether summits yield is not known")
+        raise RuntimeError("the hardness of the surface is not given: whether asperities yield is not known")
     warnings = model.check(lightest, heaviest)
     # The strength of this interface was not measured: said, and no reason to stop.
     told = warnings & asperity.Warnings.UNCALIBRATED

@@ -1,10 +1,9 @@
 /* asperity: friction laws from contact physics, callable from any solver.
  *
- * The library returns the friction of two rough surfaces under a normal load, and its slope. The model sums over the
- * summits of the surfaces: adhesion (Maugis), shear strength that depends on the radius of a contact (Hurtado and Kim), a
- * distribution of summit heights. It is that of Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409, whose
- * equation numbers are quoted below. It does not predict the shear strength of the interface: calibrate it with one
- * measurement (asperity_params_calibrate).
+ * The library returns the friction of two rough surfaces under a normal load, and its slope. The model sums over the asperities of the
+ * surfaces: adhesion (Maugis), a shear strength that depends on the radius of a contact (Hurtado and Kim), a distribution of heights.
+ * It is that of Adams and Muftu, J. Phys. D: Appl. Phys. 38 (2005) 1402-1409, whose equation numbers are quoted below. It does not
+ * predict the interfacial shear strength: calibrate it with one measurement (asperity_params_calibrate).
  *
  * In SI units (N, m, Pa):
  *
@@ -26,7 +25,7 @@
  * ```
  *
  * Units: one consistent system of your choice, except for materials, pairs and interfaces by name, which are in SI units.
- *   Loads, forces and areas are totals over asperity_count summits. Units stand in brackets; [-] is a number without one.
+ *   Loads, forces and areas are totals over asperity_count asperities. Units stand in brackets; [-] is a number without one.
  * Status: functions that can fail return a status, 0 for success. asperity_last_error says which parameter, its value and
  *   what is allowed. Functions that return a number return NaN for a load without an answer, and no status.
  * Outputs come last and are written on success only; an array that is written may be one that is read. Set struct_size to
@@ -34,11 +33,10 @@
  * Arguments: model is one of asperity_create, params are those that asperity_params_init prepared, n is the number of elements.
  * Pointers must not be NULL, except outputs of numbers, where NULL skips one; NULL gives ASPERITY_NULL_POINTER. Strings end
  *   with NUL; of a name the library reads at most 64 bytes.
- * Texts: buffer receives one, NUL-terminated, cut to fit length, its size in bytes; NULL asks for the length alone. The length
- *   of the whole text, without the NUL, is returned: the text is cut unless length is greater. It is 0 on failure.
- * Batches: functions of n elements. n may be 0, and arrays are then not read. The library fills all elements, each with the
- *   bits of the function for one contact, then reports the first without an answer: asperity_last_error says its index. An
- *   element without an answer is NaN.
+ * Texts: buffer receives one, NUL-terminated, cut to fit length, its size in bytes; NULL asks for the length alone, which is returned
+ *   without the NUL; 0 on failure.
+ * Batches: functions of n elements, which may be 0. The library fills all elements, each with the bits of the function for one contact,
+ *   NaN where there is no answer, then reports the first of these: asperity_last_error says its index.
  * Names: asperity_params_... changes parameters; asperity_X_at_Y computes X at Y, for one contact, and _at_Ys for many;
  *   "friction" alone is the coefficient F/P, "friction_force" is F.
  * Threads: a model may be shared by all calls that take it const; not while it is changed or freed. Calls of the section
@@ -88,9 +86,9 @@
 #define ASPERITY_STRENGTH_GIVEN 2
 /** A `strength_source`: measured on these surfaces. */
 #define ASPERITY_STRENGTH_MEASURED 3
-/** A `specimen`: so many summits touch that nominally equal specimens hardly differ. */
+/** A `specimen`: so many asperities touch that nominally equal specimens hardly differ. */
 #define ASPERITY_SPECIMEN_MANY_CONTACTS 0
-/** A `specimen`: one specimen, whichever it is, since few summits touch. */
+/** A `specimen`: one specimen, whichever it is, since few asperities touch. */
 #define ASPERITY_SPECIMEN_ANY 1
 /** A `specimen`: the one that was measured, with `specimens = 1`. */
 #define ASPERITY_SPECIMEN_MEASURED 2
@@ -104,9 +102,9 @@
 #define ASPERITY_HEIGHTS_TABULATED 3
 /** Summit heights and radii of a surface that is not Gaussian, by its heights and slopes at 13 normal scores, -3 to 3. */
 #define ASPERITY_HEIGHTS_AT_SCORES 4
-/** Elastic summits with adhesion after Maugis, or Hertz' law without adhesion: the default. */
+/** Elastic asperities with adhesion after Maugis, or Hertz' law without adhesion: the default. */
 #define ASPERITY_CONTACT_MAUGIS 0
-/** Summits that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0. */
+/** Asperities that yield, after Zhao, Maietta and Chang (2000): needs `hardness` > 0 and `work_of_adhesion` = 0. */
 #define ASPERITY_CONTACT_ELASTIC_PLASTIC 1
 /** Before gross slip each contact slips from its rim inwards, after Cattaneo (1938) and Mindlin (1949). */
 #define ASPERITY_SLIP_PARTIAL 0
@@ -140,23 +138,23 @@
 #define ASPERITY_SPREAD_MEDIAN 3
 /** The 97.5 % quantile. */
 #define ASPERITY_SPREAD_HIGH 4
-/** Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
+/** Bit of `warnings`: asperities yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
  * hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
  * a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding. */
 #define ASPERITY_WARNING_PLASTIC 1
-/** Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of a known
- * `nominal_area`, or, without `rms_slope`, more than 10 % of the summits touch. Never set if `asperity_count` is 1. */
+/** Bit of `warnings`: asperities do not act independently. Set if the real area is more than 10 % of a known
+ * `nominal_area`, or, without `rms_slope`, more than 10 % of the asperities touch. Never set if `asperity_count` is 1. */
 #define ASPERITY_WARNING_CROWDED 2
-/** Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
- * given, contact radii are more than a tenth of the summit radii, on average. */
+/** Bit of `warnings`: contacts are not small compared with their asperities. Set if `rms_slope` is above 0.3, or, if it is not
+ * given, contact radii are more than a tenth of the asperity radii, on average. */
 #define ASPERITY_WARNING_STEEP 4
 /** Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`. */
 #define ASPERITY_WARNING_ATOMIC 8
-/** Bit of `warnings`: averages are not reliable at this load. Set if fewer than 20 summits touch. Never set if
- * `asperity_count` is 1, where loads are those of a mean summit. */
+/** Bit of `warnings`: averages are not reliable at this load. Set if fewer than 20 asperities touch. Never set if
+ * `asperity_count` is 1, where loads are those of a mean asperity. */
 #define ASPERITY_WARNING_FEW 16
 /** Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
- * the load. Never set if `asperity_count` is 1, as for single summits. */
+ * the load. Never set if `asperity_count` is 1, as for single asperities. */
 #define ASPERITY_WARNING_ADHESIVE 32
 /** Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while both
  * slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
@@ -191,7 +189,7 @@ typedef struct asperity_model asperity_model;
 /** What a call returns: 0, or why it failed. A plain integer, never an enum type. */
 typedef int32_t asperity_status;
 
-/** Friction at one load, with its band, and stiffness with theirs; if few summits touch, of one specimen. SI units. */
+/** Friction at one load, with its band, and stiffness with theirs; if few asperities touch, of one specimen. SI units. */
 typedef struct asperity_estimate {
   /** Set it to `sizeof(asperity_estimate)` in the first element before the call; the elements are this far apart. */
   uint64_t struct_size;
@@ -207,7 +205,7 @@ typedef struct asperity_estimate {
   double curve_coefficient;
   /** How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does. */
   double constant_odds;
-  /** Summits in contact, by the mean of the model; NaN if loads are pressures. */ double contacts;
+  /** Asperities in contact, by the mean of the model; NaN if loads are pressures. */ double contacts;
   /** F of another specimen than the one that was measured [N]; `friction_force` if it is of no measured one. */
   double another_force;
   /** Lower end of its band. */ double another_force_low;
@@ -221,7 +219,7 @@ typedef struct asperity_estimate {
   /** Share from the slope and the height of the surface: measure RSm, or Ra. */ double slope_share;
   /** Share from the errors of the measured points: measure more. */ double measurement_share;
   /** Share from how real interfaces leave the law between loads: measure at this load. */ double model_share;
-  /** Share from which summits a specimen happens to have: take a heavier load or a larger area. */
+  /** Share from which asperities a specimen happens to have: take a heavier load or a larger area. */
   double specimen_share;
   /** K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness. */ double tangential_stiffness;
   /** Lower end of its band. */ double tangential_stiffness_low;
@@ -238,7 +236,7 @@ typedef struct asperity_estimate {
   /** Gap between the mean planes of the surfaces [m]; NaN if they are apart. */ double gap;
   /** Lower end of its band. */ double gap_low;
   /** Upper end. */ double gap_high;
-  /** The largest pull that a specimen withstands [N]; NaN if so many summits touch that specimens are alike. */
+  /** The largest pull that a specimen withstands [N]; NaN if so many asperities touch that specimens are alike. */
   double pull_off_force;
   /** Lower end of its band. */ double pull_off_force_low;
   /** Upper end. */ double pull_off_force_high;
@@ -255,41 +253,36 @@ typedef struct asperity_estimate {
 /** Two rough surfaces in contact, as one equivalent rough surface against a flat.
  *
  * Start from `asperity_params_init`, which sets `struct_size` and every default. Then set the eight physical inputs,
- * `composite_modulus` to `asperity_count`, directly or through the functions `asperity_params_set_...`. All quantities are
- * in one consistent system of units of your choice: SI, mm-N-MPa, or the paper's b = G = 1. Loads, forces and areas are
- * totals over `asperity_count` summits. A summit is a local maximum of the surface. */
+ * `composite_modulus` to `asperity_count`, directly or through the functions `asperity_params_set_...`. All quantities are in one
+ * consistent system of units of your choice. Loads, forces and areas are totals over `asperity_count` asperities. */
 typedef struct asperity_params {
   /** Size of this struct [bytes]; set by `asperity_params_init`. */ uint64_t struct_size;
-  /** E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
+  /** E* [stress], > 0: reduced modulus, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it, or call
    * `asperity_params_set_materials`. */
   double composite_modulus;
   /** G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it, or call `asperity_params_set_materials`. */
   double effective_shear_modulus;
   /** w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default. */ double work_of_adhesion;
-  /** h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No default; the paper
-   * takes b. */
+  /** h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No default; the paper takes b. */
   double adhesion_range;
   /** b [length], > 0: Burgers vector, the length in which the slip radii are given. No default. */
   double burgers_vector;
-  /** sigma [length], > 0: standard deviation of the summit heights. No default. */ double height_std;
-  /** R [length], > 0: mean radius of curvature of the summits. No default. */ double summit_radius;
-  /** N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default. */
+  /** sigma [length], > 0: standard deviation of the asperity heights. No default. */ double height_std;
+  /** R [length], > 0: mean radius of curvature of the asperities. No default. */ double summit_radius;
+  /** N [-], > 0: number of asperities, i.e. their density times the nominal area; need not be an integer. No default. */
   double asperity_count;
-  /** Family of the summit heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default. */ int32_t height_distribution;
-  /** 1: summits out of contact attract (the default, as in the paper); 0: they do not. */ int32_t attraction;
-  /** omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for
-   * `ASPERITY_HEIGHTS_WEIBULL`. */
+  /** Family of the asperity heights, one of `ASPERITY_HEIGHTS_`; Gaussian by default. */ int32_t height_distribution;
+  /** 1: asperities out of contact attract (the default, as in the paper); 0: they do not. */ int32_t attraction;
+  /** omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for `ASPERITY_HEIGHTS_WEIBULL`. */
   double weibull_shape;
-  /** epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
-   * default. */
+  /** epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default. */
   double radius_amplitude;
   /** rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where
    * `radius_amplitude` is not 0. */
   double radius_rate;
   /** a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default. */
   double slip_radius_1;
-  /** tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface: call
-   * `asperity_params_calibrate`. */
+  /** tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface: call `asperity_params_calibrate`. */
   double slip_stress_1;
   /** a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default. */
   double slip_radius_2;
@@ -298,53 +291,47 @@ typedef struct asperity_params {
   /** Upper bound of every friction coefficient returned [-], > 0; 1000 by default, INFINITY allowed. F/P grows
    * without bound towards zero load. */
   double max_friction_coefficient;
-  /** Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
+  /** Skew of Johnson's asperity heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
    * value; by its name it also chooses Weibull heights: `asperity_params_set_values`. */
   double skew;
-  /** Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
+  /** Kurtosis of Johnson's asperity heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is
    * Gaussian. Other `height_distribution`s refuse any other value. */
   double kurtosis;
-  /** H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known. Warnings
-   * compare pressures with it; the friction of elastic summits does not depend on it, that of
-   * `ASPERITY_CONTACT_ELASTIC_PLASTIC` does. */
+  /** H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known. Warnings compare pressures
+   * with it; the friction of elastic asperities does not depend on it, that of `ASPERITY_CONTACT_ELASTIC_PLASTIC` does. */
   double hardness;
-  /** `table_length` summit heights in ascending order, in any unit and from any origin: the library standardises
+  /** `table_length` asperity heights in ascending order, in any unit and from any origin: the library standardises
    * them. Each exceeds the one before by at least 1e-12 of their range. Read only for `ASPERITY_HEIGHTS_TABULATED`,
    * and copied when a model is made. NULL by default. */
   const double *table_height;
   /** The density at each of these heights, >= 0; it need not be normalised. NULL by default. */
   const double *table_density;
   /** Number of heights in the table, 3 to 256; 0 by default. */ uint64_t table_length;
-  /** G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the
-   * default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
-   * `asperity_params_set_materials` sets it. */
+  /** G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default, means E* G* / (2
+   * (E* + G*)). `asperity_params_set_materials` sets it. */
   double tangential_modulus;
-  /** Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it.
-   * Where it is known, neighbours share the elastic compliance: tangential stiffness and the sum of contact radii are those
-   * of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes by 1 - (1 - psi) K/(2 E* sum a) times what the
-   * summits approach by, with the normal stiffness K and the radii of lone contacts: by psi if none yields. A/A_0 counts as
-   * 0.5 at most. */
+  /** Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it. Where it is
+   * known, neighbours share the elastic compliance: stiffness and the sum of contact radii are those of lone contacts over chi = (1 -
+   * (A/A_0)^(1/2))^1.8, and the gap changes less (docs/model.md). A/A_0 counts as 0.5 at most. */
   double nominal_area;
-  /** Law of one summit in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */ int32_t contact_law;
+  /** Law of one asperity in contact, one of `ASPERITY_CONTACT_`; Maugis' by default. */ int32_t contact_law;
   /** How a contact begins to slip, one of `ASPERITY_SLIP_`; partial slip by default. Friction does not depend on it, the
    * tangential force before gross slip does: `asperity_tangential_at_load`, `asperity_microslip_step`. */
   int32_t slip_onset;
-  /** kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow
-   * with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the
-   * same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2.
-   * Where it is > 0, both slip stresses may be 0: Amontons' law. */
+  /** kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow with pressure. The
+   * friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the
+   * same radius carries. Boundary films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law. */
   double pressure_coefficient;
   /** Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether
    * they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known. */
   double bandwidth;
-  /** Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate`
-   * sets it. */
+  /** Load of the measurement that set the strength of the interface [force]; 0 if there was none. `asperity_params_calibrate` sets it. */
   double calibration_load;
   /** Friction force measured at that load [force], >= 0; 0, the default: not calibrated. `asperity_params_calibrate` sets it. */
   double calibration_friction_force;
   /** Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default. */
   double calibration_error;
-  /** Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known. */
+  /** Height of the mean of the asperities above the mean plane of the surface [length], >= 0; 0, the default, means not known. */
   double summit_mean_height;
   /** Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known. */
   double rms_slope;
@@ -353,7 +340,7 @@ typedef struct asperity_params {
    * `waviness_shape` and `nominal_area`, and without adhesion. */
   double waviness_height;
   /** WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of
-   * summits, and the mean wave of the roughness; at most the root of `nominal_area`. */
+   * asperities, and the mean wave of the roughness; at most the root of `nominal_area`. */
   double waviness_width;
   /** What the waves are like, one of `ASPERITY_WAVINESS_`; unknown by default, and then the height must be 0. */
   int32_t waviness_shape;
@@ -370,8 +357,7 @@ typedef struct asperity_params {
 typedef struct asperity_microslip {
   /** Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that. */
   uint64_t struct_size;
-  /** T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T,
-   * the other T. */
+  /** T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T, the other T. */
   double force[2];
   /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, then T2; eigenvalues are 0 to K_t. */
   double stiffness[4];
@@ -393,23 +379,21 @@ typedef struct asperity_state {
   /** d(F/P)/dP [1/force]; 0 where the coefficient is capped. */ double dmu_dload;
   /** d(load)/d(gap) [force/length]: minus the normal contact stiffness. */ double dload_dgap;
   /** Real area of contact [length^2]. */ double real_area;
-  /** Number of summits in contact [-]; need not be an integer. */ double contacting;
-  /** Number of summits that attract without contact [-]. */ double attracted;
-  /** Load of the summits that attract without contact [force], <= 0. */ double attraction_load;
-  /** Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except
-   * `plasticity_index`. */
+  /** Number of asperities in contact [-]; need not be an integer. */ double contacting;
+  /** Number of asperities that attract without contact [-]. */ double attracted;
+  /** Load of the asperities that attract without contact [force], <= 0. */ double attraction_load;
+  /** Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except `plasticity_index`. */
   double mean_contact_radius;
   /** Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
-   * 1/(n + 1) of the contacts exceed. It is at least the mean radius, and equal to it for n <= 1, hence always if
-   * `asperity_count` is 1: give the true number of summits. */
+   * 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1. */
   double max_contact_radius;
   /** Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole. */
   double fraction_below_slip_radius_1;
   /** Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-]. */
   double fraction_between_slip_radii;
   /** Fraction of the contacts with radii of at least `slip_radius_2` [-]. */ double fraction_above_slip_radius_2;
-  /** Fraction of all summits that are in contact [-]. */ double fraction_in_contact;
-  /** Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push. */
+  /** Fraction of all asperities that are in contact [-]. */ double fraction_in_contact;
+  /** Load of the asperities in contact over their real area [stress]; negative where adhesion pulls more than they push. */
   double mean_asperity_pressure;
   /** Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given. */
   double plasticity_index;
@@ -420,12 +404,12 @@ typedef struct asperity_state {
   /** Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness. */
   double fraction_elastic;
   /** Fraction of the contacts that are fully plastic [-]. */ double fraction_flowing;
-  /** Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or
+  /** Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction conductance, thermal or
    * electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
   double contact_radius_sum;
   /** Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it. */
   double hertz_load;
-  /** -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring back elastically, so that it exceeds
+  /** -d(load)/d(gap) when the load begins to fall [force/length]. Asperities that yielded spring back elastically, so that it exceeds
    * -`dload_dgap`; elastic contacts have one stiffness. */
   double unloading_stiffness;
 } asperity_state;
@@ -437,24 +421,22 @@ typedef struct asperity_summary {
   /** Friction regime parameter (R sigma)^(1/2)/b [-]. */ double beta;
   /** Surface energy parameter w/(E* b) [-]. */ double gamma;
   /** Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit. */ double lambda;
-  /** Skew of the summit heights [-]. */ double skew;
-  /** Kurtosis of the summit heights [-]; 3 for Gaussian. */ double kurtosis;
+  /** Skew of the asperity heights [-]. */ double skew;
+  /** Kurtosis of the asperity heights [-]; 3 for Gaussian. */ double kurtosis;
   /** Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
-   * many summits, far below that of one rough specimen: `asperity_specimens_at_loads`. */
+   * many asperities, far below that of one rough specimen: `asperity_specimens_at_loads`. */
   double pull_off_load;
   /** Friction force at the pull-off load [force]. */ double pull_off_friction_force;
   /** Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
    * continuation of the law. */
   double zero_load_friction_force;
-  /** 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or
-   * electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both
-   * bodies. */
+  /** 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The thermal or
+   * electrical conductance is 2 k K_t/stiffness_per_radius. */
   double stiffness_per_radius;
-  /** Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
-   * the pull-off load. */
+  /** Lightest load of the compiled table [force]. Below it the law continues with its slope. */
   double min_table_load;
-  /** Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 %
-   * below exact states at ten times the load, 53 % at a thousand times (docs/c.md). */
+  /** Heaviest load of the compiled table [force]. Above it friction continues with its slope: up to 11 % below exact
+   * states at ten times the load. */
   double max_table_load;
   /** Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
    * made, times what errors between samples are larger by. */
@@ -476,23 +458,22 @@ typedef struct asperity_specimens {
   /** Minus d(load)/d(gap) [force/length]. */ double normal_stiffness[5];
   /** Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does. */
   double gap[5];
-  /** Number of summits in contact [-]. */ double contacts[5];
+  /** Number of asperities in contact [-]. */ double contacts[5];
   /** The largest pull that a specimen withstands [force], >= 0; the same at each load. */ double pull_off_force[5];
 } asperity_specimens;
 
 /** A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
  *
- * `asperity_eval.h` evaluates it: most users need no more than that, and `total_count`.
+ * `asperity_eval.h` evaluates it.
  *
- * A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its index is (bits(x) >> shift) - base, as
- * unsigned 64-bit integers. If that is not below `row_count`, the table does not answer. Its variable is
- * t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F. Its derivative by t, times 2^-(exponent of x), is
- * dF/d(load).
+ * A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its index is (bits(x) >> shift) - base, as unsigned
+ * 64-bit integers. If that is not below `row_count`, the table does not answer. Its variable is t = (bits of x below `shift` | bits of
+ * 1.0) - 1.0. Its value is F. Its derivative by t, times 2^-(exponent of x), is dF/d(load).
  *
- * A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part
- * in bytes from `rows`. The last six numbers of the row are the t at which the next parts begin. The part in which t lies,
- * which may be a link too, is a row whose variable is t minus the t at which it begins. An offset of 0 means that the row is
- * left out, as a few were in earlier versions. To use the table in another memory, copy `total_count` rows and change the pointer. */
+ * A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part in bytes
+ * from `rows`, 0 of a row that is left out. The last six numbers of the row are the t at which the next parts begin. The part in which
+ * t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. For another memory copy `total_count`
+ * rows and change the pointer. */
 typedef struct asperity_table {
   /** Set it to `sizeof(asperity_table)`; no more is written. */ uint64_t struct_size;
   /** `row_count` rows of 8 doubles, aligned to 64 bytes. */ const double *rows;
@@ -519,15 +500,15 @@ extern "C" {
 
 /* ---- One call: friction with its band, from a text. ---- */
 
-/** Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is
- * part of the band.
+/** Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is part of
+ * the band.
  *
  * The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
  * `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
- * `specimens`, on how many they were measured, where fewer than 20 summits touch; `interface`, also one with a friction
- * coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of the band, 0.95. Give `hardness` if
- * the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces adhere or few summits touch,
- * and some for each load.
+ * `specimens`, on how many they were measured, where fewer than 20 asperities touch; `interface`, also one with a friction coefficient
+ * alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of the band, 0.95. Give `hardness` if the metal is not
+ * as hard as that of the table. It takes milliseconds, tens of them where surfaces adhere or few asperities touch, and some for each
+ * load.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -543,13 +524,11 @@ extern "C" {
  * @param length     of the text [bytes], without a NUL
  * @param load       normal loads [N]
  * @param estimates  receives n estimates; unchanged on failure
- * @return as `asperity_params_set_text`, and `ASPERITY_INVALID_LOAD` or `ASPERITY_OUT_OF_RANGE` of an element, which the
- *         message names */
+ * @return as `asperity_params_set_text`, and `ASPERITY_INVALID_LOAD` or `ASPERITY_OUT_OF_RANGE` of an element, which the message names */
 asperity_status asperity_estimate_at_loads(const char *surface, size_t length, size_t n, const double *load,
     struct asperity_estimate *estimates);
 
-/** Writes what `asperity_estimate_at_loads` finds for people: coefficients with their bands, what they rest on, warnings, and what
- * would narrow the bands.
+/** Writes what `asperity_estimate_at_loads` finds for people: coefficients with bands, what they rest on, and what would narrow them.
  *
  * @param surface,length,n,load  as of `asperity_estimate_at_loads`
  * @return the length; 0 on failure: the buffer has what `asperity_last_error` has then */
@@ -561,15 +540,7 @@ size_t asperity_estimate_text(const char *surface, size_t length, size_t n, cons
 /** Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset.
  *
  * The inputs `composite_modulus` to `asperity_count` become NaN, and `asperity_create` refuses the first that you did not set:
- * "asperity_count: must be set". For two bodies of polysilicon, in SI units (Pa, J/m^2, m):
- *
- * ```c
- * asperity_params_init(&params, sizeof params);
- * asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);
- * params.work_of_adhesion = 0.063;
- * params.adhesion_range = params.burgers_vector = 0.384e-9;
- * asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8);
- * ```
+ * "asperity_count: must be set".
  *
  * @param params       receives the parameters
  * @param struct_size  `sizeof(asperity_params)` [bytes]
@@ -579,8 +550,7 @@ asperity_status asperity_params_init(struct asperity_params *params, size_t stru
 /** Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
  *
  * The paper's case is alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1, nu = 0.3, in units b = G = N = 1: E* = 2/(1 - nu), G* = 2,
- * sigma = alpha beta, R = beta/alpha, w = gamma E*. Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default,
- * which is exact for these bodies.
+ * sigma = alpha beta, R = beta/alpha, w = gamma E*. Loads are then P/(N G b^2).
  *
  * @param alpha     (sigma/R)^(1/2) > 0, surface roughness
  * @param beta      (R sigma)^(1/2)/b > 0, friction regime
@@ -593,8 +563,7 @@ asperity_status asperity_params_set_dimensionless(struct asperity_params *params
 
 /** Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
  *
- * 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
- * G = E/(2 (1 + nu)).
+ * 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with G = E/(2 (1 + nu)).
  *
  * @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
  * @param nu1,nu2 Poisson's ratios, above -1, at most 0.5
@@ -606,13 +575,12 @@ asperity_status asperity_params_set_materials(struct asperity_params *params, do
  *
  * m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile: m0 = Rq^2 = Sq^2,
  * m2 = Rdq^2 = Sdq^2/2. For two rough surfaces, add their moments. The area of contact, its patches and its stiffness depend
- * on m0 and m2, hardly on m4. The asperities set here follow boundary elements for bandwidths alpha = m0 m4/m2^2 from 1.8 to
- * 1000 (docs/validation.md); docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
+ * on m0 and m2, hardly on m4. docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
  * `radius_amplitude`, `radius_rate`, `summit_mean_height`, `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
  *
  * @param m0            variance of the heights [length^2] > 0
  * @param m2            variance of the slopes [-] > 0
- * @param m4            variance of the curvatures [1/length^2] > 0, alpha at least 1.5; 0: not known, alpha = 10
+ * @param m4            variance of the curvatures [1/length^2] > 0, m0 m4/m2^2 at least 1.5; 0: not known
  * @param nominal_area  [length^2] > 0
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE` */
 asperity_status asperity_params_set_spectral_moments(struct asperity_params *params, double m0, double m2, double m4,
@@ -620,27 +588,20 @@ asperity_status asperity_params_set_spectral_moments(struct asperity_params *par
 
 /** Sets what is known of two materials in contact, in SI units; you set the roughness.
  *
- * It sets the moduli as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer one of both bodies,
- * `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body, or 0 if one is not known, and
- * `slip_stress_1`, where it is measured. The other parameters must be in SI units too.
+ * It sets the moduli, `work_of_adhesion`, `burgers_vector`, the longer one of both bodies, `adhesion_range`, equal to it as in the
+ * paper, `hardness`, that of the softer body, or 0, and `slip_stress_1`, where it is measured.
  *
- * You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`: the work of
- * adhesion of what is no pair of `asperity_name`, and both lengths where a body has no Burgers vector.
+ * You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`.
  *
  * @param name    two materials of `asperity_name` with a slash between
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
- *         is nearest) */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is nearest) */
 asperity_status asperity_params_set_pair(struct asperity_params *params, const char *name);
 
 /** Converts all parameters into other units: those of a surface file, which are SI, into the units of a solver.
  *
  * Numbers without a unit and tables of heights stay as they are, and so does what is unset. Call it once, after all else that has SI
  * units: `length_unit` and `force_unit` keep the units, and parameters that are not in SI units by them refuse another conversion,
- * names of materials, and texts in SI units. From SI into mm, N and MPa:
- *
- * ```c
- * asperity_params_set_units(&params, 1e-3, 1.0);
- * ```
+ * names of materials, and texts in SI units. (1e-3, 1.0) converts SI into mm, N and MPa.
  *
  * @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
  * @param force   the new unit of force in the present one, > 0
@@ -655,16 +616,14 @@ asperity_status asperity_params_set_units(struct asperity_params *params, double
  * - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
  * - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
  *   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
- * - `summit_density`, summits per area, with a `nominal_area` given here or earlier: replaces `asperity_count`
+ * - `summit_density`, asperities per area, with a `nominal_area` given here or earlier: replaces `asperity_count`
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last
  *
  * Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
  *
- * Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
- * of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it chooses the Weibull heights that have it, from
- * -1.1100 to 2. `height_distribution`, if given, decides; `asperity_create` refuses a skew or kurtosis that these heights do not
- * read.
+ * Without `height_distribution`, `kurtosis` chooses Johnson's heights, `weibull_shape` without it Weibull's, and `skew` alone the
+ * Weibull heights that have it, from -1.1100 to 2.
  *
  * ```c
  * const char *const names[] = {"E1", "nu1", "E2", "nu2", "height_std"};
@@ -695,11 +654,7 @@ asperity_status asperity_params_get_value(const struct asperity_params *params, 
  * The model does not predict the shear strength of an interface: films and oxides govern it. Measure the friction of your
  * pair once, on surfaces and at a load that you know. Set the parameters of these surfaces, and call this function last, which
  * takes milliseconds. The model then predicts how friction changes with load, area, roughness and adhesion. The measurement is
- * kept in `calibration_load` and `calibration_friction_force`. With a coefficient measured at 1 mN, in SI units:
- *
- * ```c
- * asperity_params_calibrate(&params, 1e-3, 0.4);
- * ```
+ * kept in `calibration_load` and `calibration_friction_force`.
  *
  * @param params                all parameters of the surfaces that were measured
  * @param load                  normal load of the measurement [force], > 0, a total over `asperity_count`
@@ -709,12 +664,11 @@ asperity_status asperity_params_get_value(const struct asperity_params *params, 
  *         `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_params_calibrate(struct asperity_params *params, double load, double friction_coefficient);
 
-/** Sets the strength of the interface from a measured friction force, as `asperity_params_calibrate` does from a coefficient:
- * for measurements at zero load, or where the load pulls.
+/** Sets the strength of the interface from a measured friction force, as `asperity_params_calibrate` does from a coefficient: for
+ * measurements at zero load, or where the load pulls.
  *
  * @param params          all parameters of the surfaces that were measured
- * @param load            normal load of the measurement [force], a total over `asperity_count`; from the pull-off
- *                        load upwards
+ * @param load            normal load of the measurement [force], a total over `asperity_count`; from the pull-off load upwards
  * @param friction_force  measured at that load [force], > 0
  * @return as `asperity_params_calibrate`, and `ASPERITY_SEPARATED` */
 asperity_status asperity_params_calibrate_force(struct asperity_params *params, double load, double friction_force);
@@ -722,7 +676,8 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
 /** Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
  *
  * What it does not give stays as it is. A whole surface, and one with measured points, has the strength and the contact law that
- * `asperity_estimate_at_loads` takes for the text: a model has its median, or its `curve_coefficient` where they differ. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
+ * `asperity_estimate_at_loads` takes for the text: a model has its median, or its `curve_coefficient` where they differ. Keys are the
+ * names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
  *
  * ```c
  * const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -730,19 +685,18 @@ asperity_status asperity_params_calibrate_force(struct asperity_params *params, 
  * asperity_params_set_text(&params, surface, sizeof surface - 1);
  * ```
  *
- * A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by
- * the library, once for each table, as long as it is loaded: the parameters point to it.
+ * A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by the
+ * library, once for each table, as long as it is loaded: the parameters point to it.
  *
  * @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
  * @param length  of the text [bytes], without a NUL; at most 1 MiB
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`;
- *         with a measured friction also what `asperity_params_calibrate_force` returns */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`; with a measured friction also
+ *         what `asperity_params_calibrate_force` returns */
 asperity_status asperity_params_set_text(struct asperity_params *params, const char *text, size_t length);
 
 /** Writes parameters as a text of which `asperity_params_set_text` makes the same in fresh parameters, bit for bit.
  *
- * Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
- * force at that load; otherwise it is a comment.
+ * Fields that have their defaults, or are unset, are left out. A calibration that these surfaces no longer meet is a comment.
  *
  * @return the length; 0 for choices that are none, a shape that is not of the heights, or no table */
 size_t asperity_params_text(const struct asperity_params *params, char *buffer, size_t length);
@@ -767,9 +721,9 @@ asperity_status asperity_create(const struct asperity_params *params, struct asp
 
 /** Makes the model of the same surfaces after a largest load: of a joint that was tightened, and now vibrates.
  *
- * Up to the largest load, summits that yielded spring back elastically, and every call answers for that: at the same load the gap is
- * smaller and friction, area, stiffness and conductance are larger than at first loading. Above the largest load first loading goes on.
- * Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
+ * Up to the largest load, asperities that yielded spring back elastically, and every call answers for that: at the same load the gap
+ * is smaller and friction, area, stiffness and conductance are larger than at first loading. Above the largest load first loading goes
+ * on. Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
  * `asperity_free`; `asperity_set_params` makes it one of first loading.
  *
  * Steps of microslip on this model know the largest load of each contact. Those of a contact that has borne more than `largest_load`
@@ -795,8 +749,7 @@ asperity_status asperity_set_params(struct asperity_model *model, const struct a
 
 /** Copies the parameters of a model.
  *
- * A table of heights is not copied: the pointers lead to the model's own copy and are valid until `asperity_set_params` or
- * `asperity_free`. You may pass them to `asperity_set_params` of the same model.
+ * A table of heights is not copied: the pointers lead to the model's own, until `asperity_set_params` or `asperity_free`.
  *
  * @param params  receives the parameters
  * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`) */
@@ -858,14 +811,6 @@ double asperity_friction_force_at_load(const struct asperity_model *model, doubl
 /** Computes the friction coefficients at many loads, and their slopes. An open contact is often no error of your solver: check
  * for `ASPERITY_SEPARATED` first.
  *
- * ```c
- * double load[] = {1e-3, 2e-3, -1.0}, mu[3];
- * asperity_status status = asperity_friction_at_loads(model, 3, load, mu, NULL);
- * if (status != ASPERITY_OK && status != ASPERITY_SEPARATED) {
- *     fprintf(stderr, "%s\n", asperity_status_string(status));
- * }
- * ```
- *
  * @param load       n loads [force]
  * @param mu         receives n coefficients [-]
  * @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped
@@ -896,19 +841,14 @@ double asperity_friction_and_slope_at_load(const struct asperity_model *model, d
 /** Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
  *
  * @param load          normal load [force]
- * @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
- *                      itself, 0 below it. Without adhesion F has no slope at zero load: there the library writes the
- *                      slope at the lightest load of the table, `min_table_load`, and 0 below. NaN where F is
- *                      NaN
+ * @param dforce_dload  receives dF/d(load) [-], as `asperity_friction_force_at_loads` has it; NaN where F is NaN
  * @return as `asperity_friction_force_at_load` */
 double asperity_friction_force_and_slope_at_load(const struct asperity_model *model, double load,
     double *dforce_dload);
 
 /** Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call.
  *
- * `which[i]` says which of the models answers `load[i]`. Every element has the bits that the call for one load gives. All
- * elements are filled; then the first element that is not in order, if any, is reported, and `asperity_last_error` names its
- * index.
+ * `which[i]` says which of the models answers `load[i]`.
  *
  * @param models         models_length models, none of them NULL
  * @param models_length  number of models
@@ -922,14 +862,12 @@ asperity_status asperity_friction_force_at_loads_of(const struct asperity_model 
 
 /** Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
  *
- * K_t = 8 G^ times the sum of the contact radii (`stiffness_per_radius` of `asperity_summary_of`). The friction force over K_t is
- * the length before gross slip: what solvers call bristle deflection or elastic slip. At a constant load the tangential force
- * is `asperity_tangential_at_load`.
+ * K_t = 8 G^ times the sum of the contact radii (`stiffness_per_radius` of `asperity_summary_of`). The friction force over K_t is the
+ * length before gross slip: what solvers call bristle deflection or elastic slip.
  *
  * @param load   normal load [force]
- * @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and,
- *         without adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated
- *         (1e300), or a NULL model */
+ * @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without adhesion, at
+ *         zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model */
 double asperity_tangential_stiffness_at_load(const struct asperity_model *model, double load);
 
 /** Tangential stiffnesses at many loads.
@@ -940,7 +878,7 @@ double asperity_tangential_stiffness_at_load(const struct asperity_model *model,
 asperity_status asperity_tangential_stiffness_at_loads(const struct asperity_model *model, size_t n,
     const double *load, double *stiffness);
 
-/** The tangential force T at a load and a displacement, by integration over the summits, without the table.
+/** The tangential force T at a load and a displacement, by integration over the asperities, without the table.
  *
  * Each contact slips from its rim inwards, or as a whole (`slip_onset`), until its force is its strength: T rises from K_t
  * times the displacement to the friction force F, with small contacts slipping first. From a surface pair without
@@ -963,9 +901,8 @@ size_t asperity_microslip_length(const struct asperity_model *model);
 
 /** Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
  *
- * The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). More load
- * on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy. No path of
- * displacement and load gains energy. In a step whose load rises, separation and displacement change together.
+ * The force rises with K_t and ends at F. More load on a contact at rest adds stiffness and no force. Less takes away what touches no
+ * more, with its force and energy. No path gains energy. In a step whose load rises, separation and displacement change together.
  *
  * The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
  * closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
@@ -986,8 +923,7 @@ asperity_status asperity_microslip_step(const struct asperity_model *model, doub
 
 /** One step of many contacts, each as `asperity_microslip_step` gives it, to the bit.
  *
- * An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not
- * written.
+ * An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not written.
  *
  * @param load       n loads [force]
  * @param increment  2 n displacements [length], both of a contact together
@@ -1010,12 +946,10 @@ asperity_status asperity_microslip_turn(double *state, double cosine, double sin
 /** Returns the load at a gap, from the compiled law, and writes its slope.
  *
  * The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
- * pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
- * adhesion the load goes to 0 at the highest asperity; if heights have no end, it is taken to 0 smoothly below about 1e-15 of the
- * load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-6
- * of exact ones, slopes within 1e-4, relative to the load or to the pull-off load, whichever is larger, or within what the
- * rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
- * the load goes on as a power of the depth below the mean height.
+ * pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without adhesion
+ * the load goes to 0 at the highest asperity, or smoothly below about 1e-15 of the load at which half of the asperities touch. Values
+ * are within 1e-6 of exact ones, slopes within 1e-4, relative to the larger of the load and the pull-off load, or within what the
+ * rounding of the gap changes them by.
  *
  * @param gap         between the mean planes [length]; negative in deep compression
  * @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
@@ -1028,25 +962,15 @@ double asperity_load_and_slope_at_gap(const struct asperity_model *model, double
  *
  * @param gap         n gaps [length]
  * @param load        receives n loads [force]
- * @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
- *                    and beyond
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite),
- *         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
- *         `height_std`) */
+ * @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and beyond
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED`
+ *         (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50 `height_std`) */
 asperity_status asperity_loads_at_gaps(const struct asperity_model *model, size_t n, const double *gap, double *load,
     double *dload_dgap);
 
 /* ---- Explain: exact states, single specimens and the constants of a model. ---- */
 
-/** Computes the exact state at a load, by integration over the summits, without the table.
- *
- * ```c
- * asperity_state state;
- * state.struct_size = sizeof state;
- * if (asperity_state_at_load(model, 1e-3, &state) == ASPERITY_OK) {
- *     printf("%g contacts, real area %g m^2\n", state.contacting, state.real_area);
- * }
- * ```
+/** Computes the exact state at a load, by integration over the asperities, without the table.
  *
  * @param load   normal load [force], from the pull-off load upwards
  * @param state  receives the state
@@ -1070,10 +994,10 @@ asperity_status asperity_summary_of(const struct asperity_model *model, struct a
 
 /** Single specimens at loads: how friction, stiffness, gap and pull-off differ between nominally equal ones.
  *
- * The model is a mean over many specimens. Where fewer than some 20 summits touch, one specimen differs from another and from the
- * model, and its pull-off force, which its tallest summits have, is larger by orders of magnitude. Here the heights of the summits
- * of each specimen are drawn at random, `asperity_count` of them. Each summit has the exact law of one summit. A specimen is
- * unloaded from the heaviest load: at each load it stands at the nearest gap at which its load has fallen to that one.
+ * The model is a mean over many specimens. Where fewer than some 20 asperities touch, one specimen differs from another and from the
+ * model, and its pull-off force, which its tallest asperities have, is larger by orders of magnitude. Here the heights of the
+ * asperities of each specimen are drawn at random, `asperity_count` of them. Each asperity has the exact law of one asperity. A
+ * specimen is unloaded from the heaviest load: at each load it stands at the nearest gap at which its load has fallen to that one.
  *
  * ```c
  * asperity_specimens found;
@@ -1088,29 +1012,29 @@ asperity_status asperity_summary_of(const struct asperity_model *model, struct a
  * @param seed       of the random numbers: the same specimens for the same seed, on any machine
  * @param load       normal loads [force], in any order, also 0 and, with adhesion, negative ones
  * @param found      receives n elements; unchanged on failure
- * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, no specimen),
- *         `ASPERITY_INVALID_LOAD`, `ASPERITY_OUT_OF_RANGE` (a load that is too heavy, less than one summit, or more than 1e7
- *         summits that would have to be drawn), `ASPERITY_NOT_CONVERGED` */
+ * @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, no specimen), `ASPERITY_INVALID_LOAD`,
+ *         `ASPERITY_OUT_OF_RANGE` (a load that is too heavy, less than one asperity, or more than 1e7 asperities that would have to be
+ *         drawn), `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_specimens_at_loads(const struct asperity_model *model, size_t specimens, uint64_t seed,
     size_t n, const double *load, struct asperity_specimens *found);
 
 /** The specimens of `asperity_specimens_at_loads` one by one, or a range of them, so that threads may share them; also rough spheres.
  *
- * A rough sphere (a bead, a ball) has `asperity_count` summits on each `nominal_area`, which stand on its curved surface. It bears on
- * those about its lowest point, and its pull-off force is theirs. The sphere itself does not flatten: loads are refused from which it
- * does, where the radius of Hertz' contact of the smooth sphere exceeds (R sigma)^(1/2), and so are spheres on which fewer than 3
- * summits stand within sigma of the lowest point.
+ * A rough sphere (a bead, a ball) has `asperity_count` asperities on each `nominal_area`, which stand on its curved surface. It bears
+ * on those about its lowest point, and its pull-off force is theirs. The sphere itself does not flatten: loads are refused from which
+ * it does, where the radius of Hertz' contact of the smooth sphere exceeds (R sigma)^(1/2), and so are spheres on which fewer than 3
+ * asperities stand within sigma of the lowest point.
  *
  * @param sphere_radius  R [length]; 0: the surface is flat
- * @param first          the first specimen, from 0; those before it count among the summits that may be drawn
+ * @param first          the first specimen, from 0; those before it count among the asperities that may be drawn
  * @param specimens      how many
  * @param seed,load      as of `asperity_specimens_at_loads`
- * @param friction_force        receives F [force] of each specimen at each load, loads of one specimen next to each other; 0 if it
- *                              is apart
+ * @param friction_force        receives F [force] of each specimen at each load, loads of one specimen next to each other; 0 if it is
+ *                              apart
  * @param tangential_stiffness  receives K_t [force/length] likewise
  * @param normal_stiffness      receives minus d(load)/d(gap) [force/length] likewise
  * @param gap                   receives the gaps [length] likewise; NaN if it is apart
- * @param contacts              receives numbers of summits in contact [-] likewise
+ * @param contacts              receives numbers of asperities in contact [-] likewise
  * @param pull_off_force        receives the largest pull that the specimen withstands [force], >= 0, the same at each load
  * @return as `asperity_specimens_at_loads` */
 asperity_status asperity_each_specimen_at_loads(const struct asperity_model *model, double sphere_radius,
@@ -1121,7 +1045,7 @@ asperity_status asperity_each_specimen_at_loads(const struct asperity_model *mod
 
 /** Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
  *
- * The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.
+ * It takes milliseconds: call it at the start of a run.
  *
  * ```c
  * uint64_t warnings = 0;
@@ -1132,14 +1056,11 @@ asperity_status asperity_each_specimen_at_loads(const struct asperity_model *mod
  * }
  * ```
  *
- * @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing
- *                  touches at 0
+ * @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing touches at 0
  * @param heaviest  normal load [force], not below `lightest`
- * @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known
- *                  to fail
- * @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
- *         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
- *         `ASPERITY_NOT_CONVERGED` */
+ * @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to fail
+ * @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is above `heaviest`),
+ *         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED` */
 asperity_status asperity_check_loads(const struct asperity_model *model, double lightest, double heaviest,
     uint64_t *warnings);
 
@@ -1156,15 +1077,7 @@ size_t asperity_warnings_text(uint64_t warnings, char *buffer, size_t length);
  * It is the message of the last call on this thread that returned a status other than `ASPERITY_OK`, and empty if there was
  * none. Calls that succeed do not change it.
  *
- * The message here is "summit_radius = -1: must be finite and > 0":
- *
- * ```c
- * char message[512];
- * params.summit_radius = -1.0;
- * if (asperity_set_params(model, &params) != ASPERITY_OK) {
- *     asperity_last_error(message, sizeof message);
- * }
- * ```
+ * As an example: "summit_radius = -1: must be finite and > 0".
  *
  * @return the length of the whole message [bytes], without the NUL: it is cut unless `length` is greater */
 size_t asperity_last_error(char *buffer, size_t length);
@@ -1175,9 +1088,7 @@ size_t asperity_last_error(char *buffer, size_t length);
  * @return a constant string, never NULL; "unknown status" for any other number */
 const char *asperity_status_string(asperity_status status);
 
-/** Returns the version of the binary interface of the library loaded; compare it with `ASPERITY_ABI_VERSION`.
- *
- * It changes only when compiled callers must be compiled again. */
+/** Returns the version of the binary interface of the library loaded: callers compiled with another `ASPERITY_ABI_VERSION` do not fit. */
 uint32_t asperity_abi_version(void);
 
 /** Returns the version of the library loaded, "major.minor.patch".

@@ -134,7 +134,7 @@ sed 's/^hardness = .*/hardness = 5e9/' hosts/surface.toml >"$build/smoother/host
 analyses slip_data calibrated >"$build/told.txt"
 ! warned 1 && warned 2 "the strength of the interface" || fail "warnings of a calibrated surface are wrong"
 analyses slip_data smoother >"$build/told.txt"
-warned 1 "summits yield" || fail "no warning of a soft surface"
+warned 1 "asperities yield" || fail "no warning of a soft surface"
 
 # How Newton's method converges on the block: increments of stick, of slip, of reversal.
 awk '$1 == "residual" && ($2 == 1 || $2 == 5 || $2 == 11 || $2 == 20) { row[$2] = row[$2] "  " $4; if (!seen[$2]++) order[++n] = $2 }

@@ -340,24 +340,24 @@ export const FUNCTIONS = {
  * @property {number} dmu_dload d(F/P)/dP [1/force]; 0 where the coefficient is capped.
  * @property {number} dload_dgap d(load)/d(gap) [force/length]: minus the normal contact stiffness.
  * @property {number} real_area Real area of contact [length^2].
- * @property {number} contacting Number of summits in contact [-]; need not be an integer.
- * @property {number} attracted Number of summits that attract without contact [-].
- * @property {number} attraction_load Load of the summits that attract without contact [force], <= 0.
+ * @property {number} contacting Number of asperities in contact [-]; need not be an integer.
+ * @property {number} attracted Number of asperities that attract without contact [-].
+ * @property {number} attraction_load Load of the asperities that attract without contact [force], <= 0.
  * @property {number} mean_contact_radius Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except `plasticity_index`.
- * @property {number} max_contact_radius Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that 1/(n + 1) of the contacts exceed. It is at least the mean radius, and equal to it for n <= 1, hence always if `asperity_count` is 1: give the true number of summits.
+ * @property {number} max_contact_radius Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1.
  * @property {number} fraction_below_slip_radius_1 Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole.
  * @property {number} fraction_between_slip_radii Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-].
  * @property {number} fraction_above_slip_radius_2 Fraction of the contacts with radii of at least `slip_radius_2` [-].
- * @property {number} fraction_in_contact Fraction of all summits that are in contact [-].
- * @property {number} mean_asperity_pressure Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
+ * @property {number} fraction_in_contact Fraction of all asperities that are in contact [-].
+ * @property {number} mean_asperity_pressure Load of the asperities in contact over their real area [stress]; negative where adhesion pulls more than they push.
  * @property {number} plasticity_index Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given.
  * @property {number} warnings Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
  * @property {number} tangential_stiffness K_t [force/length]: tangential force by displacement while all contacts stick.
  * @property {number} fraction_elastic Fraction of the contacts below first yield [-]; 1 for "maugis" without a hardness.
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
- * @property {number} contact_radius_sum Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
+ * @property {number} contact_radius_sum Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
- * @property {number} unloading_stiffness -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring back elastically, so that it exceeds -`dload_dgap`; elastic contacts have one stiffness.
+ * @property {number} unloading_stiffness -d(load)/d(gap) when the load begins to fall [force/length]. Asperities that yielded spring back elastically, so that it exceeds -`dload_dgap`; elastic contacts have one stiffness.
  */
 
 /**
@@ -368,7 +368,7 @@ export const FUNCTIONS = {
  * @property {number[]} tangential_stiffness K_t [force/length]: tangential force by displacement while all contacts stick.
  * @property {number[]} normal_stiffness Minus d(load)/d(gap) [force/length].
  * @property {number[]} gap Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does.
- * @property {number[]} contacts Number of summits in contact [-].
+ * @property {number[]} contacts Number of asperities in contact [-].
  * @property {number[]} pull_off_force The largest pull that a specimen withstands [force], >= 0; the same at each load.
  */
 
@@ -378,30 +378,30 @@ export const FUNCTIONS = {
  * @property {number} beta Friction regime parameter (R sigma)^(1/2)/b [-].
  * @property {number} gamma Surface energy parameter w/(E* b) [-].
  * @property {number} lambda Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit.
- * @property {number} skew Skew of the summit heights [-].
- * @property {number} kurtosis Kurtosis of the summit heights [-]; 3 for Gaussian.
- * @property {number} pull_off_load Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over many summits, far below that of one rough specimen.
+ * @property {number} skew Skew of the asperity heights [-].
+ * @property {number} kurtosis Kurtosis of the asperity heights [-]; 3 for Gaussian.
+ * @property {number} pull_off_load Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over many asperities, far below that of one rough specimen.
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
  * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
- * @property {number} stiffness_per_radius 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
- * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from the pull-off load.
- * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
+ * @property {number} stiffness_per_radius 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The thermal or electrical conductance is 2 k K_t/stiffness_per_radius.
+ * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope.
+ * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope: up to 11 % below exact states at ten times the load.
  * @property {number} table_error Largest relative error of the compiled friction force [-] at the samples that were compared when the model was made, times what errors between samples are larger by.
  * @property {number} largest_load Largest load that the surfaces have borne [force].
  */
 
 /**
  * @typedef {object} Fields
- * @property {number} [composite_modulus] E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it.
+ * @property {number} [composite_modulus] E* [stress], > 0: reduced modulus, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it.
  * @property {number} [effective_shear_modulus] G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it.
  * @property {number} [work_of_adhesion] w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default.
  * @property {number} [adhesion_range] h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No default; the paper takes b.
  * @property {number} [burgers_vector] b [length], > 0: Burgers vector, the length in which the slip radii are given. No default.
- * @property {number} [height_std] sigma [length], > 0: standard deviation of the summit heights. No default.
- * @property {number} [summit_radius] R [length], > 0: mean radius of curvature of the summits. No default.
- * @property {number} [asperity_count] N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer. No default.
- * @property {"gaussian" | "weibull" | "johnson" | "tabulated" | "at-scores"} [height_distribution] Family of the summit heights, one of "gaussian", "weibull", "johnson", "tabulated", "at-scores"; Gaussian by default.
- * @property {boolean} [attraction] true: summits out of contact attract (the default, as in the paper); false: they do not.
+ * @property {number} [height_std] sigma [length], > 0: standard deviation of the asperity heights. No default.
+ * @property {number} [summit_radius] R [length], > 0: mean radius of curvature of the asperities. No default.
+ * @property {number} [asperity_count] N [-], > 0: number of asperities, i.e. their density times the nominal area; need not be an integer. No default.
+ * @property {"gaussian" | "weibull" | "johnson" | "tabulated" | "at-scores"} [height_distribution] Family of the asperity heights, one of "gaussian", "weibull", "johnson", "tabulated", "at-scores"; Gaussian by default.
+ * @property {boolean} [attraction] true: asperities out of contact attract (the default, as in the paper); false: they do not.
  * @property {number} [weibull_shape] omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for "weibull".
  * @property {number} [radius_amplitude] epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
  * @property {number} [radius_rate] rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where `radius_amplitude` is not 0.
@@ -410,24 +410,24 @@ export const FUNCTIONS = {
  * @property {number} [slip_radius_2] a_2/b [-], > a_1/b: contact radius from which the shear strength is `slip_stress_2`; 8e4 by default.
  * @property {number} [slip_stress_2] tau_2/G* [-], > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
  * @property {number} [max_friction_coefficient] Upper bound of every friction coefficient returned [-], > 0; 1000 by default, infinity allowed. F/P grows without bound towards zero load.
- * @property {number} [skew] Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other value; by its name it also chooses Weibull heights.
- * @property {number} [kurtosis] Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is Gaussian. Other `height_distribution`s refuse any other value.
- * @property {number} [hardness] H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known. Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of "elastic-plastic" does.
- * @property {ArrayLike<number>} [table_height] `table_length` summit heights in ascending order, in any unit and from any origin: the library standardises them. Each exceeds the one before by at least 1e-12 of their range. Read only for "tabulated", and copied when a model is made. Empty by default.
+ * @property {number} [skew] Skew of Johnson's asperity heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other value; by its name it also chooses Weibull heights.
+ * @property {number} [kurtosis] Kurtosis of Johnson's asperity heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0 is Gaussian. Other `height_distribution`s refuse any other value.
+ * @property {number} [hardness] H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not known. Warnings compare pressures with it; the friction of elastic asperities does not depend on it, that of "elastic-plastic" does.
+ * @property {ArrayLike<number>} [table_height] `table_length` asperity heights in ascending order, in any unit and from any origin: the library standardises them. Each exceeds the one before by at least 1e-12 of their range. Read only for "tabulated", and copied when a model is made. Empty by default.
  * @property {ArrayLike<number>} [table_density] The density at each of these heights, >= 0; it need not be normalised. Empty by default.
- * @property {number} [tangential_modulus] G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one rigid body.
- * @property {number} [nominal_area] Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it. Where it is known, neighbours share the elastic compliance: tangential stiffness and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes by 1 - (1 - psi) K/(2 E* sum a) times what the summits approach by, with the normal stiffness K and the radii of lone contacts: by psi if none yields. A/A_0 counts as 0.5 at most.
- * @property {"maugis" | "elastic-plastic"} [contact_law] Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
+ * @property {number} [tangential_modulus] G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that stick; 0, the default, means E* G* / (2 (E* + G*)).
+ * @property {number} [nominal_area] Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare the real area A with it. Where it is known, neighbours share the elastic compliance: stiffness and the sum of contact radii are those of lone contacts over chi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes less (docs/model.md). A/A_0 counts as 0.5 at most.
+ * @property {"maugis" | "elastic-plastic"} [contact_law] Law of one asperity in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
  * @property {"partial" | "whole"} [slip_onset] How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not depend on it, the tangential force before gross slip does.
- * @property {number} [pressure_coefficient] kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
+ * @property {number} [pressure_coefficient] kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H is the load that Hertz' contact of the same radius carries. Boundary films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
  * @property {number} [bandwidth] Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which warnings judge whether they act independently; 0, the default, means not known. The library then takes it from `nominal_area`, if that is known.
  * @property {number} [calibration_load] Load of the measurement that set the strength of the interface [force]; 0 if there was none.
  * @property {number} [calibration_friction_force] Friction force measured at that load [force], >= 0; 0, the default: not calibrated.
  * @property {number} [calibration_error] Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
- * @property {number} [summit_mean_height] Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the default, means not known.
+ * @property {number} [summit_mean_height] Height of the mean of the asperities above the mean plane of the surface [length], >= 0; 0, the default, means not known.
  * @property {number} [rms_slope] Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default, means not known.
  * @property {number} [waviness_height] Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both surfaces together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01 to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
- * @property {number} [waviness_width] WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
+ * @property {number} [waviness_width] WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq, 4 times the distance of asperities, and the mean wave of the roughness; at most the root of `nominal_area`.
  * @property {"unknown" | "ridges" | "hills"} [waviness_shape] What the waves are like, one of "unknown", "ridges", "hills"; unknown by default, and then the height must be 0.
  * @property {boolean} [taken_as_gaussian] true: Gaussian heights stand for those of a surface that is known not to have them, as where honing left plateaus; false: not so (the default). States then have the warning `ASPERITY_WARNING_NOT_GAUSSIAN`. A text that names such a process sets it.
  * @property {number} [length_unit] Unit of all lengths, in metres [-], > 0; 1 by default.

@@ -34,7 +34,7 @@ def asperity(arguments: str) -> subprocess.CompletedProcess[str]:
 
 def table(text: str) -> list[list[float]]:
     head, *lines = text.splitlines()
-    assert head == "# load, friction coefficient, friction force, real area, contacting summits"
+    assert head == "# load, friction coefficient, friction force, real area, contacts"
     return [[float(word) for word in line.split()] for line in lines]
 
 

@@ -149,7 +149,7 @@ def test_warnings_say_what_fails_and_what_to_do(params: Params) -> None:
     with Model(soft_and_weak) as soft, Model(params.replace(slip_stress_1=0.02)) as model:
         warnings = soft.state_at_load(10.0).warnings
         assert f"{warnings}" == str(warnings) and f"{warnings:d}" == "1"
-        assert str(warnings).startswith("PLASTIC: summits yield: ") and "; use the elastic-plastic" in str(warnings)
+        assert str(warnings).startswith("PLASTIC: asperities yield: ") and "; use the elastic-plastic" in str(warnings)
         assert str(model.state_at_load(10.0).warnings) == "none"
     several = Warnings(0x1012)
     assert several.kinds == [Warnings.CROWDED, Warnings.FEW, Warnings(0x1000)]

@@ -80,7 +80,7 @@ def test_a_measured_specimen_is_not_another() -> None:
             friction("Si/Si", **device | {"specimens": wrong}, load=1e-5)
     with pytest.raises(Error, match="specimens: measured must be set"):
         friction("Si/Si", **{key: device[key] for key in ("Sq", "Sdq", "nominal_area")}, specimens=1, load=1e-5)
-    with pytest.raises(Error, match="a specimen needs its number of summits"):
+    with pytest.raises(Error, match="a specimen needs its number of asperities"):
         friction("Si/Si", Sq=12e-9, Sdq=0.2, measured=(1e5, 0.27), specimens=1, load=1e5)
 
 
@@ -179,7 +179,7 @@ def test_the_figure_has_mean_scatter_and_model(silicon: Params, tmp_path: Path) 
 
 
 def test_what_no_specimen_has_is_refused_with_what_to_do(silicon: Params) -> None:
-    with pytest.raises(Error, match="asperity_count = 0.5: a specimen needs its number of summits, 1 or more: give its nominal_area"):
+    with pytest.raises(Error, match="asperity_count = 0.5: a specimen needs its number of asperities, 1 or more: give its nominal_area"):
         pads(silicon.replace(asperity_count=0.5), [1.0], 2)
     with pytest.raises(Error, match="summits of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens"):
         pads(silicon, [1e4], 400)
@@ -230,11 +230,11 @@ def test_spheres_that_flatten_or_have_few_summits_are_refused() -> None:
     params = bead(20e-9, 0.0)
     for radius, load, message in [
         (500e-6, 10.0, "sphere_radius = 0.0005: under this load the sphere itself flattens"),
-        (1e-6, 1e-9, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill"),
+        (1e-6, 1e-9, "fewer than 3 asperities stand within height_std of the lowest point: take one smooth hill"),
         (-1.0, 1e-9, "sphere_radius = -1: must be finite and >= 0"),
         (math.nan, 1e-9, "sphere_radius = NaN: must be finite"),
     ]:
         with pytest.raises(Error, match=message):
             pads(params, [load], 2, sphere_radius=radius)
-    with pytest.raises(Error, match="nominal_area: must be set, since a sphere needs the summits per area"):
+    with pytest.raises(Error, match="nominal_area: must be set, since a sphere needs the asperities per area"):
         pads(params.replace(nominal_area=0.0), [1e-6], 2, sphere_radius=500e-6)

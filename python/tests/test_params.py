@@ -164,7 +164,7 @@ def test_what_a_new_user_gets_wrong_is_refused_or_told() -> None:
         (lambda: steel.calibrated(20.0, 47.0), "must be > 0 and at most 20; is it a force\\?"),
         (lambda: steel.calibrated(0.0, 0.16), "calibration_load = 0: must be > 0"),
         (lambda: Model(steel.replace(nominal_area=100.0)), "is nominal_area in mm\\^2"),
-        (lambda: Model(steel.replace(asperity_count=1.7e10)), "a number of summits and not a density"),
+        (lambda: Model(steel.replace(asperity_count=1.7e10)), "a number of asperities and not a density"),
     ):
         with pytest.raises(Error, match=message):
             wrong()

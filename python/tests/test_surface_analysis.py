@@ -142,7 +142,7 @@ def test_what_one_call_mends_leaves_friction_as_it_is(spoil: Any, plain: Array, 
         (lambda z: 0.05 * z + 3 * SIGMA * np.sin(Y / 16), {}, "direction", r"lay \d.*: patches of contact are long, and friction up to 1.4 times too large"),
         (lambda z: SIGMA * GaussianSurface(POINTS, 60).map(3), {}, "waves", "mean waves a side: one place is not like another: measure a larger map"),
         (lambda z: z, {"load": 1e-6}, "cutoff", r"none is recommended, contacts under this load are .* points wide: measure a finer map, or take a heavier load"),
-        (lambda z: z, {"load": 0.2}, "contact", "summits yield"),
+        (lambda z: z, {"load": 0.2}, "contact", "asperities yield"),
     ],
     ids=["many spikes", "holes", "steps", "noise", "grooves", "few waves", "light load", "heavy load"],
 )

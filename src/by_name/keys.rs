@@ -116,8 +116,8 @@ const EXPECTED: &Expected = &[
         "give calibration_friction_coefficient with calibration_load, in a text also measured = [[load, coefficient]]",
     ),
     ("machining|finish", "give process in [roughness] of a text"),
-    ("sigma", "the standard deviation of the summit heights is height_std"),
-    ("R|radius", "the radius of the summits is summit_radius"),
+    ("sigma", "the standard deviation of the asperities' heights is height_std"),
+    ("R|radius", "the radius of the asperities is summit_radius"),
     ("E|nu|young|poisson", "give E1, nu1, E2 and nu2, in a text in [materials]"),
     ("material", "give first and second in [materials] of a text, or pair = \"steel/steel\""),
     ("H|HV|HB|HRC", "give hardness in Pa, of the softer body: HV times 9.81e6"),
@@ -130,7 +130,7 @@ const EXPECTED: &Expected = &[
         "speed|velocity|temperature|lubricant|viscosity",
         "it is not in the model: measure friction with it, and calibrate",
     ),
-    ("N|count", "the number of summits is asperity_count, or summit_density with nominal_area"),
+    ("N|count", "the number of asperities is asperity_count, or summit_density with nominal_area"),
 ];
 
 /// What is said of a word that is no slip of a name.

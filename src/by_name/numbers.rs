@@ -184,7 +184,7 @@ impl Numbers {
         }
         positive("summit_density", density)?;
         if draft.params.nominal_area == 0.0 {
-            return Err(meaningless("nominal_area: must be set, since summit_density gives the summits per area"));
+            return Err(meaningless("nominal_area: must be set, since summit_density gives the asperities per area"));
         }
         positive("nominal_area", draft.params.nominal_area)?;
         draft.params.asperity_count = density * draft.params.nominal_area;

@@ -318,7 +318,7 @@ impl Entries<'_> {
         let has_count = !self.gives_no_area() || params.asperity_count >= 1.0 && params.nominal_area != 1.0;
         if !has_count || params.asperity_count < 1.0 {
             return Err(entry.refused(format_args!(
-                "a specimen needs its number of summits, 1 or more: give its nominal_area, and loads in N"
+                "a specimen needs its number of asperities, 1 or more: give its nominal_area, and loads in N"
             )));
         }
         match entry.number()? {
@@ -770,7 +770,7 @@ impl GivenSurface<'_> {
         if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
             return Err(Problem::new(
                 begin,
-                format_args!("nominal_area: must be set, since [roughness] gives the summits per area"),
+                format_args!("nominal_area: must be set, since [roughness] gives the asperities per area"),
             ));
         }
         self.machined = entries.roughness(Table::Roughness, begin, &mut self.numbers)?;

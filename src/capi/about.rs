@@ -26,9 +26,7 @@ pub extern "C" fn asperity_status_string(status: asperity_status) -> *const c_ch
     found.map_or(c"unknown status", |(.., says)| says).as_ptr()
 }
 
-/// Returns the version of the binary interface of the library loaded; compare it with `ASPERITY_ABI_VERSION`.
-///
-/// It changes only when compiled callers must be compiled again.
+/// Returns the version of the binary interface of the library loaded: callers compiled with another `ASPERITY_ABI_VERSION` do not fit.
 #[no_mangle]
 pub extern "C" fn asperity_abi_version() -> u32 {
     ASPERITY_ABI_VERSION

@@ -31,11 +31,7 @@ impl asperity_params {
 /// The model does not predict the shear strength of an interface: films and oxides govern it. Measure the friction of your
 /// pair once, on surfaces and at a load that you know. Set the parameters of these surfaces, and call this function last, which
 /// takes milliseconds. The model then predicts how friction changes with load, area, roughness and adhesion. The measurement is
-/// kept in `calibration_load` and `calibration_friction_force`. With a coefficient measured at 1 mN, in SI units:
-///
-/// ```c
-/// asperity_params_calibrate(&params, 1e-3, 0.4);
-/// ```
+/// kept in `calibration_load` and `calibration_friction_force`.
 ///
 /// @param params                all parameters of the surfaces that were measured
 /// @param load                  normal load of the measurement [force], > 0, a total over `asperity_count`
@@ -54,12 +50,11 @@ pub unsafe extern "C" fn asperity_params_calibrate(
     })
 }
 
-/// Sets the strength of the interface from a measured friction force, as `asperity_params_calibrate` does from a coefficient:
-/// for measurements at zero load, or where the load pulls.
+/// Sets the strength of the interface from a measured friction force, as `asperity_params_calibrate` does from a coefficient: for
+/// measurements at zero load, or where the load pulls.
 ///
 /// @param params          all parameters of the surfaces that were measured
-/// @param load            normal load of the measurement [force], a total over `asperity_count`; from the pull-off
-///                        load upwards
+/// @param load            normal load of the measurement [force], a total over `asperity_count`; from the pull-off load upwards
 /// @param friction_force  measured at that load [force], > 0
 /// @return as `asperity_params_calibrate`, and `ASPERITY_SEPARATED`
 #[no_mangle]

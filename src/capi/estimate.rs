@@ -17,14 +17,14 @@ pub const ASPERITY_STRENGTH_GIVEN: i32 = 2;
 /// A `strength_source`: measured on these surfaces.
 pub const ASPERITY_STRENGTH_MEASURED: i32 = 3;
 
-/// A `specimen`: so many summits touch that nominally equal specimens hardly differ.
+/// A `specimen`: so many asperities touch that nominally equal specimens hardly differ.
 pub const ASPERITY_SPECIMEN_MANY_CONTACTS: i32 = 0;
-/// A `specimen`: one specimen, whichever it is, since few summits touch.
+/// A `specimen`: one specimen, whichever it is, since few asperities touch.
 pub const ASPERITY_SPECIMEN_ANY: i32 = 1;
 /// A `specimen`: the one that was measured, with `specimens = 1`.
 pub const ASPERITY_SPECIMEN_MEASURED: i32 = 2;
 
-/// Friction at one load, with its band, and stiffness with theirs; if few summits touch, of one specimen. SI units.
+/// Friction at one load, with its band, and stiffness with theirs; if few asperities touch, of one specimen. SI units.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_estimate {
@@ -48,7 +48,7 @@ pub struct asperity_estimate {
     pub curve_coefficient: f64,
     /// How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does.
     pub constant_odds: f64,
-    /// Summits in contact, by the mean of the model; NaN if loads are pressures.
+    /// Asperities in contact, by the mean of the model; NaN if loads are pressures.
     pub contacts: f64,
     /// F of another specimen than the one that was measured [N]; `friction_force` if it is of no measured one.
     pub another_force: f64,
@@ -72,7 +72,7 @@ pub struct asperity_estimate {
     pub measurement_share: f64,
     /// Share from how real interfaces leave the law between loads: measure at this load.
     pub model_share: f64,
-    /// Share from which summits a specimen happens to have: take a heavier load or a larger area.
+    /// Share from which asperities a specimen happens to have: take a heavier load or a larger area.
     pub specimen_share: f64,
     /// K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness.
     pub tangential_stiffness: f64,
@@ -104,7 +104,7 @@ pub struct asperity_estimate {
     pub gap_low: f64,
     /// Upper end.
     pub gap_high: f64,
-    /// The largest pull that a specimen withstands [N]; NaN if so many summits touch that specimens are alike.
+    /// The largest pull that a specimen withstands [N]; NaN if so many asperities touch that specimens are alike.
     pub pull_off_force: f64,
     /// Lower end of its band.
     pub pull_off_force_low: f64,
@@ -147,15 +147,15 @@ unsafe fn estimated(
     Ok((estimate, answers, warnings))
 }
 
-/// Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is
-/// part of the band.
+/// Estimates friction at loads from the text of a surface alone, with bands: what is not measured is assumed, and its doubt is part of
+/// the band.
 ///
 /// The text is that of `asperity_params_set_text`; docs/solvers.md has its keys. For an estimate these matter: `process` of
 /// `[roughness]`, where the slope is not measured; `measured`, points [load, coefficient, relative error], which narrow the band;
-/// `specimens`, on how many they were measured, where fewer than 20 summits touch; `interface`, also one with a friction
-/// coefficient alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of the band, 0.95. Give `hardness` if
-/// the metal is not as hard as that of the table. It takes milliseconds, tens of them where surfaces adhere or few summits touch,
-/// and some for each load.
+/// `specimens`, on how many they were measured, where fewer than 20 asperities touch; `interface`, also one with a friction coefficient
+/// alone; `interface_kind`, "film", "clean", "dry metal" or "rock"; `coverage` of the band, 0.95. Give `hardness` if the metal is not
+/// as hard as that of the table. It takes milliseconds, tens of them where surfaces adhere or few asperities touch, and some for each
+/// load.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -171,8 +171,7 @@ unsafe fn estimated(
 /// @param length     of the text [bytes], without a NUL
 /// @param load       normal loads [N]
 /// @param estimates  receives n estimates; unchanged on failure
-/// @return as `asperity_params_set_text`, and `ASPERITY_INVALID_LOAD` or `ASPERITY_OUT_OF_RANGE` of an element, which the
-///         message names
+/// @return as `asperity_params_set_text`, and `ASPERITY_INVALID_LOAD` or `ASPERITY_OUT_OF_RANGE` of an element, which the message names
 #[no_mangle]
 pub unsafe extern "C" fn asperity_estimate_at_loads(
     surface: *const c_char,
@@ -265,8 +264,7 @@ pub unsafe extern "C" fn asperity_estimate_at_loads(
 /// No struct of a later version is larger [bytes].
 const LARGEST: u64 = 4096;
 
-/// Writes what `asperity_estimate_at_loads` finds for people: coefficients with their bands, what they rest on, warnings, and what
-/// would narrow the bands.
+/// Writes what `asperity_estimate_at_loads` finds for people: coefficients with bands, what they rest on, and what would narrow them.
 ///
 /// @param surface,length,n,load  as of `asperity_estimate_at_loads`
 /// @return the length; 0 on failure: the buffer has what `asperity_last_error` has then

@@ -32,14 +32,6 @@ pub unsafe extern "C" fn asperity_friction_force_at_load(model: *const asperity_
 /// Computes the friction coefficients at many loads, and their slopes. An open contact is often no error of your solver: check
 /// for `ASPERITY_SEPARATED` first.
 ///
-/// ```c
-/// double load[] = {1e-3, 2e-3, -1.0}, mu[3];
-/// asperity_status status = asperity_friction_at_loads(model, 3, load, mu, NULL);
-/// if (status != ASPERITY_OK && status != ASPERITY_SEPARATED) {
-///     fprintf(stderr, "%s\n", asperity_status_string(status));
-/// }
-/// ```
-///
 /// @param load       n loads [force]
 /// @param mu         receives n coefficients [-]
 /// @param dmu_dload  receives n slopes d(mu)/d(load) [1/force], 0 where mu is capped
@@ -93,10 +85,7 @@ pub unsafe extern "C" fn asperity_friction_and_slope_at_load(
 /// Returns the friction force at a load, and writes its slope: what an implicit solver needs in one call.
 ///
 /// @param load          normal load [force]
-/// @param dforce_dload  receives dF/d(load) [-]. With adhesion: finite at zero load, INFINITY at the pull-off load
-///                      itself, 0 below it. Without adhesion F has no slope at zero load: there the library writes the
-///                      slope at the lightest load of the table, `min_table_load`, and 0 below. NaN where F is
-///                      NaN
+/// @param dforce_dload  receives dF/d(load) [-], as `asperity_friction_force_at_loads` has it; NaN where F is NaN
 /// @return as `asperity_friction_force_at_load`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_friction_force_and_slope_at_load(

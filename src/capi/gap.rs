@@ -12,12 +12,10 @@ const GAP_BLOCK: usize = 128;
 /// Returns the load at a gap, from the compiled law, and writes its slope.
 ///
 /// The gap is the distance between the mean planes of the two surfaces, on the branch of load control: from deep compression to
-/// pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without
-/// adhesion the load goes to 0 at the highest asperity; if heights have no end, it is taken to 0 smoothly below about 1e-15 of the
-/// load at which half of the asperities touch. A pull-off load weaker than 1e-30 of that counts as none. Values are within 1e-6
-/// of exact ones, slopes within 1e-4, relative to the load or to the pull-off load, whichever is larger, or within what the
-/// rounding of the gap changes them by. In compression beyond that of 1e3 times the load at which half of the asperities touch,
-/// the load goes on as a power of the depth below the mean height.
+/// pull-off, where the surfaces part. Without a `summit_mean_height` it counts from the mean of the asperity heights. Without adhesion
+/// the load goes to 0 at the highest asperity, or smoothly below about 1e-15 of the load at which half of the asperities touch. Values
+/// are within 1e-6 of exact ones, slopes within 1e-4, relative to the larger of the load and the pull-off load, or within what the
+/// rounding of the gap changes them by.
 ///
 /// @param gap         between the mean planes [length]; negative in deep compression
 /// @param dload_dgap  receives d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and
@@ -40,11 +38,9 @@ pub unsafe extern "C" fn asperity_load_and_slope_at_gap(
 ///
 /// @param gap         n gaps [length]
 /// @param load        receives n loads [force]
-/// @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off
-///                    and beyond
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite),
-///         `ASPERITY_SEPARATED` (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50
-///         `height_std`)
+/// @param dload_dgap  receives n slopes d(load)/d(gap) [force/length], <= 0: minus the normal stiffness; 0 at pull-off and beyond
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (a gap that is NaN or infinite), `ASPERITY_SEPARATED`
+///         (the surfaces are apart, and the load is 0), `ASPERITY_OUT_OF_RANGE` (one below -1e50 `height_std`)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_loads_at_gaps(
     model: *const asperity_model,

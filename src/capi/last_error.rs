@@ -45,15 +45,7 @@ pub fn set(message: &dyn Display) {
 /// It is the message of the last call on this thread that returned a status other than `ASPERITY_OK`, and empty if there was
 /// none. Calls that succeed do not change it.
 ///
-/// The message here is "summit_radius = -1: must be finite and > 0":
-///
-/// ```c
-/// char message[512];
-/// params.summit_radius = -1.0;
-/// if (asperity_set_params(model, &params) != ASPERITY_OK) {
-///     asperity_last_error(message, sizeof message);
-/// }
-/// ```
+/// As an example: "summit_radius = -1: must be finite and > 0".
 ///
 /// @return the length of the whole message [bytes], without the NUL: it is cut unless `length` is greater
 #[no_mangle]

@@ -18,8 +18,7 @@ use crate::numerics::four::{Four, Portable};
 pub struct asperity_microslip {
     /// Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that.
     pub struct_size: u64,
-    /// T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T,
-    /// the other T.
+    /// T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T, the other T.
     pub force: [f64; 2],
     /// dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, then T2; eigenvalues are 0 to K_t.
     pub stiffness: [f64; 4],
@@ -45,9 +44,8 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 
 /// Displaces a contact under a load: the tangential force with what happened before, its tangents and the work of slip.
 ///
-/// The force rises with K_t (`asperity_tangential_stiffness_at_load`) and ends at F (`asperity_friction_force_at_load`). More load
-/// on a contact at rest adds stiffness and no force. Less takes away what touches no more, with its force and energy. No path of
-/// displacement and load gains energy. In a step whose load rises, separation and displacement change together.
+/// The force rises with K_t and ends at F. More load on a contact at rest adds stiffness and no force. Less takes away what touches no
+/// more, with its force and energy. No path gains energy. In a step whose load rises, separation and displacement change together.
 ///
 /// The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
 /// closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
@@ -97,8 +95,7 @@ pub unsafe extern "C" fn asperity_microslip_step(
 
 /// One step of many contacts, each as `asperity_microslip_step` gives it, to the bit.
 ///
-/// An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not
-/// written.
+/// An element whose load, increment or state cannot be taken gets the force and stiffness NaN, and its `after` is not written.
 ///
 /// @param load       n loads [force]
 /// @param increment  2 n displacements [length], both of a contact together

@@ -80,9 +80,9 @@ pub unsafe extern "C" fn asperity_create(
 
 /// Makes the model of the same surfaces after a largest load: of a joint that was tightened, and now vibrates.
 ///
-/// Up to the largest load, summits that yielded spring back elastically, and every call answers for that: at the same load the gap is
-/// smaller and friction, area, stiffness and conductance are larger than at first loading. Above the largest load first loading goes on.
-/// Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
+/// Up to the largest load, asperities that yielded spring back elastically, and every call answers for that: at the same load the gap
+/// is smaller and friction, area, stiffness and conductance are larger than at first loading. Above the largest load first loading goes
+/// on. Contacts that do not yield are as before. It takes two to three times as long as `asperity_create`. Free the model with
 /// `asperity_free`; `asperity_set_params` makes it one of first loading.
 ///
 /// Steps of microslip on this model know the largest load of each contact. Those of a contact that has borne more than `largest_load`
@@ -128,8 +128,7 @@ pub unsafe extern "C" fn asperity_set_params(
 
 /// Copies the parameters of a model.
 ///
-/// A table of heights is not copied: the pointers lead to the model's own copy and are valid until `asperity_set_params` or
-/// `asperity_free`. You may pass them to `asperity_set_params` of the same model.
+/// A table of heights is not copied: the pointers lead to the model's own, until `asperity_set_params` or `asperity_free`.
 ///
 /// @param params  receives the parameters
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`)

@@ -69,16 +69,14 @@ impl asperity_params {
 /// - `E1`, `nu1`, `E2` and `nu2` together: `asperity_params_set_materials`
 /// - `m0` and `m2` together, with a `nominal_area` given here or earlier: `asperity_params_set_spectral_moments`. `m4` or
 ///   `bandwidth` may be given too. `Ra` may replace `m0`, which is pi/2 Ra^2 for Gaussian heights
-/// - `summit_density`, summits per area, with a `nominal_area` given here or earlier: replaces `asperity_count`
+/// - `summit_density`, asperities per area, with a `nominal_area` given here or earlier: replaces `asperity_count`
 /// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
 ///   `asperity_params_calibrate`, which comes last
 ///
 /// Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
 ///
-/// Three names choose the heights. `kurtosis` chooses Johnson's. `weibull_shape` without it chooses Weibull's. `skew` is that
-/// of Johnson's heights if they are chosen or `kurtosis` is given too; otherwise it chooses the Weibull heights that have it, from
-/// -1.1100 to 2. `height_distribution`, if given, decides; `asperity_create` refuses a skew or kurtosis that these heights do not
-/// read.
+/// Without `height_distribution`, `kurtosis` chooses Johnson's heights, `weibull_shape` without it Weibull's, and `skew` alone the
+/// Weibull heights that have it, from -1.1100 to 2.
 ///
 /// ```c
 /// const char *const names[] = {"E1", "nu1", "E2", "nu2", "height_std"};

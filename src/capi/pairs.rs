@@ -14,9 +14,7 @@ const MOST_MODELS: usize = 64;
 
 /// Friction forces of contacts that belong to several pairs of surfaces, and their slopes, in one call.
 ///
-/// `which[i]` says which of the models answers `load[i]`. Every element has the bits that the call for one load gives. All
-/// elements are filled; then the first element that is not in order, if any, is reported, and `asperity_last_error` names its
-/// index.
+/// `which[i]` says which of the models answers `load[i]`.
 ///
 /// @param models         models_length models, none of them NULL
 /// @param models_length  number of models

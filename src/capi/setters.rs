@@ -43,15 +43,7 @@ unsafe fn change_draft(
 /// Prepares parameters: defaults for all fields but the eight physical inputs, which are left unset.
 ///
 /// The inputs `composite_modulus` to `asperity_count` become NaN, and `asperity_create` refuses the first that you did not set:
-/// "asperity_count: must be set". For two bodies of polysilicon, in SI units (Pa, J/m^2, m):
-///
-/// ```c
-/// asperity_params_init(&params, sizeof params);
-/// asperity_params_set_materials(&params, 160e9, 0.22, 160e9, 0.22);
-/// params.work_of_adhesion = 0.063;
-/// params.adhesion_range = params.burgers_vector = 0.384e-9;
-/// asperity_params_set_spectral_moments(&params, 2.5e-17, 4e-3, 2e12, 1e-8);
-/// ```
+/// "asperity_count: must be set".
 ///
 /// @param params       receives the parameters
 /// @param struct_size  `sizeof(asperity_params)` [bytes]
@@ -69,8 +61,7 @@ pub unsafe extern "C" fn asperity_params_init(params: *mut asperity_params, stru
 /// Sets material, adhesion and roughness from the paper's dimensionless groups, eqs (7) and (8).
 ///
 /// The paper's case is alpha = 0.01, beta = 1000, gamma = 0.001, b/h = 1, nu = 0.3, in units b = G = N = 1: E* = 2/(1 - nu), G* = 2,
-/// sigma = alpha beta, R = beta/alpha, w = gamma E*. Loads are then P/(N G b^2). `tangential_modulus` becomes 0, its default,
-/// which is exact for these bodies.
+/// sigma = alpha beta, R = beta/alpha, w = gamma E*. Loads are then P/(N G b^2).
 ///
 /// @param alpha     (sigma/R)^(1/2) > 0, surface roughness
 /// @param beta      (R sigma)^(1/2)/b > 0, friction regime
@@ -92,8 +83,7 @@ pub unsafe extern "C" fn asperity_params_set_dimensionless(
 
 /// Sets E*, G* and `tangential_modulus` from Young's modulus and Poisson's ratio of the two bodies.
 ///
-/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with
-/// G = E/(2 (1 + nu)).
+/// 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, G* = 2 G1 G2/(G1 + G2) and 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2 with G = E/(2 (1 + nu)).
 ///
 /// @param E1,E2   Young's moduli [stress] > 0; INFINITY is a rigid body, which at most one may be
 /// @param nu1,nu2 Poisson's ratios, above -1, at most 0.5
@@ -114,13 +104,12 @@ pub unsafe extern "C" fn asperity_params_set_materials(
 ///
 /// m0, m2 and m4 are the variances of height z, slope dz/dx and curvature d2z/dx2 along a profile: m0 = Rq^2 = Sq^2,
 /// m2 = Rdq^2 = Sdq^2/2. For two rough surfaces, add their moments. The area of contact, its patches and its stiffness depend
-/// on m0 and m2, hardly on m4. The asperities set here follow boundary elements for bandwidths alpha = m0 m4/m2^2 from 1.8 to
-/// 1000 (docs/validation.md); docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
+/// on m0 and m2, hardly on m4. docs/roughness.md has the formulas. Sets `height_std`, `summit_radius`, `asperity_count`,
 /// `radius_amplitude`, `radius_rate`, `summit_mean_height`, `nominal_area` and `rms_slope` = (2 m2)^(1/2), and `bandwidth` to 0.
 ///
 /// @param m0            variance of the heights [length^2] > 0
 /// @param m2            variance of the slopes [-] > 0
-/// @param m4            variance of the curvatures [1/length^2] > 0, alpha at least 1.5; 0: not known, alpha = 10
+/// @param m4            variance of the curvatures [1/length^2] > 0, m0 m4/m2^2 at least 1.5; 0: not known
 /// @param nominal_area  [length^2] > 0
 /// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
@@ -137,16 +126,13 @@ pub unsafe extern "C" fn asperity_params_set_spectral_moments(
 
 /// Sets what is known of two materials in contact, in SI units; you set the roughness.
 ///
-/// It sets the moduli as `asperity_params_set_materials`, `work_of_adhesion`, `burgers_vector`, the longer one of both bodies,
-/// `adhesion_range`, equal to it as in the paper, `hardness`, that of the softer body, or 0 if one is not known, and
-/// `slip_stress_1`, where it is measured. The other parameters must be in SI units too.
+/// It sets the moduli, `work_of_adhesion`, `burgers_vector`, the longer one of both bodies, `adhesion_range`, equal to it as in the
+/// paper, `hardness`, that of the softer body, or 0, and `slip_stress_1`, where it is measured.
 ///
-/// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`: the work of
-/// adhesion of what is no pair of `asperity_name`, and both lengths where a body has no Burgers vector.
+/// You may name any two materials. What is not known of them stays unset, as after `asperity_params_init`.
 ///
 /// @param name    two materials of `asperity_name` with a slash between
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which
-///         is nearest)
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (unknown name: the message says which is nearest)
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_pair(
     params: *mut asperity_params,
@@ -163,11 +149,7 @@ pub unsafe extern "C" fn asperity_params_set_pair(
 ///
 /// Numbers without a unit and tables of heights stay as they are, and so does what is unset. Call it once, after all else that has SI
 /// units: `length_unit` and `force_unit` keep the units, and parameters that are not in SI units by them refuse another conversion,
-/// names of materials, and texts in SI units. From SI into mm, N and MPa:
-///
-/// ```c
-/// asperity_params_set_units(&params, 1e-3, 1.0);
-/// ```
+/// names of materials, and texts in SI units. (1e-3, 1.0) converts SI into mm, N and MPa.
 ///
 /// @param length  the new unit of length in the present one, > 0: 1e-3 from m to mm
 /// @param force   the new unit of force in the present one, > 0

@@ -35,7 +35,7 @@ pub struct asperity_specimens {
     pub normal_stiffness: [f64; 5],
     /// Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does.
     pub gap: [f64; 5],
-    /// Number of summits in contact [-].
+    /// Number of asperities in contact [-].
     pub contacts: [f64; 5],
     /// The largest pull that a specimen withstands [force], >= 0; the same at each load.
     pub pull_off_force: [f64; 5],
@@ -65,10 +65,10 @@ unsafe fn held(
 
 /// Single specimens at loads: how friction, stiffness, gap and pull-off differ between nominally equal ones.
 ///
-/// The model is a mean over many specimens. Where fewer than some 20 summits touch, one specimen differs from another and from the
-/// model, and its pull-off force, which its tallest summits have, is larger by orders of magnitude. Here the heights of the summits
-/// of each specimen are drawn at random, `asperity_count` of them. Each summit has the exact law of one summit. A specimen is
-/// unloaded from the heaviest load: at each load it stands at the nearest gap at which its load has fallen to that one.
+/// The model is a mean over many specimens. Where fewer than some 20 asperities touch, one specimen differs from another and from the
+/// model, and its pull-off force, which its tallest asperities have, is larger by orders of magnitude. Here the heights of the
+/// asperities of each specimen are drawn at random, `asperity_count` of them. Each asperity has the exact law of one asperity. A
+/// specimen is unloaded from the heaviest load: at each load it stands at the nearest gap at which its load has fallen to that one.
 ///
 /// ```c
 /// asperity_specimens found;
@@ -83,9 +83,9 @@ unsafe fn held(
 /// @param seed       of the random numbers: the same specimens for the same seed, on any machine
 /// @param load       normal loads [force], in any order, also 0 and, with adhesion, negative ones
 /// @param found      receives n elements; unchanged on failure
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, no specimen),
-///         `ASPERITY_INVALID_LOAD`, `ASPERITY_OUT_OF_RANGE` (a load that is too heavy, less than one summit, or more than 1e7
-///         summits that would have to be drawn), `ASPERITY_NOT_CONVERGED`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`, no specimen), `ASPERITY_INVALID_LOAD`,
+///         `ASPERITY_OUT_OF_RANGE` (a load that is too heavy, less than one asperity, or more than 1e7 asperities that would have to be
+///         drawn), `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_specimens_at_loads(
     model: *const asperity_model,
@@ -137,21 +137,21 @@ const LARGEST: u64 = 4096;
 
 /// The specimens of `asperity_specimens_at_loads` one by one, or a range of them, so that threads may share them; also rough spheres.
 ///
-/// A rough sphere (a bead, a ball) has `asperity_count` summits on each `nominal_area`, which stand on its curved surface. It bears on
-/// those about its lowest point, and its pull-off force is theirs. The sphere itself does not flatten: loads are refused from which it
-/// does, where the radius of Hertz' contact of the smooth sphere exceeds (R sigma)^(1/2), and so are spheres on which fewer than 3
-/// summits stand within sigma of the lowest point.
+/// A rough sphere (a bead, a ball) has `asperity_count` asperities on each `nominal_area`, which stand on its curved surface. It bears
+/// on those about its lowest point, and its pull-off force is theirs. The sphere itself does not flatten: loads are refused from which
+/// it does, where the radius of Hertz' contact of the smooth sphere exceeds (R sigma)^(1/2), and so are spheres on which fewer than 3
+/// asperities stand within sigma of the lowest point.
 ///
 /// @param sphere_radius  R [length]; 0: the surface is flat
-/// @param first          the first specimen, from 0; those before it count among the summits that may be drawn
+/// @param first          the first specimen, from 0; those before it count among the asperities that may be drawn
 /// @param specimens      how many
 /// @param seed,load      as of `asperity_specimens_at_loads`
-/// @param friction_force        receives F [force] of each specimen at each load, loads of one specimen next to each other; 0 if it
-///                              is apart
+/// @param friction_force        receives F [force] of each specimen at each load, loads of one specimen next to each other; 0 if it is
+///                              apart
 /// @param tangential_stiffness  receives K_t [force/length] likewise
 /// @param normal_stiffness      receives minus d(load)/d(gap) [force/length] likewise
 /// @param gap                   receives the gaps [length] likewise; NaN if it is apart
-/// @param contacts              receives numbers of summits in contact [-] likewise
+/// @param contacts              receives numbers of asperities in contact [-] likewise
 /// @param pull_off_force        receives the largest pull that the specimen withstands [force], >= 0, the same at each load
 /// @return as `asperity_specimens_at_loads`
 #[no_mangle]

@@ -29,18 +29,16 @@ pub struct asperity_state {
     pub dload_dgap: f64,
     /// Real area of contact [length^2].
     pub real_area: f64,
-    /// Number of summits in contact [-]; need not be an integer.
+    /// Number of asperities in contact [-]; need not be an integer.
     pub contacting: f64,
-    /// Number of summits that attract without contact [-].
+    /// Number of asperities that attract without contact [-].
     pub attracted: f64,
-    /// Load of the summits that attract without contact [force], <= 0.
+    /// Load of the asperities that attract without contact [force], <= 0.
     pub attraction_load: f64,
-    /// Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except
-    /// `plasticity_index`.
+    /// Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except `plasticity_index`.
     pub mean_contact_radius: f64,
     /// Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
-    /// 1/(n + 1) of the contacts exceed. It is at least the mean radius, and equal to it for n <= 1, hence always if
-    /// `asperity_count` is 1: give the true number of summits.
+    /// 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1.
     pub max_contact_radius: f64,
     /// Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole.
     pub fraction_below_slip_radius_1: f64,
@@ -48,9 +46,9 @@ pub struct asperity_state {
     pub fraction_between_slip_radii: f64,
     /// Fraction of the contacts with radii of at least `slip_radius_2` [-].
     pub fraction_above_slip_radius_2: f64,
-    /// Fraction of all summits that are in contact [-].
+    /// Fraction of all asperities that are in contact [-].
     pub fraction_in_contact: f64,
-    /// Load of the summits in contact over their real area [stress]; negative where adhesion pulls more than they push.
+    /// Load of the asperities in contact over their real area [stress]; negative where adhesion pulls more than they push.
     pub mean_asperity_pressure: f64,
     /// Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given.
     pub plasticity_index: f64,
@@ -63,12 +61,12 @@ pub struct asperity_state {
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic [-].
     pub fraction_flowing: f64,
-    /// Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction conductance, thermal or
+    /// Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction conductance, thermal or
     /// electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
     pub contact_radius_sum: f64,
     /// Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
     pub hertz_load: f64,
-    /// -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring back elastically, so that it exceeds
+    /// -d(load)/d(gap) when the load begins to fall [force/length]. Asperities that yielded spring back elastically, so that it exceeds
     /// -`dload_dgap`; elastic contacts have one stiffness.
     pub unloading_stiffness: f64,
 }
@@ -87,27 +85,25 @@ pub struct asperity_summary {
     pub gamma: f64,
     /// Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit.
     pub lambda: f64,
-    /// Skew of the summit heights [-].
+    /// Skew of the asperity heights [-].
     pub skew: f64,
-    /// Kurtosis of the summit heights [-]; 3 for Gaussian.
+    /// Kurtosis of the asperity heights [-]; 3 for Gaussian.
     pub kurtosis: f64,
     /// Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over
-    /// many summits, far below that of one rough specimen: `asperity_specimens_at_loads`.
+    /// many asperities, far below that of one rough specimen: `asperity_specimens_at_loads`.
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
     /// Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
     /// continuation of the law.
     pub zero_load_friction_force: f64,
-    /// 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From the sum follows the thermal or
-    /// electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both
-    /// bodies.
+    /// 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The thermal or
+    /// electrical conductance is 2 k K_t/stiffness_per_radius.
     pub stiffness_per_radius: f64,
-    /// Lightest load of the compiled table [force]. Below it the law continues with its slope, as a power of the distance from
-    /// the pull-off load.
+    /// Lightest load of the compiled table [force]. Below it the law continues with its slope.
     pub min_table_load: f64,
-    /// Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a power of the load: up to 11 %
-    /// below exact states at ten times the load, 53 % at a thousand times (docs/c.md).
+    /// Heaviest load of the compiled table [force]. Above it friction continues with its slope: up to 11 % below exact
+    /// states at ten times the load.
     pub max_table_load: f64,
     /// Largest relative error of the compiled friction force [-] at the samples that were compared when the model was
     /// made, times what errors between samples are larger by.
@@ -140,15 +136,7 @@ unsafe fn exact(
     })
 }
 
-/// Computes the exact state at a load, by integration over the summits, without the table.
-///
-/// ```c
-/// asperity_state state;
-/// state.struct_size = sizeof state;
-/// if (asperity_state_at_load(model, 1e-3, &state) == ASPERITY_OK) {
-///     printf("%g contacts, real area %g m^2\n", state.contacting, state.real_area);
-/// }
-/// ```
+/// Computes the exact state at a load, by integration over the asperities, without the table.
 ///
 /// @param load   normal load [force], from the pull-off load upwards
 /// @param state  receives the state

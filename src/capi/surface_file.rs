@@ -42,8 +42,8 @@ mod file {
     use std::fs::{metadata, File, Metadata, OpenOptions};
     use std::io::Read;
 
-    /// The bytes of a file, all that it has, or one more than a text may have. What is no file with a surface is looked at before it is opened, since to open a device may
-    /// start it, and once more after, in case it has become another.
+    /// The bytes of a file, all that it has, or one more than a text may have. What is no file with a surface is looked at before it is
+    /// opened, since to open a device may start it, and once more after, in case it has become another.
     pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
         let refused = |says: &dyn std::fmt::Display| Error::Meaningless(says.to_string().into());
         let has_surface = |found: std::io::Result<Metadata>| -> Result<u64, Error> {

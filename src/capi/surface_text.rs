@@ -66,7 +66,8 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 /// Sets parameters from a text in TOML that describes a surface: all that it gives, or nothing if something is refused.
 ///
 /// What it does not give stays as it is. A whole surface, and one with measured points, has the strength and the contact law that
-/// `asperity_estimate_at_loads` takes for the text: a model has its median, or its `curve_coefficient` where they differ. Keys are the names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
+/// `asperity_estimate_at_loads` takes for the text: a model has its median, or its `curve_coefficient` where they differ. Keys are the
+/// names of `asperity_params_set_values`, in SI units, and what docs/solvers.md lists.
 ///
 /// ```c
 /// const char surface[] = "pair = \"steel/steel\"\n nominal_area = 1e-4\n measured = [1000, 0.16]\n"
@@ -74,13 +75,13 @@ fn table_at(heights: &HeightFamily) -> Option<*const f64> {
 /// asperity_params_set_text(&params, surface, sizeof surface - 1);
 /// ```
 ///
-/// A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by
-/// the library, once for each table, as long as it is loaded: the parameters point to it.
+/// A message has the line and the key: "line 3: slip_onset = "hole": must be "partial" or "whole"". A table of heights is kept by the
+/// library, once for each table, as long as it is loaded: the parameters point to it.
 ///
 /// @param text    UTF-8, with or without a byte order mark; lines end in LF or CRLF
 /// @param length  of the text [bytes], without a NUL; at most 1 MiB
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`;
-///         with a measured friction also what `asperity_params_calibrate_force` returns
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER`, `ASPERITY_OUT_OF_RANGE`; with a measured friction also
+///         what `asperity_params_calibrate_force` returns
 #[no_mangle]
 pub unsafe extern "C" fn asperity_params_set_text(
     params: *mut asperity_params,
@@ -97,8 +98,7 @@ pub unsafe extern "C" fn asperity_params_set_text(
 
 /// Writes parameters as a text of which `asperity_params_set_text` makes the same in fresh parameters, bit for bit.
 ///
-/// Fields that have their defaults, or are unset, are left out. A calibration is written if these surfaces still have that friction
-/// force at that load; otherwise it is a comment.
+/// Fields that have their defaults, or are unset, are left out. A calibration that these surfaces no longer meet is a comment.
 ///
 /// @return the length; 0 for choices that are none, a shape that is not of the heights, or no table
 #[no_mangle]

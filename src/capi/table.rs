@@ -13,17 +13,16 @@ pub const ASPERITY_TABLE_LAYOUT: u32 = 1;
 
 /// A read-only view of a compiled law, for GPU kernels, OpenMP target regions and vectorised loops.
 ///
-/// `asperity_eval.h` evaluates it: most users need no more than that, and `total_count`.
+/// `asperity_eval.h` evaluates it.
 ///
-/// A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its index is (bits(x) >> shift) - base, as
-/// unsigned 64-bit integers. If that is not below `row_count`, the table does not answer. Its variable is
-/// t = (bits of x below `shift` | bits of 1.0) - 1.0. Its value is F. Its derivative by t, times 2^-(exponent of x), is
-/// dF/d(load).
+/// A row is a polynomial for one fraction of a binade of x = load - pull_off_load. Its index is (bits(x) >> shift) - base, as unsigned
+/// 64-bit integers. If that is not below `row_count`, the table does not answer. Its variable is t = (bits of x below `shift` | bits of
+/// 1.0) - 1.0. Its value is F. Its derivative by t, times 2^-(exponent of x), is dF/d(load).
 ///
-/// A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part
-/// in bytes from `rows`. The last six numbers of the row are the t at which the next parts begin. The part in which t lies,
-/// which may be a link too, is a row whose variable is t minus the t at which it begins. An offset of 0 means that the row is
-/// left out, as a few were in earlier versions. To use the table in another memory, copy `total_count` rows and change the pointer.
+/// A row whose first coefficient is NaN is a link to its parts. The last 51 bits of that NaN are the offset of the first part in bytes
+/// from `rows`, 0 of a row that is left out. The last six numbers of the row are the t at which the next parts begin. The part in which
+/// t lies, which may be a link too, is a row whose variable is t minus the t at which it begins. For another memory copy `total_count`
+/// rows and change the pointer.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_table {

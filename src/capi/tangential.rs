@@ -8,14 +8,12 @@ use super::status::asperity_status;
 
 /// Tangential stiffness K_t at a load: tangential force by displacement of the surfaces while all contacts stick.
 ///
-/// K_t = 8 G^ times the sum of the contact radii (`stiffness_per_radius` of `asperity_summary_of`). The friction force over K_t is
-/// the length before gross slip: what solvers call bristle deflection or elastic slip. At a constant load the tangential force
-/// is `asperity_tangential_at_load`.
+/// K_t = 8 G^ times the sum of the contact radii (`stiffness_per_radius` of `asperity_summary_of`). The friction force over K_t is the
+/// length before gross slip: what solvers call bristle deflection or elastic slip.
 ///
 /// @param load   normal load [force]
-/// @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and,
-///         without adhesion, at zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated
-///         (1e300), or a NULL model
+/// @return K_t [force/length], positive also at zero and negative load down to pull-off; 0 below pull-off and, without adhesion, at
+///         zero load; a quiet NaN for a NaN or infinite load, for one that cannot be evaluated (1e300), or a NULL model
 #[no_mangle]
 pub unsafe extern "C" fn asperity_tangential_stiffness_at_load(model: *const asperity_model, load: f64) -> f64 {
     model::value_at(model, Asked::Stiffness, load)
@@ -36,7 +34,7 @@ pub unsafe extern "C" fn asperity_tangential_stiffness_at_loads(
     evaluate(model, Asked::Stiffness, n, load, stiffness, std::ptr::null_mut())
 }
 
-/// The tangential force T at a load and a displacement, by integration over the summits, without the table.
+/// The tangential force T at a load and a displacement, by integration over the asperities, without the table.
 ///
 /// Each contact slips from its rim inwards, or as a whole (`slip_onset`), until its force is its strength: T rises from K_t
 /// times the displacement to the friction force F, with small contacts slipping first. From a surface pair without

@@ -7,23 +7,23 @@ use super::text::write_text;
 use crate::model::validity;
 use std::ffi::c_char;
 
-/// Bit of `warnings`: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
+/// Bit of `warnings`: asperities yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
 /// hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never set without
 /// a hardness, nor for `ASPERITY_CONTACT_ELASTIC_PLASTIC`, which models yielding.
 pub const ASPERITY_WARNING_PLASTIC: u64 = 1;
-/// Bit of `warnings`: summits do not act independently. Set if the real area is more than 10 % of a known
-/// `nominal_area`, or, without `rms_slope`, more than 10 % of the summits touch. Never set if `asperity_count` is 1.
+/// Bit of `warnings`: asperities do not act independently. Set if the real area is more than 10 % of a known
+/// `nominal_area`, or, without `rms_slope`, more than 10 % of the asperities touch. Never set if `asperity_count` is 1.
 pub const ASPERITY_WARNING_CROWDED: u64 = 2;
-/// Bit of `warnings`: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
-/// given, contact radii are more than a tenth of the summit radii, on average.
+/// Bit of `warnings`: contacts are not small compared with their asperities. Set if `rms_slope` is above 0.3, or, if it is not
+/// given, contact radii are more than a tenth of the asperity radii, on average.
 pub const ASPERITY_WARNING_STEEP: u64 = 4;
 /// Bit of `warnings`: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
 pub const ASPERITY_WARNING_ATOMIC: u64 = 8;
-/// Bit of `warnings`: averages are not reliable at this load. Set if fewer than 20 summits touch. Never set if
-/// `asperity_count` is 1, where loads are those of a mean summit.
+/// Bit of `warnings`: averages are not reliable at this load. Set if fewer than 20 asperities touch. Never set if
+/// `asperity_count` is 1, where loads are those of a mean asperity.
 pub const ASPERITY_WARNING_FEW: u64 = 16;
 /// Bit of `warnings`: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
-/// the load. Never set if `asperity_count` is 1, as for single summits.
+/// the load. Never set if `asperity_count` is 1, as for single asperities.
 pub const ASPERITY_WARNING_ADHESIVE: u64 = 32;
 /// Bit of `warnings`: the strength of the interface is the default, which was not measured on these surfaces. Set while both
 /// slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the default the model predicts
@@ -66,7 +66,7 @@ const _: () = {
 
 /// Computes the warnings of all states from one load to another: whether the model holds for a contact that meets these loads.
 ///
-/// The library evaluates hundreds of exact states, in milliseconds. Call it at the start of a run, not in its inner loop.
+/// It takes milliseconds: call it at the start of a run.
 ///
 /// ```c
 /// uint64_t warnings = 0;
@@ -77,14 +77,11 @@ const _: () = {
 /// }
 /// ```
 ///
-/// @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing
-///                  touches at 0
+/// @param lightest  normal load [force], from the pull-off load upwards; above 0 without adhesion, where nothing touches at 0
 /// @param heaviest  normal load [force], not below `lightest`
-/// @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known
-///                  to fail
-/// @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is
-///         above `heaviest`), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`,
-///         `ASPERITY_NOT_CONVERGED`
+/// @param warnings  receives every bit `ASPERITY_WARNING_...` that is set in a state between; 0 if nothing is known to fail
+/// @return `ASPERITY_OK`, also with warnings; `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`lightest` is above `heaviest`),
+///         `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED`, `ASPERITY_OUT_OF_RANGE`, `ASPERITY_NOT_CONVERGED`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_check_loads(
     model: *const asperity_model,

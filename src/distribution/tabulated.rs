@@ -87,7 +87,7 @@ impl Tabulated {
         let variance = moment(&square) / mass;
         let deviation = variance.sqrt();
         if 1.0 > WIDEST_RANGE * deviation {
-            let allowed = "must be at most 1e4: leave heights out that nearly no summit has";
+            let allowed = "must be at most 1e4: leave heights out that nearly no asperity has";
             return Err(Error::out_of_range("table_height range over standard deviation", 1.0 / deviation, allowed));
         }
         let highest = (1.0 - mean) / deviation;

@@ -43,7 +43,7 @@ impl Weibull {
         let (smallest, largest) = SHAPE_RANGE;
         if shape < smallest || shape > largest {
             let allowed = if shape < smallest {
-                "must be at least 1: below, the density is infinite at the lowest summit; take a table of heights"
+                "must be at least 1: below, the density is infinite at the lowest asperity; take a table of heights"
             } else {
                 "must be at most 200, where the skew is within 0.03 of its limit; take 200"
             };

@@ -107,7 +107,7 @@ impl End {
         }
         let is_number = sums.load() != 0.0 && log(sums.load().abs()) >= LOG_LIGHTEST_PULL_OFF;
         if is_number && sums.load() > 0.0 {
-            let allowed = "(in composite_modulus burgers_vector^2 per summit) must be below 0: here most summits part while \
+            let allowed = "(in composite_modulus burgers_vector^2 per asperity) must be below 0: here most asperities part while \
                           a few tall ones still carry the load, and the surfaces would part in steps; use heights without \
                           a second maximum, or work_of_adhesion = 0";
             return Err(Error::out_of_range("pull-off load", sums.load(), allowed));

@@ -295,7 +295,7 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         // Without an area loads are pressures; a number of summits is an area too.
         ("measured = [1e7, 0.16]\n", steel, ROUGH, &[1e5, 0.0, -1.0], &["mu(100000 Pa) = 0.173", "no  N", "loads are nominal pressures in Pa", "0.16 at 1e7 Pa"]),
         ("measured = [1, 0.16]\n", steel, ROUGH, &[10.0], &["is load in Pa? Give nominal_area"]),
-        ("", silicon, SMOOTH, &[0.0], &["mu(0 Pa) has no limit: the tallest summits adhere, how many depends"]),
+        ("", silicon, SMOOTH, &[0.0], &["mu(0 Pa) has no limit: the tallest asperities adhere, how many depends"]),
         ("asperity_count = 1e5\n", silicon, summits, &[1e-3], &["mu(0.001 N)", "no check"]),
         ("", rubber, "", &[0.0, -1.0], &["mu(0 N) has no limit: adhesion gives a friction force of", "mu(-1 N) = 0: the surfaces are apart"]),
         ("", STEEL, ROUGH, &[0.0], &["mu(0 N) has no limit: it grows as the load goes to 0"]),
@@ -329,7 +329,7 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("measured = [1e-6, 6]\n", SILICON, SMOOTH, &[1e-6], &["check: the measured friction coefficient is 6: is it in per cent (0.06)?", "no is it the load"]),
         ("measured = [0.1, 6]\n", SILICON, SMOOTH, &[1e-2], &["(0.06)? Or is it the load? A point is [load"]),
         ("measured = [1e-2, 0.4]\n", SILICON, SMOOTH, &[1e-2], &["no check"]),
-        ("measured = [3e-7, 0.4]\n", SILICON, SMOOTH, &[1e-2], &[" summits touch at the measured 3e-7 N: on how many specimens was it measured? Give specimens = 1"]),
+        ("measured = [3e-7, 0.4]\n", SILICON, SMOOTH, &[1e-2], &[" asperities touch at the measured 3e-7 N: on how many specimens was it measured? Give specimens = 1"]),
         ("measured = [0.3, 1e-3]\n", SILICON, SMOOTH, &[1e-2], &[is_load]),
         ("measured = [[0.3, 0.16], [0.3, 1e-3]]\n", SILICON, SMOOTH, &[1e-2], &[is_load]),
         ("measured = [[0.19, 0.1], [0.16, 1]]\n", SILICON, SMOOTH, &[1e-2], &["check: friction coefficients of 0.1 to 1 at 0.16 to 0.19 N: are the two swapped?"]),
@@ -572,7 +572,7 @@ fn answers_are_continuous_from_many_contacts_to_none() {
     // One law has many contacts where the other has few; surfaces that stick so that many summits hold them take no longer.
     let gold =
         "pair = \"Au/Au\"\nnominal_area = 5e-5\ncontact_law = \"maugis\"\n[roughness]\nSq = 2.4e-9\nSdq = 0.0093\n";
-    assert!(written(gold, &[0.0]).contains("the tallest summits adhere, how many"));
+    assert!(written(gold, &[0.0]).contains("the tallest asperities adhere, how many"));
     let weak = gold.replace("contact_law", "work_of_adhesion = 1e-4\ncontact_law").replace("5e-5", "7e-4");
     assert!(answer(&weak, -1e-9).force.high.is_finite());
     let two = "pair = \"Al/Al\"\nnominal_area = 3.5e-6\nmodel_error = 0\n[roughness]\nSq = 5.4e-9\nSdq = 0.0067\n";
@@ -672,7 +672,7 @@ fn what_cannot_be_read_is_refused_where_it_is() {
         assert!(found.contains(says), "{found}\nnot\n{says}");
     }
     let of_pressures = refused(&format!("specimens = 1\nmeasured = [1e7, 0.16]\npair = \"steel/steel\"\n{ROUGH}"));
-    assert!(of_pressures.contains("specimens: a specimen needs its number of summits, 1 or more"), "{of_pressures}");
+    assert!(of_pressures.contains("specimens: a specimen needs its number of asperities, 1 or more"), "{of_pressures}");
     let (found, _) = estimate(&format!("{STEEL}{ROUGH}"), &[1.0]);
     for load in [f64::NAN, f64::INFINITY, 1e300] {
         assert!(found.at_load(load).is_err(), "{load}");

@@ -127,7 +127,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Re
         write!(out, "mu({at} {unit}) has no limit: ")?;
         let adheres = estimate.curve.params.work_of_adhesion > 0.0;
         if force.value == 0.0 && adheres {
-            return writeln!(out, "the tallest summits adhere, how many depends on the nominal area");
+            return writeln!(out, "the tallest asperities adhere, how many depends on the nominal area");
         }
         if force.value == 0.0 {
             return writeln!(out, "it grows as the load goes to 0, where friction is 0");
@@ -195,7 +195,7 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
         (of(|shares| shares.measurement), "the errors of the measured points"),
         (of(|shares| shares.model - shares.shape), "how real interfaces leave the law between loads"),
         (of(|shares| shares.shape), "what is not told of the shape of the heights"),
-        (of(|shares| shares.specimen), "which summits a specimen happens to have"),
+        (of(|shares| shares.specimen), "which asperities a specimen happens to have"),
     ];
     let (load, unit) = (Figures(widest.load), estimate.unit());
     let order = ascending(&shares.map(|(share, _)| share));
@@ -267,10 +267,10 @@ fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) ->
         _ if load <= 0.0 || answer.friction.value == 0.0 => Ok(()),
         Whose::Measured => writeln!(
             out,
-            "few contacts: {contacts} summits touch at {at} {unit}: this is of the specimen that was measured; another one has {value}, {low} to {high}"
+            "few contacts: {contacts} asperities touch at {at} {unit}: this is of the specimen that was measured; another one has {value}, {low} to {high}"
         ),
         Whose::Any if is_few(answer) => {
-            writeln!(out, "few contacts: {contacts} summits touch at {at} {unit}: this is of one specimen, whichever it is")
+            writeln!(out, "few contacts: {contacts} asperities touch at {at} {unit}: this is of one specimen, whichever it is")
         }
         _ => Ok(()),
     }
@@ -355,7 +355,7 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write
         let taken = if estimate.described.is_of_law { "a model has" } else { "specimens have on the mean" };
         writeln!(
             out,
-            "check: {contacts} summits touch at the measured {load} N: on how many specimens was it measured? Give specimens = 1 if on one; it \
+            "check: {contacts} asperities touch at the measured {load} N: on how many specimens was it measured? Give specimens = 1 if on one; it \
              is taken for what {taken}"
         )?;
     }

@@ -353,7 +353,7 @@ mod tests {
             let reached = (lightest - pull_off) / nearest;
             assert!(reached <= 1.0 && reached > 0.7, "{reached}");
             let reached = heaviest / (HEAVIEST_OF_HALF * half);
-            assert!((1.0..1.7).contains(&reached), "{heaviest:e}, half the summits touch at {half:e}");
+            assert!((1.0..1.7).contains(&reached), "{heaviest:e}, half the asperities touch at {half:e}");
             for (load, answers) in [
                 (lightest, true),
                 (pull_off + (lightest - pull_off) * (1.0 - 1e-3), false),

@@ -22,7 +22,7 @@ const BORNE: f64 = 1e-9;
 const NO_ADHESION: &str = "without adhesion the surfaces part at zero load, at no finite separation; must be > 0";
 const PULL_OFF_UNDERFLOWS: &str =
     "the surfaces adhere, but the pull-off load of so rough ones is too small for a number and \
-    counts as 0; must be > 0, or ask for single specimens, which hang on their tallest summits";
+    counts as 0; must be > 0, or ask for single specimens, which hang on their tallest asperities";
 
 /// The exact state of the contact at a load or a gap.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -186,7 +186,7 @@ impl Model {
         let anchor = self.law.anchor(separation);
         let Some(population) = self.branch.population().unloaded_from(separation) else {
             return refused(
-                "must be lighter with this radius_amplitude: nearly all summits touch, and of those that have yielded taller ones would part \
+                "must be lighter with this radius_amplitude: nearly all asperities touch, and of those that have yielded taller ones would part \
                  before lower ones",
             );
         };

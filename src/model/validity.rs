@@ -228,15 +228,15 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
     (
         c"PLASTIC",
         WARNING_PLASTIC,
-        c"summits yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
+        c"asperities yield: the mean asperity pressure is above 0.4 of the hardness, or the plasticity index is above \
           1; use the elastic-plastic contact law (contact_law 1, by name elastic-plastic) with work_of_adhesion 0, \
           or lighter loads if only the pressure is too high",
     ),
     (
         c"CROWDED",
         WARNING_CROWDED,
-        c"summits do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
-          given, more than 10 % of the summits touch; areas are rough here, and stiffness no longer grows with neighbours from \
+        c"asperities do not act independently: the real area is more than 10 % of nominal_area, or, where no rms_slope is \
+          given, more than 10 % of the asperities touch; areas are rough here, and stiffness no longer grows with neighbours from \
           about half of nominal_area on; use lighter loads, or check height_std, asperity_count and nominal_area, which \
           are usually too small",
     ),
@@ -256,13 +256,13 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
     (
         c"FEW",
         WARNING_FEW,
-        c"fewer than 20 summits touch, so averages are not reliable: nominally equal specimens differ from each other and \
+        c"fewer than 20 asperities touch, so averages are not reliable: nominally equal specimens differ from each other and \
           from the model (specimens_at_loads has their mean and scatter); use heavier loads or a larger area (asperity_count)",
     ),
     (
         c"ADHESIVE",
         WARNING_ADHESIVE,
-        c"adhesion presses the surfaces together with more than the load, where models of independent summits are \
+        c"adhesion presses the surfaces together with more than the load, where models of independent asperities are \
           quantitatively wrong; use heavier loads, or check work_of_adhesion, height_std and summit_radius: input \
           that is too smooth or too clean is the usual cause",
     ),
@@ -276,17 +276,16 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
     (
         c"BROAD",
         WARNING_BROAD,
-        c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on \
-          summits: at a bandwidth of 27 they give 7 to 24 % less friction and 30 to 43 % less real area than boundary \
-          elements; give the mean squares of height and slope instead (m0 and m2, or Sq and Sdq), or calibrate at the \
-          load of use",
+        c"the surface is rough on many scales, with a bandwidth above 6, so that summits that were counted stand on summits: at a \
+          bandwidth of 27 they give 7 to 24 % less friction and 30 to 43 % less real area than boundary elements; give the mean \
+          squares of height and slope instead (m0 and m2, or Sq and Sdq), or measure friction at the load of use",
     ),
     (
         c"STRONG",
         WARNING_STRONG,
-        c"the slip stress at the mean contact radius exceeds the shear strength of the softer body, hardness/(3 \
-          sqrt 3): that body shears before the interface slips, or it is harder than was given, or more of it \
-          touches than the model says; give the hardness of the softer body, or lower slip stresses",
+        c"the interface is stronger than the softer body: the slip stress at the mean contact radius exceeds hardness/(3 sqrt 3), so \
+          that the body shears before the interface slips; give the hardness of the softer body as it is where they touch, or check the \
+          load and the area of the measured friction, or take an interface that slips more easily",
     ),
     (
         c"FEW_WAVES",

@@ -143,7 +143,8 @@ impl Params {
             return Err(Error::invalid("hardness", self.hardness, allowed));
         }
         if yields && self.work_of_adhesion != 0.0 {
-            let allowed = "must be 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): adhesion of summits \
+            let allowed =
+                "must be 0 where contact_law is ASPERITY_CONTACT_ELASTIC_PLASTIC (1): adhesion of asperities \
                            that yield is not modelled; set it to 0, or contact_law to ASPERITY_CONTACT_MAUGIS (0)";
             return Err(Error::invalid("work_of_adhesion", self.work_of_adhesion, allowed));
         }
@@ -195,7 +196,7 @@ impl Params {
         }
         if stress_2 * radius_2 * radius_2 < stress_1 * radius_1 * radius_1 * (1.0 - 1e-12) {
             let allowed = "must be at least slip_stress_1 (slip_radius_1/slip_radius_2)^2, so that the friction force \
-                           of a summit does not fall as its contact grows";
+                           of an asperity does not fall as its contact grows";
             return Err(Error::invalid("slip_stress_2", stress_2, allowed));
         }
         Ok(())

@@ -23,12 +23,12 @@ const HARDEST: (f64, &str) = (
 pub(super) const BROADEST: (f64, &str) = (
     1e6,
     "must be at most 1e6: is m0 the square of Rq, is asperity_count a number \
-     of summits and not a density, and are all lengths in one unit?",
+     of asperities and not a density, and are all lengths in one unit?",
 );
 /// Summits per area times their height deviation and radius: of Gaussian surfaces 0.016 and more, of a few dimples on a plate 1e-6.
 const SPARSEST: (f64, &str) = (
     1e-7,
-    "must be at least 1e-7, since no surface has so few summits on its area; is nominal_area in mm^2 or um^2 beside lengths in m, \
+    "must be at least 1e-7, since no surface has so few asperities on its area; is nominal_area in mm^2 or um^2 beside lengths in m, \
      or asperity_count a density per mm^2 or um^2?",
 );
 /// Where lengths are in m or mm there is less: in GPa beside moduli in MPa all hardnesses are below.
@@ -64,8 +64,8 @@ const UNITS: [UnitSystem; 2] = [
         widest_summit: (0.1, "must be at most 0.1 m where burgers_vector is in m; is it in mm, um or nm?"),
         fewest_summits: (
             0.5,
-            "fewer than one summit; is nominal_area smaller than a wave of the roughness, or the summit density per um^2 or mm^2 \
-             and the area in m^2? To model a part of a summit, ask a model of the whole summit for load/part, and take that part of the force",
+            "less than one asperity; is nominal_area smaller than a wave of the roughness, or the summit density per um^2 or mm^2 \
+             and the area in m^2? To model a part of an asperity, ask a model of the whole asperity for load/part, and take that part of the force",
         ),
         most_summits: (
             3e16,
@@ -81,8 +81,8 @@ const UNITS: [UnitSystem; 2] = [
         widest_summit: (100.0, "must be at most 100 mm where burgers_vector is in mm; is it in um?"),
         fewest_summits: (
             0.5,
-            "fewer than one summit; is nominal_area smaller than a wave of the roughness, or the summit density per um^2 and the \
-             area in mm^2? To model a part of a summit, ask a model of the whole summit for load/part, and take that part of the force",
+            "less than one asperity; is nominal_area smaller than a wave of the roughness, or the summit density per um^2 and the \
+             area in mm^2? To model a part of an asperity, ask a model of the whole asperity for load/part, and take that part of the force",
         ),
         most_summits: (
             3e16,

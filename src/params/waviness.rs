@@ -78,7 +78,7 @@ impl Waviness {
         refuse(self.height > STEEPEST * self.width, "waviness_width", self.width, steep)?;
         let unknown = "must be known where waviness_height is > 0";
         refuse(params.nominal_area == 0.0, "nominal_area", params.nominal_area, unknown)?;
-        let short = "must be at least 4 times the distance of summits, and the mean wave of the roughness, 2 pi height_std/rms_slope: shorter \
+        let short = "must be at least 4 times the distance of asperities, and the mean wave of the roughness, 2 pi height_std/rms_slope: shorter \
                      waves are roughness; is it in the unit of height_std?";
         let roughness = 2.0 * PI * params.height_std / params.rms_slope.max(f64::MIN_POSITIVE);
         let roughness = if params.rms_slope > 0.0 { roughness } else { 0.0 };

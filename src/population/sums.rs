@@ -149,7 +149,7 @@ impl Sums {
 
 /// Why there are no sums at a separation.
 pub(super) fn out_of_panels(separation: f64) -> Error {
-    Error::NotConverged { what: "sums over the summits at separation / height_std", value: separation }
+    Error::NotConverged { what: "sums over the asperities at separation / height_std", value: separation }
 }
 
 /// What one contact contributes.

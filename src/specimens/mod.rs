@@ -113,7 +113,7 @@ impl Surfaces {
         }
         let count = self.units().count;
         if count < 1.0 {
-            let allowed = "a specimen needs its number of summits, 1 or more: give its nominal_area";
+            let allowed = "a specimen needs its number of asperities, 1 or more: give its nominal_area";
             return Err(Error::out_of_range("asperity_count", count, allowed));
         }
         let of_one = self.units().load / count;
@@ -182,13 +182,13 @@ impl Surfaces {
         if nominal_area == 0.0 {
             return Err(Error::Missing {
                 name: "nominal_area",
-                says: "must be set, since a sphere needs the summits per area",
+                says: "must be set, since a sphere needs the asperities per area",
             });
         }
         let number = 2.0 * PI * radius * height_std * asperity_count / nominal_area;
         if number < FEWEST_ON_SPHERE {
-            return refused(radius, "fewer than 3 summits stand within height_std of the lowest point: take one smooth hill, a specimen of one \
-                                    summit of this radius");
+            return refused(radius, "fewer than 3 asperities stand within height_std of the lowest point: take one smooth hill, a specimen of one \
+                                    asperity of this radius");
         }
         let touched = pow(0.75 * load * radius / composite_modulus, 2.0 / 3.0);
         if touched > radius * height_std {

@@ -318,7 +318,7 @@ impl<'a> Specimen<'a> {
 
 /// Why specimens of so many summits are refused.
 pub fn too_many(drawn: f64) -> Error {
-    let allowed = "so many summits of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens, for lighter or fewer loads, \
+    let allowed = "so many asperities of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens, for lighter or fewer loads, \
                    or for a smaller nominal_area; specimens of more than 50 contacts hardly differ from the model";
     Error::out_of_range("specimens", drawn, allowed)
 }

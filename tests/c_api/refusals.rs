@@ -61,7 +61,7 @@ fn a_summit_density_that_no_surface_has_is_refused() {
     refused(&asperity_params { nominal_area: 100.0, ..steel() }, "is nominal_area in mm^2");
     refused(
         &asperity_params { asperity_count: 1.7e10, ..steel() },
-        "is asperity_count a number of summits and not a density",
+        "is asperity_count a number of asperities and not a density",
     );
     refused(&asperity_params { asperity_count: 1.7e10, bandwidth: 5.0, ..steel() }, "not a density");
 }

@@ -125,9 +125,9 @@ fn its_command_line_is_refused_with_a_reason() {
         (2, "LOADS = 1: must be a whole number", &["--table", "-", "1"]),
         (1, "load = 1e200", &["-", "2", "1", "1e200"]),
         (1, &cannot_write, &[nowhere]),
-        (0, "warning: fewer than 20 summits touch", &["-", "5", "1e-6", "1e-2"]),
-        (0, "warning: summits do not act independently", &["-", "5", "1e-3", "100"]),
-        (0, "warning: summits yield", &["--table", "-", "5", "1e-3", "100"]),
+        (0, "warning: fewer than 20 asperities touch", &["-", "5", "1e-6", "1e-2"]),
+        (0, "warning: asperities do not act independently", &["-", "5", "1e-3", "100"]),
+        (0, "warning: asperities yield", &["--table", "-", "5", "1e-3", "100"]),
     ];
     for program in example() {
         for (status, reason, arguments) in refusals {

@@ -243,8 +243,6 @@ fn examples_of_the_header_run() {
         let printed = compiler.program(&first, Linking::Shared).succeeds(&[]);
         assert!(printed.starts_with("mu = 0.") && printed.ends_with(" at 1 mN\n"), "{printed}");
         let printed = compiler.program(&all, Linking::Shared).succeeds(&[]);
-        for said in ["contacts, real area", "summit_radius = -1: must be finite and > 0"] {
-            assert!(printed.contains(said), "{said}: {printed}");
-        }
+        assert!(printed.contains(" N, of 95 % of the specimens "), "{printed}");
     }
 }

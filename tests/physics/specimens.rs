@@ -189,11 +189,11 @@ fn specimens_that_cannot_be_are_refused_with_what_to_do() {
     for (count, load, message) in [
         (1e6, f64::NAN, "load = NaN: must be finite"),
         (1e6, 1e300, "load = 1e300: must be below 1e80"),
-        (0.5, 1.0, "asperity_count = 0.5: a specimen needs its number of summits, 1 or more: give its nominal_area"),
+        (0.5, 1.0, "asperity_count = 0.5: a specimen needs its number of asperities, 1 or more: give its nominal_area"),
         (
             1e6,
             load,
-            ": so many summits of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens",
+            ": so many asperities of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens",
         ),
     ] {
         let model = model(&Params { asperity_count: count, ..params.clone() });

@@ -77,7 +77,7 @@ def _loads(parser: argparse.ArgumentParser, options: argparse.Namespace, params:
 def _print_table(model: Model, loads: list[float]) -> list[float]:
     """Prints friction by the compiled law, area and contacts by the exact one; returns the friction coefficients."""
     coefficients = [model.friction_at_load(load) for load in loads]
-    print("# load, friction coefficient, friction force, real area, contacting summits")
+    print("# load, friction coefficient, friction force, real area, contacts")
     for load, mu in zip(loads, coefficients):
         state = model.state_at_load(load)
         force = model.friction_force_at_load(load)

@@ -37,7 +37,7 @@ _HELP = {
     "size_effect": "0 of a film to 1 of clean crystals, where it is known",
     "model_error": "how far real interfaces leave the law, over what is usual",
     "measured": "load, friction coefficient and, if known, its relative error; may be given several times",
-    "specimens": "on how many it was measured: give it where fewer than 20 summits touch",
+    "specimens": "on how many it was measured: give it where fewer than 20 asperities touch",
     "coverage": "probability of the band (0.95)",
     "Ra": "mean deviation of the profile; here and below two numbers if both surfaces are rough",
     "Rq": "standard deviation of the profile",

@@ -135,19 +135,20 @@ class Params:
     copy. `Model` checks the numbers.
 
     Attributes:
-        composite_modulus: E* [stress], > 0: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set it.
+        composite_modulus: E* [stress], > 0: reduced modulus, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No default: set
+            it.
         effective_shear_modulus: G* [stress], > 0: 2 G1 G2/(G1 + G2). No default: set it.
         work_of_adhesion: w [force/length], >= 0: work of adhesion; 0 is Hertzian contact. No default.
         adhesion_range: h [length], > 0: range of adhesion, within which surfaces attract with the stress w/h. No
             default; the paper takes b.
         burgers_vector: b [length], > 0: Burgers vector, the length in which the slip radii are given. No default.
-        height_std: sigma [length], > 0: standard deviation of the summit heights. No default.
-        summit_radius: R [length], > 0: mean radius of curvature of the summits. No default.
-        asperity_count: N [-], > 0: number of summits, i.e. summit density times nominal area; need not be an integer.
-            No default.
-        height_distribution: Family of the summit heights, one of "gaussian", "weibull", "johnson", "tabulated",
+        height_std: sigma [length], > 0: standard deviation of the asperity heights. No default.
+        summit_radius: R [length], > 0: mean radius of curvature of the asperities. No default.
+        asperity_count: N [-], > 0: number of asperities, i.e. their density times the nominal area; need not be an
+            integer. No default.
+        height_distribution: Family of the asperity heights, one of "gaussian", "weibull", "johnson", "tabulated",
             "at-scores"; Gaussian by default.
-        attraction: True: summits out of contact attract (the default, as in the paper); False: they do not.
+        attraction: True: asperities out of contact attract (the default, as in the paper); False: they do not.
         weibull_shape: omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for
             "weibull".
         radius_amplitude: epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho
@@ -162,47 +163,45 @@ class Params:
         slip_stress_2: tau_2/G* [-], > 0 and at most 1; 1/1290 by default. tau_2 a_2^2 must not be below tau_1 a_1^2.
         max_friction_coefficient: Upper bound of every friction coefficient returned [-], > 0; 1000 by default, infinity
             allowed. F/P grows without bound towards zero load.
-        skew: Skew of Johnson's summit heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any other
-            value; by its name it also chooses Weibull heights.
-        kurtosis: Kurtosis of Johnson's summit heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0
+        skew: Skew of Johnson's asperity heights [-], -3 to 3; 0 by default. Other `height_distribution`s refuse any
+            other value; by its name it also chooses Weibull heights.
+        kurtosis: Kurtosis of Johnson's asperity heights [-], 1.87 + 1.25 skew^2 to 100; 3 by default, which with skew 0
             is Gaussian. Other `height_distribution`s refuse any other value.
         hardness: H [stress], 1e-5 E* to 100 E*: indentation hardness of the softer body; 0, the default, means not
-            known. Warnings compare pressures with it; the friction of elastic summits does not depend on it, that of
+            known. Warnings compare pressures with it; the friction of elastic asperities does not depend on it, that of
             "elastic-plastic" does.
-        table_height: `table_length` summit heights in ascending order, in any unit and from any origin: the library
+        table_height: `table_length` asperity heights in ascending order, in any unit and from any origin: the library
             standardises them. Each exceeds the one before by at least 1e-12 of their range. Read only for "tabulated",
             and copied when a model is made. Empty by default.
         table_density: The density at each of these heights, >= 0; it need not be normalised. Empty by default.
         tangential_modulus: G^ [stress], >= 0: 1/G^ = (2 - nu1)/G1 + (2 - nu2)/G2, for the stiffness of contacts that
-            stick; 0, the default, means E* G* / (2 (E* + G*)). That is exact for two bodies of one material and for one
-            rigid body.
+            stick; 0, the default, means E* G* / (2 (E* + G*)).
         nominal_area: Nominal area A_0 of contact [length^2], >= 0; 0, the default, means not known. Warnings compare
-            the real area A with it. Where it is known, neighbours share the elastic compliance: tangential stiffness
-            and the sum of contact radii are those of lone contacts over psi = (1 - (A/A_0)^(1/2))^1.8, and the gap
-            changes by 1 - (1 - psi) K/(2 E* sum a) times what the summits approach by, with the normal stiffness K and
-            the radii of lone contacts: by psi if none yields. A/A_0 counts as 0.5 at most.
-        contact_law: Law of one summit in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
+            the real area A with it. Where it is known, neighbours share the elastic compliance: stiffness and the sum
+            of contact radii are those of lone contacts over chi = (1 - (A/A_0)^(1/2))^1.8, and the gap changes less
+            (docs/model.md). A/A_0 counts as 0.5 at most.
+        contact_law: Law of one asperity in contact, one of "maugis", "elastic-plastic"; Maugis' by default.
         slip_onset: How a contact begins to slip, one of "partial", "whole"; partial slip by default. Friction does not
             depend on it, the tangential force before gross slip does.
         pressure_coefficient: kappa [-], 0 to 1000: the pressure coefficient of the interface; 0, the default, is a
             strength that does not grow with pressure. The friction force of a contact is pi a^2 tau(a) + kappa P_H. P_H
-            is the load that Hertz' contact of the same radius carries: the load, and what adhesion adds to it. Boundary
-            films have 0.02 to 0.2. Where it is > 0, both slip stresses may be 0: Amontons' law.
+            is the load that Hertz' contact of the same radius carries. Boundary films have 0.02 to 0.2. Where it is >
+            0, both slip stresses may be 0: Amontons' law.
         bandwidth: Nayak's bandwidth m0 m4/m2^2 of a surface whose summits were counted [-], at least 1.5, with which
             warnings judge whether they act independently; 0, the default, means not known. The library then takes it
             from `nominal_area`, if that is known.
         calibration_load: Load of the measurement that set the strength of the interface [force]; 0 if there was none.
         calibration_friction_force: Friction force measured at that load [force], >= 0; 0, the default: not calibrated.
         calibration_error: Relative standard error of that measurement [-], > 0 and at most 1; 0.05 by default.
-        summit_mean_height: Height of the mean of the summits above the mean plane of the surface [length], >= 0; 0, the
-            default, means not known.
+        summit_mean_height: Height of the mean of the asperities above the mean plane of the surface [length], >= 0; 0,
+            the default, means not known.
         rms_slope: Root mean square slope of the surface [-], Sdq, 0 to 5, with which warnings judge; 0, the default,
             means not known.
         waviness_height: Wq [length], >= 0: root mean square height of the waves on which the roughness stands, of both
             surfaces together; 0, the default, means none. A solver whose mesh carries the waves leaves it 0. From 0.01
             to 30 `height_std`, with `waviness_width`, `waviness_shape` and `nominal_area`, and without adhesion.
         waviness_width: WSm [length], the width of a wave, with which the bodies give way; 0 by default. At least 10 Wq,
-            4 times the distance of summits, and the mean wave of the roughness; at most the root of `nominal_area`.
+            4 times the distance of asperities, and the mean wave of the roughness; at most the root of `nominal_area`.
         waviness_shape: What the waves are like, one of "unknown", "ridges", "hills"; unknown by default, and then the
             height must be 0.
         taken_as_gaussian: True: Gaussian heights stand for those of a surface that is known not to have them, as where
@@ -343,7 +342,7 @@ class Params:
         """Parameters from numbers of the summits, in SI units.
 
         Stiffness is either `composite_modulus` and `effective_shear_modulus`, or the two bodies `E1`, `nu1`, `E2`,
-        `nu2`. The number of summits is either `asperity_count`, with `nominal_area` if that is known, or
+        `nu2`. The number of asperities is either `asperity_count`, with `nominal_area` if that is known, or
         `summit_density` and `nominal_area`.
 
         Args:
@@ -728,7 +727,7 @@ class Params:
         return self._of_struct(struct, self.in_si)
 
     def elastic_plastic(self, hardness: float) -> Params:
-        """A copy whose summits yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
+        """A copy whose asperities yield: contact law "elastic-plastic", with this hardness of the softer body [stress], no adhesion.
 
         Raises:
             Error: a hardness that is not finite and > 0.

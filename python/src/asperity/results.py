@@ -21,18 +21,18 @@ class Warnings(IntFlag):
     nothing is known to fail. `str` says what fails and what to do about it, one line each.
 
     Attributes:
-        PLASTIC: summits yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
+        PLASTIC: asperities yield, but the contact law is elastic. Set if the mean asperity pressure is above 0.4 of the
             hardness (yield begins below the surface) or the plasticity index above 1 (contacts flow at any load). Never
             set without a hardness, nor for "elastic-plastic", which models yielding.
-        CROWDED: summits do not act independently. Set if the real area is more than 10 % of a known `nominal_area`, or,
-            without `rms_slope`, more than 10 % of the summits touch. Never set if `asperity_count` is 1.
-        STEEP: contacts are not small compared with their summits. Set if `rms_slope` is above 0.3, or, if it is not
-            given, contact radii are more than a tenth of the summit radii, on average.
+        CROWDED: asperities do not act independently. Set if the real area is more than 10 % of a known `nominal_area`,
+            or, without `rms_slope`, more than 10 % of the asperities touch. Never set if `asperity_count` is 1.
+        STEEP: contacts are not small compared with their asperities. Set if `rms_slope` is above 0.3, or, if it is not
+            given, contact radii are more than a tenth of the asperity radii, on average.
         ATOMIC: contacts have few atoms. Set if their mean radius is below `burgers_vector`.
-        FEW: averages are not reliable at this load. Set if fewer than 20 summits touch. Never set if `asperity_count`
-            is 1, where loads are those of a mean summit.
+        FEW: averages are not reliable at this load. Set if fewer than 20 asperities touch. Never set if
+            `asperity_count` is 1, where loads are those of a mean asperity.
         ADHESIVE: adhesion presses the surfaces together with more than the load. Set if `hertz_load` is more than twice
-            the load. Never set if `asperity_count` is 1, as for single summits.
+            the load. Never set if `asperity_count` is 1, as for single asperities.
         UNCALIBRATED: the strength of the interface is the default, which was not measured on these surfaces. Set while
             both slip stresses are the defaults, `pressure_coefficient` is 0 and nothing was calibrated. With the
             default the model predicts up to 14 times too little or 26 times too much friction.
@@ -110,21 +110,20 @@ class State(_WithUnits):
         dmu_dload: d(F/P)/dP [1/force]; 0 where the coefficient is capped.
         dload_dgap: d(load)/d(gap) [force/length]: minus the normal contact stiffness.
         real_area: Real area of contact [length^2].
-        contacting: Number of summits in contact [-]; need not be an integer.
-        attracted: Number of summits that attract without contact [-].
-        attraction_load: Load of the summits that attract without contact [force], <= 0.
+        contacting: Number of asperities in contact [-]; need not be an integer.
+        attracted: Number of asperities that attract without contact [-].
+        attraction_load: Load of the asperities that attract without contact [force], <= 0.
         mean_contact_radius: Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields
             below, except `plasticity_index`.
         max_contact_radius: Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up
-            to the height that 1/(n + 1) of the contacts exceed. It is at least the mean radius, and equal to it for n
-            <= 1, hence always if `asperity_count` is 1: give the true number of summits.
+            to the height that 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1.
         fraction_below_slip_radius_1: Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a
             whole.
         fraction_between_slip_radii: Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`
             [-].
         fraction_above_slip_radius_2: Fraction of the contacts with radii of at least `slip_radius_2` [-].
-        fraction_in_contact: Fraction of all summits that are in contact [-].
-        mean_asperity_pressure: Load of the summits in contact over their real area [stress]; negative where adhesion
+        fraction_in_contact: Fraction of all asperities that are in contact [-].
+        mean_asperity_pressure: Load of the asperities in contact over their real area [stress]; negative where adhesion
             pulls more than they push.
         plasticity_index: Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is
             not given.
@@ -132,12 +131,12 @@ class State(_WithUnits):
         tangential_stiffness: K_t [force/length]: tangential force by displacement while all contacts stick.
         fraction_elastic: Fraction of the contacts below first yield [-]; 1 for "maugis" without a hardness.
         fraction_flowing: Fraction of the contacts that are fully plastic [-].
-        contact_radius_sum: Sum of the radii of all contacts over psi (see `nominal_area`) [length]. The constriction
+        contact_radius_sum: Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction
             conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of
             both bodies.
         hertz_load: Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to
             it.
-        unloading_stiffness: -d(load)/d(gap) when the load begins to fall [force/length]. Summits that yielded spring
+        unloading_stiffness: -d(load)/d(gap) when the load begins to fall [force/length]. Asperities that yielded spring
             back elastically, so that it exceeds -`dload_dgap`; elastic contacts have one stiffness.
     """
 
@@ -250,21 +249,18 @@ class Summary(_WithUnits):
         beta: Friction regime parameter (R sigma)^(1/2)/b [-].
         gamma: Surface energy parameter w/(E* b) [-].
         lambda_: Maugis' adhesion parameter [-]: small values are the DMT limit, large ones the JKR limit.
-        skew: Skew of the summit heights [-].
-        kurtosis: Kurtosis of the summit heights [-]; 3 for Gaussian.
+        skew: Skew of the asperity heights [-].
+        kurtosis: Kurtosis of the asperity heights [-]; 3 for Gaussian.
         pull_off_load: Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of
-            the mean over many summits, far below that of one rough specimen.
+            the mean over many asperities, far below that of one rough specimen.
         pull_off_friction_force: Friction force at the pull-off load [force].
         zero_load_friction_force: Friction force at zero load [force]. Of a surface that hardly adheres, where
             `min_table_load` is above zero, it is a continuation of the law.
-        stiffness_per_radius: 8 G^ [stress]: K_t over the sum of the contact radii over psi (see `nominal_area`). From
-            the sum follows the thermal or electrical contact conductance, 2 k K_t/stiffness_per_radius, with 1/k =
-            (1/k1 + 1/k2)/2 of the conductivities of both bodies.
-        min_table_load: Lightest load of the compiled table [force]. Below it the law continues with its slope, as a
-            power of the distance from the pull-off load.
-        max_table_load: Heaviest load of the compiled table [force]. Above it friction continues with its slope, as a
-            power of the load: up to 11 % below exact states at ten times the load, 53 % at a thousand times
-            (docs/c.md).
+        stiffness_per_radius: 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The
+            thermal or electrical conductance is 2 k K_t/stiffness_per_radius.
+        min_table_load: Lightest load of the compiled table [force]. Below it the law continues with its slope.
+        max_table_load: Heaviest load of the compiled table [force]. Above it friction continues with its slope: up to
+            11 % below exact states at ten times the load.
         table_error: Largest relative error of the compiled friction force [-] at the samples that were compared when
             the model was made, times what errors between samples are larger by.
         largest_load: Largest load that the surfaces have borne [force].

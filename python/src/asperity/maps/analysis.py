@@ -176,7 +176,7 @@ def analyse(
     In this order: form is removed (`detrend`), lines of the scan aligned, spikes replaced until there are none, missing points filled,
     steps of the heights looked for, waves longer than `longest` and shorter than the recommended cutoff filtered away, and friction
     computed from the heights and slopes at normal scores and the lay that are left, so that the surface need not be Gaussian. Where
-    summits yield, the contact law is elastic-plastic, as in `asperity.friction`. The band has the strength of the interface, what another
+    asperities yield, the contact law is elastic-plastic, as in `asperity.friction`. The band has the strength of the interface, what another
     map of the surface would give, and cutoffs from half to twice the one taken.
 
     Args:

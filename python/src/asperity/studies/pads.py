@@ -58,7 +58,7 @@ class Pads:
     """Specimens of one surface, under load control on the branch of unloading. Arrays have the shape (specimens, loads).
 
     Attributes:
-        params: the surface; `asperity_count` is the number of summits of each specimen.
+        params: the surface; `asperity_count` is the number of asperities of each specimen.
         load: the loads [force], as they were given; shape (loads,).
         friction_force: of each specimen at each load [force]; 0 where it is apart.
         tangential_stiffness: tangential force by displacement while all contacts stick [force/length]; 0 likewise.
@@ -134,7 +134,7 @@ class Pads:
     def _kind(self) -> str:
         if self.sphere_radius:
             return f"{self.count} spheres of radius {self.sphere_radius:g}"
-        return f"{self.count} specimens of {self.params.asperity_count:.6g} summits"
+        return f"{self.count} specimens of {self.params.asperity_count:.6g} asperities"
 
     def __str__(self) -> str:
         lines = [
