@@ -180,7 +180,7 @@ export class Chart {
     ctx.restore();
   }
 
-  /** The measured points, as diamonds in the colours of their curves. */
+  /** The measured points, as diamonds in the colours of their curves, each on the dashed line of a constant. */
   #measured(plot) {
     const { ctx } = plot;
     const { left, top, width, height } = plot.bbox;
@@ -193,6 +193,20 @@ export class Chart {
       const measured = measuredOf(surface);
       if (!measured) continue;
       const [x, y] = [plot.valToPos(measured.load, "x", true), plot.valToPos(measured.mu, "y", true)];
+      // What a constant would say.
+      ctx.beginPath();
+      ctx.setLineDash([3 * devicePixelRatio, 5 * devicePixelRatio]);
+      ctx.moveTo(left, y);
+      ctx.lineTo(left + width, y);
+      ctx.strokeStyle = style.color;
+      ctx.lineWidth = devicePixelRatio;
+      ctx.stroke();
+      ctx.setLineDash([]);
+      ctx.font = `${12 * devicePixelRatio}px ${FONT}`;
+      ctx.textAlign = "right";
+      ctx.textBaseline = "bottom";
+      ctx.fillStyle = style.color;
+      ctx.fillText(`constant ${measured.mu}`, left + width - 4 * devicePixelRatio, y - 2 * devicePixelRatio);
       ctx.beginPath();
       for (const [across, up] of [[0, 1], [1, 0], [0, -1], [-1, 0]]) ctx.lineTo(x + across * size, y + up * size);
       ctx.closePath();

@@ -6,7 +6,7 @@ import { active, page, readLoad } from "./state.js";
 /** Shows it. */
 export function code() {
   const computed = page.shown.some(({ letter }) => letter === page.active);
-  $("code").textContent = computed ? snippet($("language").value, active(), Number(readLoad().toPrecision(3))) : "";
+  $("code").textContent = computed ? snippet(page.library, $("language").value, active(), Number(readLoad().toPrecision(3))) : "";
 }
 
 /** Makes the choice of languages, and copies on request. */

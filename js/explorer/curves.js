@@ -9,17 +9,19 @@ export function loadsOf(lightest, heaviest) {
   return Float64Array.from({ length: POINTS }, (_, i) => (i === POINTS - 1 ? heaviest : lightest * Math.exp(i * step)));
 }
 
-/** A coefficient of the model, which the copied programs compute too, in the band that the library estimates of the file. */
-const banded = (model, { load, low, high }) => ({ mu: model.frictionAtLoad(load), low, high });
+/** A coefficient of the model, which the copied programs compute too, or of the specimen that was measured, in its band. */
+const banded = (model, { load, low, high, measured_specimens, friction_coefficient }) => ({
+  mu: measured_specimens ? friction_coefficient : model.frictionAtLoad(load), low, high,
+});
 
 /**
  * The curve of a surface.
- * @param {string} text the same surface as its file has it, which the band is of
+ * @param {string} text of its surface file
  * @returns {{ model, band, loads, mu, low, high, states, warnings }} `band` gives the coefficient with its band at any load;
  *   the warnings are those somewhere between the loads
  */
-export function curveOf(library, params, [lightest, heaviest], text) {
-  const model = new library.Model(params);
+export function curveOf(library, text, [lightest, heaviest]) {
+  const model = new library.Model(text);
   try {
     const band = (load) => banded(model, library.estimate(text, load));
     const loads = loadsOf(lightest, heaviest);

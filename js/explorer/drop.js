@@ -1,4 +1,4 @@
-// A height map as the roughness of the active surface: chosen as a file, or dropped.
+// A height map as the roughness of the active surface, or a surface file in its place: chosen, or dropped.
 import { momentsOfMap } from "../dist/instantiate.js";
 import { $ } from "./dom.js";
 import { FIELDS, parsed, shifted } from "./fields.js";
@@ -24,6 +24,7 @@ export function listenMaps() {
 
 async function useMap(file) {
   try {
+    if (/\.toml$/i.test(file.name)) return useFile(file.name, await file.text());
     const { heights, columns } = read(file.name, await file.arrayBuffer());
     const step = shifted(parsed($("map-step").value) ?? NaN, -9);
     const unit = Number($("map-unit").value);
@@ -37,6 +38,12 @@ async function useMap(file) {
   } catch (error) {
     $("map-result").textContent = `${error.message}`;
   }
+}
+
+function useFile(name, text) {
+  Object.assign(active(), { roughness: "file", file: text, file_name: name });
+  $("map-result").textContent = `${name}: all of this surface is from the file.`;
+  fill();
 }
 
 function described({ m0, m2, m4, isotropy }) {

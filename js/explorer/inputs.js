@@ -1,16 +1,17 @@
 // The fields of a surface: they show the active one, and write to it.
 import { $, element, labelled } from "./dom.js";
-import { FIELDS, ROUGHNESS, UNMEASURED, fieldsOfPair, parsed, shifted } from "./fields.js";
+import { FIELDS, ROUGHNESS, UNMEASURED, fieldsOfPair, parsed, rougher, shifted } from "./fields.js";
 import { sources } from "./sources.js";
 import { LETTERS, active, page } from "./state.js";
 import { tabs } from "./tabs.js";
 import { missing } from "./text.js";
 import { forget, schedule } from "./update.js";
 
-/** A number with its slider; both write to the active surface. */
+/** A number with its slider, or a choice; both write to the active surface. */
 function field(key) {
-  const { label, unit, slider } = FIELDS[key];
-  const input = element("input", { id: key, inputMode: "decimal" });
+  const { label, unit, slider, choices } = FIELDS[key];
+  const input = choices ? element("select", { id: key }, ...choices.map((one) => element("option", { value: one }, one)))
+    : element("input", { id: key, inputMode: "decimal" });
   input.setAttribute("aria-describedby", "error");
   input.addEventListener("input", () => set(key, input.value));
   const parts = labelled(key, label, unit, input);
@@ -54,7 +55,10 @@ export function fill() {
     moveSlider(key);
   }
   for (const key of ["first", "second", "contact_law", "roughness"]) $(key).value = surface[key];
-  $("work_of_adhesion").disabled = $("work_of_adhesion-slider").disabled = surface.contact_law !== "maugis";
+  $("work_of_adhesion").disabled = $("work_of_adhesion-slider").disabled = surface.contact_law === "elastic-plastic";
+  $("specimens").checked = surface.specimens !== "";
+  $("file-note").textContent = surface.roughness === "file" ? `All is from ${surface.file_name || "a file, which you drop below"}.` : "";
+  $("rougher").disabled = page.surfaces.size === LETTERS.length || surface.roughness === "file";
   notePair();
   tabs(choose);
   schedule();
@@ -96,10 +100,12 @@ export function buildInputs() {
     });
   $("fields-adhesion").append(field("work_of_adhesion"));
   $("fields-materials").append(...["E1", "nu1", "E2", "nu2", "hardness", "adhesion_range", "burgers_vector", "slip_stress_1"].map(field));
-  $("fields-strength").append(...["calibration_friction_coefficient", "calibration_load", "pressure_coefficient"].map(field));
-  $("fields-shape").append(...["skew", "kurtosis"].map(field));
+  $("fields-strength").append(...["calibration_friction_coefficient", "calibration_load"].map(field));
+  $("fields-pressure").append(field("pressure_coefficient"));
   $("fields-area").append(field("nominal_area"));
-  $("add").addEventListener("click", add);
+  $("add").addEventListener("click", () => add((surface) => surface));
+  $("rougher").addEventListener("click", () => add(rougher));
+  $("specimens").addEventListener("change", () => set("specimens", $("specimens").checked ? "1" : ""));
   $("remove").addEventListener("click", remove);
 }
 
@@ -110,13 +116,14 @@ function usePair(id) {
   // A pair without a work of adhesion keeps the one that is set.
   if (!told.work_of_adhesion) delete told.work_of_adhesion;
   // What was measured was another pair.
-  Object.assign(surface, told, UNMEASURED, { pressure_coefficient: "" });
+  Object.assign(surface, told, UNMEASURED, { pressure_coefficient: "", measured_on: "" });
   fill();
 }
 
-function add() {
+/** Adds a surface made from the active one. */
+function add(made) {
   const letter = LETTERS.find((one) => !page.surfaces.has(one));
-  page.surfaces = new Map([...page.surfaces, [letter, { ...active() }]].sort());
+  page.surfaces = new Map([...page.surfaces, [letter, made({ ...active() })]].sort());
   choose(letter);
 }
 

@@ -1,6 +1,5 @@
 // The page: its parts are made, and begin with the surface that the address keeps.
 import { instantiate } from "../dist/instantiate.js";
-import { decoded } from "./base85.js";
 import { COMMON, restore } from "./address.js";
 import { Chart } from "./chart.js";
 import { buildCode, code } from "./code.js";
@@ -8,15 +7,11 @@ import { $ } from "./dom.js";
 import { listenMaps } from "./drop.js";
 import { start } from "./fields.js";
 import { buildInputs, fill } from "./inputs.js";
+import { failed, unpacked } from "./packed.js";
 import { readValues } from "./readings.js";
 import { page } from "./state.js";
 import { listenTable } from "./table.js";
 import { schedule } from "./update.js";
-
-/** The library, which lies in the page as text. */
-async function unpacked() {
-  return new Response(new Blob([decoded($("library").textContent)]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-}
 
 /** Reads the values at another load: of the slider, or under the pointer. */
 function readAt(part) {
@@ -33,7 +28,7 @@ function pointed(load) {
 }
 
 async function begin() {
-  page.library = await instantiate(await unpacked());
+  page.library = await instantiate(await unpacked("library"));
   page.surfaces.set("A", start(page.library));
   page.chart = new Chart($("chart"), pointed);
   buildInputs();
@@ -49,7 +44,4 @@ async function begin() {
   fill();
 }
 
-begin().catch((error) => {
-  $("error").hidden = false;
-  $("error").textContent = `The page needs a browser of 2023 or later: ${error.message}`;
-});
+begin().catch(failed);

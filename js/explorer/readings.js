@@ -1,6 +1,5 @@
 // Values at the load that is read, what the model makes of a surface, and where it does not hold.
 import { $, element, head } from "./dom.js";
-import { FIELDS, parsed, shifted } from "./fields.js";
 import { page, readLoad } from "./state.js";
 import { bandOf, coefficient, count, percent, rests, short, spanText, strength, title, withUnit } from "./text.js";
 
@@ -39,10 +38,10 @@ function columnOf({ surface, curve: { model, band } }, load) {
     "Friction coefficient μ": coefficient(mu),
     Band: bandOf(surface, { low, high }),
     "Friction force": withUnit(exact.friction_force, "N"),
-    "Summits in contact": count(exact.contacting),
-    "Real area / nominal area": percent(exact.real_area / shifted(parsed(surface.nominal_area), FIELDS.nominal_area.power)),
+    "Asperities in contact": count(exact.contacting),
+    "Real area / nominal area": percent(exact.real_area / model.params.nominal_area),
     "Mean contact radius": withUnit(exact.mean_contact_radius, "m"),
-    "Mean pressure on summits": withUnit(exact.mean_asperity_pressure, "Pa"),
+    "Mean pressure on asperities": withUnit(exact.mean_asperity_pressure, "Pa"),
     "Stiffness before slip": withUnit(exact.tangential_stiffness, "N/m"),
     "Contacts mostly": regime(exact),
     "Strength of the interface": strength(surface),
@@ -69,7 +68,7 @@ export function derived() {
   const constants = found.curve.model.summary();
   const psi = found.curve.states[0].plasticity_index;
   $("derived").textContent =
-    `In the model: σ ${withUnit(params.height_std, "m")}, R ${withUnit(params.summit_radius, "m")}, ${count(params.asperity_count)} summits; ` +
+    `In the model: σ ${withUnit(params.height_std, "m")}, R ${withUnit(params.summit_radius, "m")}, ${count(params.asperity_count)} asperities; ` +
     `pull-off of the mean surface ${constants.pull_off_load < -1e-15 ? `at ${withUnit(constants.pull_off_load, "N")}` : "below 1 fN"}, Maugis' λ ${constants.lambda.toPrecision(3)}` +
     (psi ? `, plasticity index ${psi.toPrecision(3)}.` : ".");
 }

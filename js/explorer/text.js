@@ -34,7 +34,7 @@ export const percent = (part) => (part === 0 ? "0 %" : `${Number((100 * part).to
 export const SHORT = {
   FEW: "fewer than 20 contacts",
   CROWDED: "crowded",
-  PLASTIC: "summits yield",
+  PLASTIC: "asperities yield",
   STEEP: "steep",
   ATOMIC: "atomic",
   ADHESIVE: "held by adhesion",
@@ -49,7 +49,7 @@ export const SHORT = {
 export const short = ({ name }) => SHORT[name] ?? name.toLowerCase();
 
 /** The name of a surface, from its letter and its bodies. */
-export const title = (letter, surface) => `${letter} ${surface.first}/${surface.second}`;
+export const title = (letter, surface) => `${letter} ${surface.roughness === "file" ? surface.file_name : `${surface.first}/${surface.second}`}`;
 
 /** Where the strength of the interface is from. */
 export function strength(surface) {

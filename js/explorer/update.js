@@ -4,9 +4,8 @@ import { description } from "./chart.js";
 import { code } from "./code.js";
 import { curveOf, findSpans } from "./curves.js";
 import { $ } from "./dom.js";
-import { fieldOf, paramsOf, parsed } from "./fields.js";
+import { fieldOf, parsed, textOf } from "./fields.js";
 import { bandNote, derived, readValues, warnings } from "./readings.js";
-import { snippet } from "./snippets.js";
 import { active, page, styleOf } from "./state.js";
 import { table } from "./table.js";
 import { summary } from "./text.js";
@@ -74,7 +73,7 @@ function compute(loads) {
     try {
       page.shown.push({ letter, surface, style: styleOf(letter), curve: curve(letter, surface, loads) });
     } catch (error) {
-      errors.push({ letter, message: error.message });
+      errors.push({ letter, message: error.message.replace(/^line \d+: /, "") });
     }
   }
   return errors;
@@ -96,7 +95,7 @@ function curve(letter, surface, loads) {
   const old = computed.get(letter);
   if (old?.from === from) return old.curve;
   forget(letter);
-  const found = curveOf(page.library, paramsOf(surface), loads, snippet("TOML", surface));
+  const found = curveOf(page.library, textOf(page.library, surface), loads);
   computed.set(letter, { from, curve: found });
   return found;
 }

@@ -8,9 +8,9 @@ import { test } from "node:test";
 import { gunzipSync } from "node:zlib";
 import * as asperity from "asperity";
 import { CONSTANTS } from "../dist/header.js";
-import { decoded, encoded } from "../explorer/base85.js";
+import { decoded, encoded } from "../explorer/seven_bits.js";
 import { curveOf, findSpans, isPartial } from "../explorer/curves.js";
-import { fieldOf, fieldsOfPair, measuredOf, paramsOf, shifted, start, uncalibrated } from "../explorer/fields.js";
+import { UNMEASURED, fieldOf, fieldsOfPair, measuredOf, rougher, shifted, start, textOf, uncalibrated } from "../explorer/fields.js";
 import { read } from "../explorer/maps.js";
 import { LANGUAGES, snippet } from "../explorer/snippets.js";
 import { interfacesFor, measuredText, partsOf } from "../explorer/sources.js";
@@ -18,7 +18,7 @@ import { bandOf, decade, missing, rests, SHORT, spanText, strength, unmeasured, 
 import { LINK, root, scratch } from "./paths.mjs";
 import { expected, npy, roughMap, run } from "./python.mjs";
 
-const { Model, calibrate, contact, momentsOfAreal, momentsOfMap } = asperity;
+const { Model, contact, momentsOfAreal, momentsOfMap } = asperity;
 const near = (found, wanted, tolerance, what) => assert.ok(Math.abs(found / wanted - 1) < tolerance, `${what}: ${found}, not ${wanted}`);
 
 const [ROWS, COLUMNS] = [60, 80];
@@ -99,11 +99,15 @@ test("files that are none are refused with the place", () => {
   refused("a.npy", npy(new Float64Array(8), [1, 4], { descr: "<c16" }), /type 'c16' are not read/);
 });
 
+const of = (first, second, given) => ({ ...start(asperity), first, second, ...fieldsOfPair(asperity, first, second), ...UNMEASURED, nominal_area: "0.01", ...given });
+const SILICON = of("Si", "Si", { roughness: "areal", contact_law: "maugis", Sq: "5", Sdq: "0.08" });
 const SURFACES = {
-  areal: { ...start(asperity), skew: "-0.2", kurtosis: "3.2" },
-  moments: { ...start(asperity), first: "mica", second: "Au", ...fieldsOfPair(asperity, "mica", "Au"), roughness: "moments" },
-  summits: { ...start(asperity), first: "steel", second: "steel", ...fieldsOfPair(asperity, "steel", "steel"), roughness: "summits",
-    contact_law: "elastic-plastic" },
+  "README's": start(asperity),
+  rougher: rougher(start(asperity)),
+  areal: { ...SILICON, Ssk: "-0.2", Sku: "3.2", hardness: "11" },
+  moments: of("mica", "Au", { roughness: "moments", m0: "25", m2: "0.0032", E2: "77" }),
+  summits: of("steel", "steel", { roughness: "summits", contact_law: "elastic-plastic", height_std: "5", summit_radius: "1", summit_density: "10" }),
+  file: { ...start(asperity), roughness: "file", file: 'pair = "Si/Si"\nnominal_area = 1e-8\nmeasured = [1e-3, 0.3]\n[roughness]\nSq = 5e-9\nSdq = 0.08\n' },
 };
 
 /** Builds and runs a program, and gives what it prints. */
@@ -122,43 +126,40 @@ const INCLUDE = ["-I", resolve(root, "include")];
 let fortranModule = false;
 
 const MEASURED = { ...SURFACES.areal, calibration_friction_coefficient: "0.18", calibration_load: "0.002", pressure_coefficient: "0.03" };
+const model = (surface) => new Model(textOf(asperity, surface));
 
 for (const [name, surface] of Object.entries({ ...SURFACES, calibrated: MEASURED })) {
   test(`copied programs compute what the page shows: ${name}`, () => {
     const load = 0.00217;
-    const wanted = new Model(paramsOf(surface)).frictionAtLoad(load);
+    const wanted = model(surface).frictionAtLoad(load);
     const folder = resolve(scratch, name);
     mkdirSync(folder, { recursive: true });
     for (const [language, { file }] of Object.entries(LANGUAGES)) {
       const path = resolve(folder, file);
-      writeFileSync(path, snippet(language, surface, load));
-      let printed, expected = wanted;
-      if (language === "TOML") {
-        // A file has the strength that its estimate takes: the page draws that as the band, not as the line.
-        const text = readFileSync(path, "utf8");
-        printed = new Model(asperity.readText(text)).frictionAtLoad(load);
-        expected = asperity.estimate(text, load).curve_coefficient;
-      }
+      writeFileSync(path, snippet(asperity, language, surface, load));
+      let printed;
+      if (language === "surface.toml") printed = new Model(asperity.readText(readFileSync(path, "utf8"))).frictionAtLoad(load);
       else if (language === "Python") printed = run([path]);
       else {
         const program = resolve(folder, language.replace("++", "pp"));
         RUN[language](path, program);
         printed = execFileSync(program, { encoding: "utf8" });
       }
-      near(Number(printed), expected, language === "TOML" ? 1e-6 : 1e-9, language);
+      near(Number(printed), wanted, language === "surface.toml" ? 1e-6 : 1e-9, language);
     }
   });
 }
 
-test("copied programs of a calibrated surface name the measured point", () => {
-  near(new Model(paramsOf(MEASURED)).frictionAtLoad(0.002), 0.18, 1e-6, "the page");
-  assert.match(snippet("Python", MEASURED, 0.03), /^    pressure_coefficient=0\.03,$[^]*^params = params\.calibrated\(load=0\.002, friction_coefficient=0\.18\)/m);
-  assert.doesNotMatch(snippet("Python", MEASURED, 0.03), /calibration_/);
-  assert.match(snippet("TOML", MEASURED, 0.03), /^calibration_load = 0\.002\ncalibration_friction_coefficient = 0\.18$/m);
+test("the text of a surface names what the table has, and gives what is changed", () => {
+  near(model(MEASURED).frictionAtLoad(0.002), 0.18, 1e-6, "the page");
+  assert.match(textOf(asperity, MEASURED), /^pair = "Si\/Si"\n[^]*^hardness = 1\.1e10$[^]*^measured = \[0\.002, 0\.18\]$/m);
+  assert.equal(textOf(asperity, start(asperity)), 'pair = "steel/steel"\nnominal_area = 1e-4\nmeasured = [1000.0, 0.16]\n\n[roughness]\nprocess = "ground"\nRa = 8e-7\n');
+  assert.match(textOf(asperity, SURFACES.moments), /^# mica on Au$[^]*^\[materials\]\nE1 = 5\.4e10\nnu1 = 0\.1\nE2 = 7\.7e10$/m);
+  assert.match(textOf(asperity, rougher(start(asperity))), /^Ra = 0\.0*16|^Ra = 1\.6e-6\n\n\[measured_on\]\nprocess = "ground"\nRa = 8e-7$/m);
 });
 
 test("a surface says whether its strength was measured", () => {
-  const silicon = start(asperity);
+  const silicon = SILICON;
   assert.ok(uncalibrated(silicon));
   assert.equal(strength(silicon), "not measured");
   assert.match(unmeasured(silicon), /^ Not calibrated: the strength of this interface is a default, .* Enter one measured friction coefficient and its load\.$/);
@@ -172,15 +173,15 @@ test("a surface says whether its strength was measured", () => {
 });
 
 /** The curve of a surface of the page. */
-const shown = (surface, loads = [1e-5, 0.1]) => curveOf(asperity, paramsOf(surface), loads, snippet("TOML", surface));
+const shown = (surface, loads = [1e-5, 0.1]) => curveOf(asperity, textOf(asperity, surface), loads);
 
 test("the band is the library's estimate of the surface file, and its middle the curve of the model", () => {
-  const silicon = start(asperity);
+  const silicon = SILICON;
   const measured = { ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3", pressure_coefficient: "0.02" };
   for (const surface of [silicon, measured, { ...silicon, contact_law: "elastic-plastic" }, { ...silicon, slip_stress_1: "0.02" }]) {
     const { model, band, loads, mu, low, high } = shown(surface);
     loads.forEach((load, i) => near(mu[i], model.frictionAtLoad(load), 1e-6, `mu at ${load} N`));
-    const [one] = asperity.estimate(snippet("TOML", surface), [loads[60]]);
+    const [one] = asperity.estimate(textOf(asperity, surface), [loads[60]]);
     near(low[60], one.low, 1e-6, "the lower end");
     near(high[60], one.high, 1e-6, "the upper end");
     near(band(loads[60]).mu, mu[60], 1e-6, "at the load that is read");
@@ -188,7 +189,7 @@ test("the band is the library's estimate of the surface file, and its middle the
 });
 
 test("a strength that nobody measured is an order of magnitude, and the page says so", () => {
-  const silicon = start(asperity);
+  const silicon = SILICON;
   const of = (surface) => {
     const band = shown(surface).band(1e-3);
     return { ...band, text: rests(surface), words: bandOf(surface, band) };
@@ -210,7 +211,7 @@ test("a strength that nobody measured is an order of magnitude, and the page say
 
 test("warnings hold in the part of the loads that the library says", () => {
   const range = [1e-5, 0.1];
-  const curve = shown(start(asperity), range);
+  const curve = shown(SILICON, range);
   const { model, loads, warnings } = curve;
   findSpans(curve);
   const texts = Object.fromEntries(warnings.map((warning) => [warning.name, spanText(warning, range)]));
@@ -232,12 +233,12 @@ test("warnings hold in the part of the loads that the library says", () => {
 });
 
 test("a program of a surface that is refused prints the library's message", () => {
-  const text = snippet("C", { ...start(asperity), adhesion_range: "-1" }, 1e-3);
+  const text = snippet(asperity, "C", { ...SILICON, adhesion_range: "-1" }, 1e-3);
   const path = file("refused.c", text);
   RUN.C(path, resolve(scratch, "refused"));
   assert.throws(
     () => execFileSync(resolve(scratch, "refused"), { stdio: "pipe", encoding: "utf8" }),
-    ({ status, stderr }) => status === 1 && /^adhesion_range = -1e-9: must be/.test(stderr),
+    ({ status, stderr }) => status === 1 && /adhesion_range = -1e-9: must be/.test(stderr),
   );
 });
 
@@ -258,7 +259,7 @@ test("every warning has a short name", () => {
 });
 
 test("a message of the library points to its field", () => {
-  const areal = start(asperity);
+  const areal = SILICON;
   assert.equal(fieldOf("adhesion_range = -1e-9: must be finite and > 0", areal), "adhesion_range");
   assert.equal(fieldOf("rms_slope = 6: must be at most 5", areal), "Sdq");
   assert.equal(fieldOf("asperity_count: must be set", { ...areal, roughness: "summits" }), "summit_density");
@@ -295,10 +296,13 @@ test("the interfaces of a pair stand first, in either order, with what was measu
 
 const PAGE = readFileSync(new URL("../dist/explorer.html", import.meta.url), "utf8");
 
-test("the explorer is one file below 640 kB that asks for nothing", () => {
-  assert.ok(Buffer.byteLength(PAGE) < 640e3, `${Buffer.byteLength(PAGE)} bytes`);
+test("the explorer is one file below 500 kB that asks for nothing", () => {
+  assert.ok(Buffer.byteLength(PAGE) < 500e3, `${Buffer.byteLength(PAGE)} bytes`);
   assert.doesNotMatch(PAGE, /<(script|link|img)[^>]+(src|href)="(?!data:)/);
 });
+
+/** A packed part of the page. */
+const packed = (id) => gunzipSync(decoded(new RegExp(`id="${id}">([^<]*)<`).exec(PAGE)[1]));
 
 test("the page's policy lets its own script and style run, and nothing connect", () => {
   const [, content] = /<meta http-equiv="Content-Security-Policy" content="([^"]*)">/.exec(PAGE);
@@ -308,7 +312,7 @@ test("the page's policy lets its own script and style run, and nothing connect",
   const [, script] = /<script>([^]*?)<\/script>/.exec(PAGE);
   assert.deepEqual(Object.fromEntries(content.split("; ").map((one) => [one.split(" ")[0], one.split(" ").slice(1).join(" ")])), {
     "default-src": "'none'",
-    "script-src": `${hash(script)} 'wasm-unsafe-eval'`,
+    "script-src": `${hash(script)} ${hash(packed("program").toString())} 'wasm-unsafe-eval'`,
     "style-src": hash(style),
     "img-src": "data:",
     "base-uri": "'none'",
@@ -317,22 +321,22 @@ test("the page's policy lets its own script and style run, and nothing connect",
 });
 
 test("the library in the page is the library", () => {
-  const [, text] = /id="library">([^<]*)</.exec(PAGE);
   const wasm = readFileSync(new URL("../dist/asperity.wasm", import.meta.url));
-  assert.ok(wasm.equals(gunzipSync(decoded(text))));
-  for (const length of [0, 1, 2, 3, 4, 5, 1000]) {
-    const bytes = Uint8Array.from({ length }, (_, i) => 255 - i * 37);
-    assert.deepEqual(decoded(encoded(bytes)), bytes, `${length} bytes`);
-  }
+  assert.ok(wasm.equals(packed("library")));
+  for (const length of [0, 1, 2, 3, 4, 5, 6, 7, 8, 1000])
+    for (const step of [37, 0, 1]) {
+      const bytes = Uint8Array.from({ length }, (_, i) => i * step);
+      assert.deepEqual(decoded(encoded(bytes)), bytes, `${length} bytes`);
+    }
 });
 
 test("what is not known of a material is left empty, asked for, and said", () => {
-  const surface = { ...start(asperity), first: "PDMS", second: "mica", ...fieldsOfPair(asperity, "PDMS", "mica") };
+  const surface = of("PDMS", "mica", { roughness: "areal", contact_law: "maugis", Sq: "5", Sdq: "0.08" });
   for (const key of ["adhesion_range", "burgers_vector", "hardness", "work_of_adhesion"]) assert.equal(surface[key], "", key);
   surface.work_of_adhesion = "50";
-  assert.throws(() => new Model(paramsOf(surface)), (error) => fieldOf(error.message, surface) === "adhesion_range");
+  assert.throws(() => model(surface), (error) => fieldOf(error.message.replace(/^line 1: /, ""), surface) === "burgers_vector");
   const length = { adhesion_range: "10", burgers_vector: "10", Sq: "1000" };
-  assert.ok(new Model(paramsOf({ ...surface, ...length })).frictionAtLoad(1e-3) > 0);
+  assert.ok(model({ ...surface, ...length }).frictionAtLoad(1e-3) > 0);
   assert.match(missing(asperity.material("PDMS"))[0], /^No Burgers vector of PDMS/);
   assert.match(missing(asperity.material("mica"))[0], /^No hardness of mica/);
   assert.deepEqual(missing(asperity.material("Si")), []);

@@ -28,7 +28,8 @@ function fail(message) {
   process.exit(1);
 }
 
-const env = { ...process.env, CARGO_TARGET_DIR: target };
+// For size: a seventh smaller, and no slower here.
+const env = { ...process.env, CARGO_TARGET_DIR: target, CARGO_PROFILE_RELEASE_OPT_LEVEL: "s" };
 
 /** WebAssembly without its custom sections, the names of functions, of which nothing here has a use. */
 function stripped(bytes) {
