@@ -142,7 +142,7 @@ test("an array gives what its loads give one by one, however long it is", () => 
 test("warnings come with what to do about them", () => {
   const [few, ...others] = new Model(silicon).checkLoads(1e-5, 0.1);
   assert.equal(few.name, "FEW");
-  assert.match(few.text, /^fewer than 20 asperities touch, .* use heavier loads or a larger area/);
+  assert.match(few.text, /^fewer than 20 asperities touch, .* use heavier loads or a larger nominal area/);
   assert.deepEqual(others.map(({ name }) => name), ["UNCALIBRATED", "BROAD"]);
   const both = CONSTANTS.WARNING_STEEP | CONSTANTS.WARNING_FEW;
   assert.deepEqual(warningsOf(both).map(({ name }) => name), ["STEEP", "FEW"]);

@@ -47,20 +47,20 @@ pub unsafe extern "C" fn asperity_microslip_length(model: *const asperity_model)
 /// The force rises with K_t and ends at F. More load on a contact at rest adds stiffness and no force. Less takes away what touches no
 /// more, with its force and energy. No path gains energy. In a step whose load rises, separation and displacement change together.
 ///
-/// The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just
-/// closed; `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the
-/// step that is accepted keeps `after`. The last double is the largest load since the contact closed, which you may set: on a model of
-/// `asperity_unloaded` a contact under a lighter load follows its own unloading from there. Below the pull-off load the contact is open: force, stiffness and `after` become 0, and
-/// the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
+/// The caller owns the state, one for each contact: `asperity_microslip_length` doubles, all 0 for a contact that has just closed;
+/// `asperity_microslip_turn` turns it with the contact. An iteration repeats the call with the same `before`; the step that is accepted
+/// keeps `after`. The last double is the largest load since the contact closed, which you may set: on a model of `asperity_unloaded` a
+/// contact under a lighter load follows its own unloading from there. Below the pull-off load the contact is open: force, stiffness and
+/// `after` become 0, and the status is `ASPERITY_SEPARATED`. At zero load without adhesion they are 0 too, with `ASPERITY_OK`.
 ///
 /// @param load       normal load of this step [force]
 /// @param increment  2 displacements of one surface along the other since `before` [length]
 /// @param before     the state before the step
 /// @param after      receives the state after the step
 /// @param out        receives force, tangents and work
-/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment that is
-///         not finite, a state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0 but for
-///         `dissipated`), `ASPERITY_OUT_OF_RANGE`
+/// @return `ASPERITY_OK`, `ASPERITY_NULL_POINTER`, `ASPERITY_INVALID_PARAMETER` (`struct_size`; an increment that is not finite, a
+///         state that is none), `ASPERITY_INVALID_LOAD`, `ASPERITY_SEPARATED` (outputs are 0 but for `dissipated`),
+///         `ASPERITY_OUT_OF_RANGE`
 #[no_mangle]
 pub unsafe extern "C" fn asperity_microslip_step(
     model: *const asperity_model,

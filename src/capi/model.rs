@@ -87,8 +87,8 @@ pub unsafe extern "C" fn asperity_create(
 ///
 /// Steps of microslip on this model know the largest load of each contact. Those of a contact that has borne more than `largest_load`
 /// unload from there, with a force and a stiffness that are interpolated between two branches, to 2 %. The first such step for each
-/// binade of largest loads makes a branch, in some 10 ms and 40 kB, and needs the stack of `asperity_create`; the others allocate nothing.
-/// For a joint whose loads are not known yet, pass the smallest.
+/// binade of largest loads makes a branch, in some 10 ms and 40 kB, and needs the stack of `asperity_create`; the others allocate
+/// nothing. For a joint whose loads are not known yet, pass the smallest.
 ///
 /// @param model         the surfaces, at first loading or after a smaller largest load
 /// @param largest_load  the largest load that they have borne [force], > 0 and below `max_table_load` of `asperity_summary_of`

@@ -257,7 +257,7 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
         c"FEW",
         WARNING_FEW,
         c"fewer than 20 asperities touch, so averages are not reliable: nominally equal specimens differ from each other and \
-          from the model (specimens_at_loads has their mean and scatter); use heavier loads or a larger area (asperity_count)",
+          from the model; ask for single specimens, or use heavier loads or a larger nominal area",
     ),
     (
         c"ADHESIVE",
