@@ -25,7 +25,7 @@ def text() -> str:
     """The whole page."""
     parts = [_introduction(), _figure_3(), *map(_skew_figure, curves.SKEW_FIGURES)]
     parts += [_radius_figure(figure) for figure in curves.RADIUS_FIGURES]
-    parts += [_kurtosis(), _regimes(), _yield(), _microslip()]
+    parts += [_kurtosis(), _regimes(), _yield(), _microslip(), _not_compared()]
     return "\n\n".join(parts) + "\n"
 
 
@@ -42,9 +42,14 @@ python docs/gallery
 ```
 
 `docs/gallery/test_gallery.py` fails if a number or a curve here is not what the library computes. Loads P are in N G b²;
-the friction coefficient is μ = F/P.
+the friction coefficient is μ = F/P."""
 
-**What cannot be compared.** The paper prints no table of its curves, and its text names no load. So the curves cannot be
+
+def _not_compared() -> str:
+    return f"""\
+## What cannot be compared
+
+The paper prints no table of its curves, and its text names no load. So the curves cannot be
 compared point by point. The tables compare what the text says of them, at loads from {LIGHTEST:g} to {HEAVIEST:g} that were
 chosen here. Three more inputs had to be chosen: Poisson's ratio (0.3), b/h in the figures (1, which the paper calls
 typical) and the constants of the shear strength (Hurtado and Kim's, see [model.md](../model.md)). The range of loads

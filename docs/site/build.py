@@ -84,13 +84,14 @@ def main(folder: Path) -> None:
 
 
 def home(readme: str) -> str:
-    """The front page of the repository as that of the site: its links lead to the guide, and two buttons stand before its picture."""
-    return LINK.sub(lambda link: link[0].replace("](", "](guide/", 1) if ":" not in link[1] else link[0], readme).replace("\n![", BUTTONS + "\n![", 1)
+    """The front page of the repository as that of the site: its picture comes first, then two buttons, and its links lead to the guide."""
+    title, words, picture, rest = readme.split("\n\n", 3)
+    text = "\n\n".join([title, picture, "BUTTONS", words, rest])
+    return LINK.sub(lambda link: link[0].replace("](", "](guide/", 1) if ":" not in link[1] else link[0], text).replace("BUTTONS", BUTTONS, 1)
 
 
-BUTTONS = """
-[Open the explorer](explorer.html){ .md-button .md-button--primary } [Install](guide/docs/install.md){ .md-button }
-"""
+BUTTONS = """\
+[Open the explorer](explorer.html){ .md-button .md-button--primary } [Install](guide/docs/install.md){ .md-button }"""
 EXPLORER = """# Explorer
 
 [Open it](../../explorer.html){ .md-button .md-button--primary } in this browser; nothing is sent anywhere.
