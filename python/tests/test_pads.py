@@ -161,7 +161,7 @@ def test_the_same_seed_gives_the_same_pads(silicon: Params) -> None:
     assert np.array_equal(backwards.friction_force[:, ::-1], one.friction_force)
     assert np.array_equal(pads(silicon, [1e-5, 1e-6], 60, seed=1).friction_force[:3], one.friction_force)
     assert one.count == 3 and one.model_force.shape == one.bias.shape == (2,)
-    assert str(one).splitlines()[0] == "3 specimens of 100000 summits"
+    assert str(one).splitlines()[0] == "3 specimens of 100000 asperities"
 
 
 def test_the_figure_has_mean_scatter_and_model(silicon: Params, tmp_path: Path) -> None:
@@ -181,7 +181,7 @@ def test_the_figure_has_mean_scatter_and_model(silicon: Params, tmp_path: Path) 
 def test_what_no_specimen_has_is_refused_with_what_to_do(silicon: Params) -> None:
     with pytest.raises(Error, match="asperity_count = 0.5: a specimen needs its number of asperities, 1 or more: give its nominal_area"):
         pads(silicon.replace(asperity_count=0.5), [1.0], 2)
-    with pytest.raises(Error, match="summits of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens"):
+    with pytest.raises(Error, match="asperities of the specimens have to be drawn, and 1e7 at most may be: ask for fewer specimens"):
         pads(silicon, [1e4], 400)
     with pytest.raises(Error, match="must be finite"):
         pads(silicon, [1e-6, math.nan], 2)

@@ -257,7 +257,7 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
         c"FEW",
         WARNING_FEW,
         c"fewer than 20 asperities touch, so averages are not reliable: nominally equal specimens differ from each other and \
-          from the model; ask for single specimens, or use heavier loads or a larger nominal area",
+          from the model; use heavier loads or a larger nominal area, or ask for single specimens",
     ),
     (
         c"ADHESIVE",
