@@ -64,7 +64,7 @@ impl Model {
     /// The law after a largest load, where that is not the law of this model.
     #[cold]
     #[inline(never)]
-    pub(super) fn borne(&self, largest: f64) -> Option<Borne<'_>> {
+    pub(super) fn after(&self, largest: f64) -> Option<Borne<'_>> {
         let unloaded = self.unloaded.as_ref()?;
         if largest <= self.largest_load || largest > self.heaviest {
             return None;

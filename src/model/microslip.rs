@@ -25,7 +25,12 @@ impl Model {
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        self.step::<Portable, true>(load, increment, state, &mut None)
+        if self.is_after(load, state) {
+            if let Some(step) = self.step_after(load, increment, state) {
+                return step;
+            }
+        }
+        self.step_of_any(None, load, increment, state)
     }
 
     /// The same; without `DETAILS` only force and stiffness are told. `room` is for the levels at the load, made where they are needed.
@@ -37,26 +42,43 @@ impl Model {
         state: &mut [f64; STATE],
         room: &mut Option<Levels>,
     ) -> Result<MicroslipStep, Error> {
-        let largest = state[LARGEST];
-        if load < largest && self.largest_load > 0.0 {
-            if let Some(borne) = self.borne(largest) {
-                return self.step_after::<DETAILS>(&borne, load, increment, state, room);
+        if self.is_after(load, state) {
+            if let Some(step) = self.step_after(load, increment, state) {
+                return step;
             }
         }
         self.step_by::<V, DETAILS>(None, load, increment, state, room)
     }
 
-    #[cold]
+    /// The same for any processor, once for all that are after a larger load.
     #[inline(never)]
-    fn step_after<const DETAILS: bool>(
+    fn step_of_any(
         &self,
-        borne: &Borne,
+        borne: Option<&Borne>,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
-        room: &mut Option<Levels>,
     ) -> Result<MicroslipStep, Error> {
-        self.step_by::<Portable, DETAILS>(Some(borne), load, increment, state, room)
+        self.step_by::<Portable, true>(borne, load, increment, state, &mut None)
+    }
+
+    /// Whether a contact has borne more, on a model that knows what that does.
+    #[inline(always)]
+    fn is_after(&self, load: f64, state: &[f64; STATE]) -> bool {
+        load < state[LARGEST] && self.largest_load > 0.0
+    }
+
+    /// The step of a contact that has borne a larger load, if it has another law by that.
+    #[cold]
+    #[inline(never)]
+    fn step_after(
+        &self,
+        load: f64,
+        increment: [f64; 2],
+        state: &mut [f64; STATE],
+    ) -> Option<Result<MicroslipStep, Error>> {
+        let borne = self.after(state[LARGEST])?;
+        Some(self.step_of_any(Some(&borne), load, increment, state))
     }
 
     /// A step by the law of this model, or of contacts after a larger load.
