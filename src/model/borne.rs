@@ -103,13 +103,8 @@ impl Borne<'_> {
     }
 
     /// As [`Limits::at_excess`](crate::memory::Limits::at_excess) at a load.
-    pub fn limits<const SLOPES: bool>(
-        &self,
-        load: f64,
-        cut: Option<[f64; 2]>,
-        shares: &mut PerLevel,
-        slopes: &mut PerLevel,
-    ) {
+    #[inline(never)]
+    pub fn limits(&self, load: f64, cut: Option<[f64; 2]>, shares: &mut PerLevel, slopes: &mut PerLevel) {
         let (mut one, mut one_slopes) = (*shares, *slopes);
         shares.fill(0.0);
         slopes.fill(0.0);
@@ -117,7 +112,7 @@ impl Borne<'_> {
             // By the load of that model.
             let unit = top / self.largest;
             let cut = cut.map(|[place, slope]| [place, slope / unit]);
-            model.law.limits().at_excess::<Portable, SLOPES>(load * unit, cut, &mut one, &mut one_slopes);
+            model.law.limits().at_excess::<Portable, true>(load * unit, cut, &mut one, &mut one_slopes);
             for j in 0..shares.len() {
                 shares[j] += weight * one[j];
                 slopes[j] += weight * unit * one_slopes[j];

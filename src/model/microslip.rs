@@ -158,7 +158,7 @@ impl Model {
         slopes: &mut PerLevel,
     ) {
         match borne {
-            Some(borne) => borne.limits::<SLOPES>(load, cut, shares, slopes),
+            Some(borne) => borne.limits(load, cut, shares, slopes),
             None => {
                 let excess = load - self.law.table(Quantity::Friction).pull_off;
                 self.law.limits().at_excess::<V, SLOPES>(excess, cut, shares, slopes);
