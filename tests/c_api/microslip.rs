@@ -390,3 +390,37 @@ fn what_is_no_angle_or_no_state_is_refused() {
         assert_eq!(asperity_microslip_turn(null_mut(), 1.0, 0.0), NULL_POINTER);
     }
 }
+
+/// Whatever the load and the largest load, one step and a batch answer alike, within the strength, and raise nothing while a branch is made.
+#[test]
+fn contacts_of_a_joint_are_stepped_one_by_one_and_together_to_the_same_bits() {
+    let hertz = asperity_params::dimensionless(0.02, 1000.0, 0.0, 1.0);
+    let hardness = 0.01 * hertz.composite_modulus;
+    let first = Handle::new(&asperity_params { contact_law: ASPERITY_CONTACT_ELASTIC_PLASTIC, hardness, ..hertz });
+    let mut joint = null_mut();
+    // SAFETY: a model and a place for another.
+    assert_eq!(unsafe { asperity_unloaded(first.0, 1e-3, &mut joint) }, OK, "{}", message());
+    let joint = Handle(joint);
+    let mut random = SplitMix(5);
+    let mut state = [0.0; STATE];
+    for i in 0..600 {
+        let load = random.log_between(1e-4, 1e2);
+        let (strength, stiffness) = strength_and_stiffness(&first, load);
+        let increment = [0, 1].map(|_| random.between(-2.0, 2.0) * strength / stiffness);
+        if i % 50 == 0 {
+            state[STATE - 1] = random.log_between(1e-5, 1e4);
+        }
+        let before = state;
+        let ((status, out), complaint) = flags::watch(|| step(&joint, load, increment, &mut state));
+        assert_eq!((status, complaint), (OK, None), "{load}: {}", message());
+        assert_eq!(state[STATE - 1], before[STATE - 1].max(load));
+        assert!(out.dissipated >= 0.0 && out.force.iter().chain(&out.stiffness).all(|x| x.is_finite()), "{out:?}");
+        let (mut after, mut force, mut tangents) = ([0.0; STATE], [0.0; 2], [0.0; 4]);
+        // SAFETY: arrays of one contact.
+        let status = unsafe {
+            let (x, s, a) = (increment.as_ptr(), before.as_ptr(), after.as_mut_ptr());
+            asperity_microslip_steps(joint.0, 1, &load, x, s, a, force.as_mut_ptr(), tangents.as_mut_ptr())
+        };
+        assert_eq!((status, after, force, tangents), (OK, state, out.force, out.stiffness), "{i}: {load}");
+    }
+}
