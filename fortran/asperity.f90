@@ -124,21 +124,20 @@ module asperity
   type, bind(c), public :: asperity_estimate
     integer(c_int64_t) :: struct_size = 360         ! bytes of this type; leave it
     real(c_double) :: load                          ! Normal load [N]
-    real(c_double) :: friction_coefficient          ! F/P, the median; infinite from the pull-off load to 0, where F/P
-                                                    ! has no limit; 0 below
+    real(c_double) :: friction_coefficient          ! F/P, the median; infinite from the pull-off load to 0; 0 below
     real(c_double) :: low                           ! Lower end of the band
     real(c_double) :: high                          ! Upper end
     real(c_double) :: friction_force                ! F [N]
     real(c_double) :: friction_force_low            ! Lower end of its band
     real(c_double) :: friction_force_high           ! Upper end
-    real(c_double) :: curve_coefficient             ! F/P of a model of what asperity_params_set_text makes of the text;
-                                                    ! NaN if no strength gives the measured friction
-    real(c_double) :: constant_odds                 ! How probable it is that F/P is within 10 % of the measured mean:
-                                                    ! above 0.8 a constant coefficient does
+    real(c_double) :: curve_coefficient             ! F/P of a solver's model of the text; NaN if no strength gives what
+                                                    ! was measured
+    real(c_double) :: constant_odds                 ! Probability that F/P is within 10 % of the measured mean: above
+                                                    ! 0.8 a constant does
     real(c_double) :: contacts                      ! Asperities in contact, by the mean of the model; NaN if loads are
                                                     ! pressures
-    real(c_double) :: another_force                 ! F of another specimen than the one that was measured [N];
-                                                    ! friction_force if it is of no measured one
+    real(c_double) :: another_force                 ! F of another specimen than the measured one [N]; else
+                                                    ! friction_force
     real(c_double) :: another_force_low             ! Lower end of its band
     real(c_double) :: another_force_high            ! Upper end
     real(c_double) :: strength_share                ! Share of the variance of ln(F/P) from the strength of the
@@ -153,7 +152,7 @@ module asperity
     real(c_double) :: model_share                   ! Share from how real interfaces leave the law between loads:
                                                     ! measure at this load
     real(c_double) :: specimen_share                ! Share from which asperities a specimen happens to have: take a
-                                                    ! heavier load or a larger area
+                                                    ! heavier load
     real(c_double) :: tangential_stiffness          ! K_t [N/m] before any contact slips; 0 for loads <= 0, as all
                                                     ! stiffness
     real(c_double) :: tangential_stiffness_low      ! Lower end of its band
@@ -172,12 +171,12 @@ module asperity
                                                     ! apart
     real(c_double) :: gap_low                       ! Lower end of its band
     real(c_double) :: gap_high                      ! Upper end
-    real(c_double) :: pull_off_force                ! The largest pull that a specimen withstands [N]; NaN if so many
-                                                    ! asperities touch that specimens are alike
+    real(c_double) :: pull_off_force                ! The largest pull that a specimen withstands [N]; NaN where
+                                                    ! specimens are alike
     real(c_double) :: pull_off_force_low            ! Lower end of its band
     real(c_double) :: pull_off_force_high           ! Upper end
-    real(c_double) :: error_growth                  ! By how much the errors of the measured points grew, since they
-                                                    ! contradict each other; 1 if they do not
+    real(c_double) :: error_growth                  ! How much the errors of points that contradict each other grew; 1:
+                                                    ! not at all
     integer(c_int64_t) :: warnings                  ! Bits ASPERITY_WARNING_... of states between the lightest and the
                                                     ! heaviest load > 0.
     integer(c_int32_t) :: strength_source           ! What the strength of the interface rests on: one of
@@ -186,8 +185,8 @@ module asperity
                                                     ! stresses; else 0
     integer(c_int32_t) :: specimen                  ! What friction, stiffness and gap are of: one of
                                                     ! ASPERITY_SPECIMEN_....
-    integer(c_int32_t) :: measured_specimens        ! On how many specimens the points were measured, as the text says;
-                                                    ! 0 if it does not
+    integer(c_int32_t) :: measured_specimens        ! On how many specimens the points were measured; 0: the text does
+                                                    ! not say
   end type asperity_estimate
 
   ! Two rough surfaces in contact, as one equivalent rough surface against a flat
@@ -211,8 +210,8 @@ module asperity
                                                     ! paper); 0: they do not
     real(c_double) :: weibull_shape                 ! omega [-], 1 to 200: shape of the Weibull heights; 3.602, the
                                                     ! default, has no skew
-    real(c_double) :: radius_amplitude              ! epsilon [-], -1 to 1: how much the radius grows with height, R (1
-                                                    ! + epsilon tanh(rho z/sigma)), eq (3); 0 by default
+    real(c_double) :: radius_amplitude              ! epsilon [-], -1 to 1: how the radius grows with height, R (1 +
+                                                    ! epsilon tanh(rho z/sigma)); 0 by default
     real(c_double) :: radius_rate                   ! rho [-], > 0, per standard deviation of height: how fast the
                                                     ! radius changes; 0.5 by default
     real(c_double) :: slip_radius_1                 ! a_1/b [-], at least 1: contact radius up to which the shear
@@ -307,8 +306,7 @@ module asperity
     real(c_double) :: max_contact_radius            ! Expected radius of the largest of n = contacting contacts
                                                     ! [length]: the largest radius up to the height that 1/(n + 1) of
                                                     ! the contacts exceed
-    real(c_double) :: fraction_below_slip_radius_1  ! Fraction of the contacts with radii up to slip_radius_1 [-], which
-                                                    ! slip as a whole
+    real(c_double) :: fraction_below_slip_radius_1  ! Fraction of the contacts with radii up to slip_radius_1 [-]
     real(c_double) :: fraction_between_slip_radii   ! Fraction of the contacts with radii between slip_radius_1 and
                                                     ! slip_radius_2 [-]
     real(c_double) :: fraction_above_slip_radius_2  ! Fraction of the contacts with radii of at least slip_radius_2 [-]
@@ -321,8 +319,8 @@ module asperity
                                                     ! this state; 0 if none is known to fail
     real(c_double) :: tangential_stiffness          ! K_t [force/length]: tangential force by displacement while all
                                                     ! contacts stick
-    real(c_double) :: fraction_elastic              ! Fraction of the contacts below first yield [-]; 1 for
-                                                    ! ASPERITY_CONTACT_MAUGIS without a hardness
+    real(c_double) :: fraction_elastic              ! Fraction of the contacts below first yield [-]; 1 without a
+                                                    ! hardness
     real(c_double) :: fraction_flowing              ! Fraction of the contacts that are fully plastic [-]
     real(c_double) :: contact_radius_sum            ! Sum of the radii of all contacts over chi (see nominal_area)
                                                     ! [length]
@@ -363,8 +361,7 @@ module asperity
     real(c_double) :: apart                         ! Fraction of the specimens that are apart [-]: they do not
                                                     ! withstand so much pull
     real(c_double) :: friction_force(5)             ! Friction force F [force]
-    real(c_double) :: tangential_stiffness(5)       ! K_t [force/length]: tangential force by displacement while all
-                                                    ! contacts stick
+    real(c_double) :: tangential_stiffness(5)       ! K_t [force/length] while all contacts stick
     real(c_double) :: normal_stiffness(5)           ! Minus d(load)/d(gap) [force/length]
     real(c_double) :: gap(5)                        ! Gap between the mean planes of the surfaces [length], of the
                                                     ! specimens that hold; NaN if none does

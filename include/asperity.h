@@ -194,20 +194,16 @@ typedef struct asperity_estimate {
   /** Set it to `sizeof(asperity_estimate)` in the first element before the call; the elements are this far apart. */
   uint64_t struct_size;
   /** Normal load [N]. */ double load;
-  /** F/P, the median; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap. */
-  double friction_coefficient;
+  /** F/P, the median; infinite from the pull-off load to 0; 0 below. */ double friction_coefficient;
   /** Lower end of the band. */ double low;
   /** Upper end. */ double high;
   /** F [N]. If load <= 0, that of surfaces which adhere. */ double friction_force;
   /** Lower end of its band. */ double friction_force_low;
   /** Upper end. */ double friction_force_high;
-  /** F/P of a model of what `asperity_params_set_text` makes of the text; NaN if no strength gives the measured friction. */
-  double curve_coefficient;
-  /** How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does. */
-  double constant_odds;
+  /** F/P of a solver's model of the text; NaN if no strength gives what was measured. */ double curve_coefficient;
+  /** Probability that F/P is within 10 % of the measured mean: above 0.8 a constant does. */ double constant_odds;
   /** Asperities in contact, by the mean of the model; NaN if loads are pressures. */ double contacts;
-  /** F of another specimen than the one that was measured [N]; `friction_force` if it is of no measured one. */
-  double another_force;
+  /** F of another specimen than the measured one [N]; else `friction_force`. */ double another_force;
   /** Lower end of its band. */ double another_force_low;
   /** Upper end. */ double another_force_high;
   /** Share of the variance of ln(F/P) from the strength of the interface: measure friction. All shares are 0 without a band. */
@@ -219,8 +215,7 @@ typedef struct asperity_estimate {
   /** Share from the slope and the height of the surface: measure RSm, or Ra. */ double slope_share;
   /** Share from the errors of the measured points: measure more. */ double measurement_share;
   /** Share from how real interfaces leave the law between loads: measure at this load. */ double model_share;
-  /** Share from which asperities a specimen happens to have: take a heavier load or a larger area. */
-  double specimen_share;
+  /** Share from which asperities a specimen happens to have: take a heavier load. */ double specimen_share;
   /** K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness. */ double tangential_stiffness;
   /** Lower end of its band. */ double tangential_stiffness_low;
   /** Upper end. */ double tangential_stiffness_high;
@@ -236,18 +231,15 @@ typedef struct asperity_estimate {
   /** Gap between the mean planes of the surfaces [m]; NaN if they are apart. */ double gap;
   /** Lower end of its band. */ double gap_low;
   /** Upper end. */ double gap_high;
-  /** The largest pull that a specimen withstands [N]; NaN if so many asperities touch that specimens are alike. */
-  double pull_off_force;
+  /** The largest pull that a specimen withstands [N]; NaN where specimens are alike. */ double pull_off_force;
   /** Lower end of its band. */ double pull_off_force_low;
   /** Upper end. */ double pull_off_force_high;
-  /** By how much the errors of the measured points grew, since they contradict each other; 1 if they do not. */
-  double error_growth;
+  /** How much the errors of points that contradict each other grew; 1: not at all. */ double error_growth;
   /** Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0. */ uint64_t warnings;
   /** What the strength of the interface rests on: one of `ASPERITY_STRENGTH_...`. */ int32_t strength_source;
   /** 1 if the text has no area: loads are pressures [Pa], forces stresses; else 0. */ int32_t is_of_pressures;
   /** What friction, stiffness and gap are of: one of `ASPERITY_SPECIMEN_...`. */ int32_t specimen;
-  /** On how many specimens the points were measured, as the text says; 0 if it does not. */
-  int32_t measured_specimens;
+  /** On how many specimens the points were measured; 0: the text does not say. */ int32_t measured_specimens;
 } asperity_estimate;
 
 /** Two rough surfaces in contact, as one equivalent rough surface against a flat.
@@ -275,7 +267,7 @@ typedef struct asperity_params {
   /** 1: asperities out of contact attract (the default, as in the paper); 0: they do not. */ int32_t attraction;
   /** omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for `ASPERITY_HEIGHTS_WEIBULL`. */
   double weibull_shape;
-  /** epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default. */
+  /** epsilon [-], -1 to 1: how the radius grows with height, R (1 + epsilon tanh(rho z/sigma)); 0 by default. */
   double radius_amplitude;
   /** rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where
    * `radius_amplitude` is not 0. */
@@ -355,8 +347,7 @@ typedef struct asperity_params {
 
 /** What resists a displacement of the surfaces along each other. */
 typedef struct asperity_microslip {
-  /** Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that. */
-  uint64_t struct_size;
+  /** Set it to `sizeof(asperity_microslip)`; no more is written. */ uint64_t struct_size;
   /** T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T, the other T. */
   double force[2];
   /** dT/d(increment) [force/length], row by row: T1 by the first, T1 by the second, then T2; eigenvalues are 0 to K_t. */
@@ -387,8 +378,7 @@ typedef struct asperity_state {
   /** Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
    * 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1. */
   double max_contact_radius;
-  /** Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole. */
-  double fraction_below_slip_radius_1;
+  /** Fraction of the contacts with radii up to `slip_radius_1` [-]. */ double fraction_below_slip_radius_1;
   /** Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-]. */
   double fraction_between_slip_radii;
   /** Fraction of the contacts with radii of at least `slip_radius_2` [-]. */ double fraction_above_slip_radius_2;
@@ -401,8 +391,7 @@ typedef struct asperity_state {
    * `asperity_warnings_text` says what to do. */
   uint64_t warnings;
   /** K_t [force/length]: tangential force by displacement while all contacts stick. */ double tangential_stiffness;
-  /** Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness. */
-  double fraction_elastic;
+  /** Fraction of the contacts below first yield [-]; 1 without a hardness. */ double fraction_elastic;
   /** Fraction of the contacts that are fully plastic [-]. */ double fraction_flowing;
   /** Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction conductance, thermal or
    * electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies. */
@@ -453,8 +442,7 @@ typedef struct asperity_specimens {
   /** Fraction of the specimens that are apart [-]: they do not withstand so much pull. Their friction, stiffness and contacts are 0. */
   double apart;
   /** Friction force F [force]. */ double friction_force[5];
-  /** K_t [force/length]: tangential force by displacement while all contacts stick. */
-  double tangential_stiffness[5];
+  /** K_t [force/length] while all contacts stick. */ double tangential_stiffness[5];
   /** Minus d(load)/d(gap) [force/length]. */ double normal_stiffness[5];
   /** Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does. */
   double gap[5];

@@ -553,8 +553,7 @@ public:
     /// Sets it.
     Params &weibull_shape(double value) noexcept { return assign(c_.weibull_shape, value); }
 
-    /// epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by
-    /// default.
+    /// epsilon [-], -1 to 1: how the radius grows with height, R (1 + epsilon tanh(rho z/sigma)); 0 by default.
     double radius_amplitude() const noexcept { return c_.radius_amplitude; }
     /// Sets it.
     Params &radius_amplitude(double value) noexcept { return assign(c_.radius_amplitude, value); }

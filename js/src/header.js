@@ -345,7 +345,7 @@ export const FUNCTIONS = {
  * @property {number} attraction_load Load of the asperities that attract without contact [force], <= 0.
  * @property {number} mean_contact_radius Mean radius of the contacts [length]; 0 if nothing touches. The same holds for the fields below, except `plasticity_index`.
  * @property {number} max_contact_radius Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1.
- * @property {number} fraction_below_slip_radius_1 Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole.
+ * @property {number} fraction_below_slip_radius_1 Fraction of the contacts with radii up to `slip_radius_1` [-].
  * @property {number} fraction_between_slip_radii Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-].
  * @property {number} fraction_above_slip_radius_2 Fraction of the contacts with radii of at least `slip_radius_2` [-].
  * @property {number} fraction_in_contact Fraction of all asperities that are in contact [-].
@@ -353,7 +353,7 @@ export const FUNCTIONS = {
  * @property {number} plasticity_index Greenwood and Williamson's plasticity index, E* (sigma/R)^(1/2)/H [-]; 0 if the hardness H is not given.
  * @property {number} warnings Bits `ASPERITY_WARNING_...`: assumptions of the model that fail in this state; 0 if none is known to fail.
  * @property {number} tangential_stiffness K_t [force/length]: tangential force by displacement while all contacts stick.
- * @property {number} fraction_elastic Fraction of the contacts below first yield [-]; 1 for "maugis" without a hardness.
+ * @property {number} fraction_elastic Fraction of the contacts below first yield [-]; 1 without a hardness.
  * @property {number} fraction_flowing Fraction of the contacts that are fully plastic [-].
  * @property {number} contact_radius_sum Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of both bodies.
  * @property {number} hertz_load Sum of the loads of Hertz' contacts of the same radii [force]: the load and what adhesion adds to it.
@@ -365,7 +365,7 @@ export const FUNCTIONS = {
  * @property {number} load Normal load P [force].
  * @property {number} apart Fraction of the specimens that are apart [-]: they do not withstand so much pull. Their friction, stiffness and contacts are 0.
  * @property {number[]} friction_force Friction force F [force].
- * @property {number[]} tangential_stiffness K_t [force/length]: tangential force by displacement while all contacts stick.
+ * @property {number[]} tangential_stiffness K_t [force/length] while all contacts stick.
  * @property {number[]} normal_stiffness Minus d(load)/d(gap) [force/length].
  * @property {number[]} gap Gap between the mean planes of the surfaces [length], of the specimens that hold; NaN if none does.
  * @property {number[]} contacts Number of asperities in contact [-].
@@ -403,7 +403,7 @@ export const FUNCTIONS = {
  * @property {"gaussian" | "weibull" | "johnson" | "tabulated" | "at-scores"} [height_distribution] Family of the asperity heights, one of "gaussian", "weibull", "johnson", "tabulated", "at-scores"; Gaussian by default.
  * @property {boolean} [attraction] true: asperities out of contact attract (the default, as in the paper); false: they do not.
  * @property {number} [weibull_shape] omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for "weibull".
- * @property {number} [radius_amplitude] epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
+ * @property {number} [radius_amplitude] epsilon [-], -1 to 1: how the radius grows with height, R (1 + epsilon tanh(rho z/sigma)); 0 by default.
  * @property {number} [radius_rate] rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where `radius_amplitude` is not 0.
  * @property {number} [slip_radius_1] a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13); 28 by default.
  * @property {number} [slip_stress_1] tau_1/G* [-], > 0 and at most 1; 1/43 by default, which was not measured on your interface.

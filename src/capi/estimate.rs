@@ -32,7 +32,7 @@ pub struct asperity_estimate {
     pub struct_size: u64,
     /// Normal load [N].
     pub load: f64,
-    /// F/P, the median; infinite from the pull-off load to 0, where F/P has no limit; 0 below. There is no cap.
+    /// F/P, the median; infinite from the pull-off load to 0; 0 below.
     pub friction_coefficient: f64,
     /// Lower end of the band.
     pub low: f64,
@@ -44,13 +44,13 @@ pub struct asperity_estimate {
     pub friction_force_low: f64,
     /// Upper end.
     pub friction_force_high: f64,
-    /// F/P of a model of what `asperity_params_set_text` makes of the text; NaN if no strength gives the measured friction.
+    /// F/P of a solver's model of the text; NaN if no strength gives what was measured.
     pub curve_coefficient: f64,
-    /// How probable it is that F/P is within 10 % of the measured mean: above 0.8 a constant coefficient does.
+    /// Probability that F/P is within 10 % of the measured mean: above 0.8 a constant does.
     pub constant_odds: f64,
     /// Asperities in contact, by the mean of the model; NaN if loads are pressures.
     pub contacts: f64,
-    /// F of another specimen than the one that was measured [N]; `friction_force` if it is of no measured one.
+    /// F of another specimen than the measured one [N]; else `friction_force`.
     pub another_force: f64,
     /// Lower end of its band.
     pub another_force_low: f64,
@@ -72,7 +72,7 @@ pub struct asperity_estimate {
     pub measurement_share: f64,
     /// Share from how real interfaces leave the law between loads: measure at this load.
     pub model_share: f64,
-    /// Share from which asperities a specimen happens to have: take a heavier load or a larger area.
+    /// Share from which asperities a specimen happens to have: take a heavier load.
     pub specimen_share: f64,
     /// K_t [N/m] before any contact slips; 0 for loads <= 0, as all stiffness.
     pub tangential_stiffness: f64,
@@ -104,13 +104,13 @@ pub struct asperity_estimate {
     pub gap_low: f64,
     /// Upper end.
     pub gap_high: f64,
-    /// The largest pull that a specimen withstands [N]; NaN if so many asperities touch that specimens are alike.
+    /// The largest pull that a specimen withstands [N]; NaN where specimens are alike.
     pub pull_off_force: f64,
     /// Lower end of its band.
     pub pull_off_force_low: f64,
     /// Upper end.
     pub pull_off_force_high: f64,
-    /// By how much the errors of the measured points grew, since they contradict each other; 1 if they do not.
+    /// How much the errors of points that contradict each other grew; 1: not at all.
     pub error_growth: f64,
     /// Bits `ASPERITY_WARNING_...` of states between the lightest and the heaviest load > 0.
     pub warnings: u64,
@@ -120,7 +120,7 @@ pub struct asperity_estimate {
     pub is_of_pressures: i32,
     /// What friction, stiffness and gap are of: one of `ASPERITY_SPECIMEN_...`.
     pub specimen: i32,
-    /// On how many specimens the points were measured, as the text says; 0 if it does not.
+    /// On how many specimens the points were measured; 0: the text does not say.
     pub measured_specimens: i32,
 }
 

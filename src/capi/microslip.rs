@@ -16,7 +16,7 @@ use crate::numerics::four::{Four, Portable};
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct asperity_microslip {
-    /// Set by the caller to `sizeof(asperity_microslip)`; the library writes no more than that.
+    /// Set it to `sizeof(asperity_microslip)`; no more is written.
     pub struct_size: u64,
     /// T [force], along both directions: positive where it resists a positive displacement. The surface that moves feels -T, the other T.
     pub force: [f64; 2],

@@ -68,7 +68,7 @@ pub struct asperity_params {
     pub attraction: i32,
     /// omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for `ASPERITY_HEIGHTS_WEIBULL`.
     pub weibull_shape: f64,
-    /// epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho z/sigma)), eq (3); 0 by default.
+    /// epsilon [-], -1 to 1: how the radius grows with height, R (1 + epsilon tanh(rho z/sigma)); 0 by default.
     pub radius_amplitude: f64,
     /// rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6 to 1000 where
     /// `radius_amplitude` is not 0.

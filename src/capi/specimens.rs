@@ -29,7 +29,7 @@ pub struct asperity_specimens {
     pub apart: f64,
     /// Friction force F [force].
     pub friction_force: [f64; 5],
-    /// K_t [force/length]: tangential force by displacement while all contacts stick.
+    /// K_t [force/length] while all contacts stick.
     pub tangential_stiffness: [f64; 5],
     /// Minus d(load)/d(gap) [force/length].
     pub normal_stiffness: [f64; 5],

@@ -40,7 +40,7 @@ pub struct asperity_state {
     /// Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up to the height that
     /// 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1.
     pub max_contact_radius: f64,
-    /// Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a whole.
+    /// Fraction of the contacts with radii up to `slip_radius_1` [-].
     pub fraction_below_slip_radius_1: f64,
     /// Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2` [-].
     pub fraction_between_slip_radii: f64,
@@ -57,7 +57,7 @@ pub struct asperity_state {
     pub warnings: u64,
     /// K_t [force/length]: tangential force by displacement while all contacts stick.
     pub tangential_stiffness: f64,
-    /// Fraction of the contacts below first yield [-]; 1 for `ASPERITY_CONTACT_MAUGIS` without a hardness.
+    /// Fraction of the contacts below first yield [-]; 1 without a hardness.
     pub fraction_elastic: f64,
     /// Fraction of the contacts that are fully plastic [-].
     pub fraction_flowing: f64,

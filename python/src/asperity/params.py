@@ -151,8 +151,8 @@ class Params:
         attraction: True: asperities out of contact attract (the default, as in the paper); False: they do not.
         weibull_shape: omega [-], 1 to 200: shape of the Weibull heights; 3.602, the default, has no skew. Read only for
             "weibull".
-        radius_amplitude: epsilon [-], -1 to 1: how much the radius grows with height, R (1 + epsilon tanh(rho
-            z/sigma)), eq (3); 0 by default.
+        radius_amplitude: epsilon [-], -1 to 1: how the radius grows with height, R (1 + epsilon tanh(rho z/sigma)); 0
+            by default.
         radius_rate: rho [-], > 0, per standard deviation of height: how fast the radius changes; 0.5 by default. 1e-6
             to 1000 where `radius_amplitude` is not 0.
         slip_radius_1: a_1/b [-], at least 1: contact radius up to which the shear strength is `slip_stress_1`, eq (13);

@@ -117,8 +117,7 @@ class State(_WithUnits):
             below, except `plasticity_index`.
         max_contact_radius: Expected radius of the largest of n = `contacting` contacts [length]: the largest radius up
             to the height that 1/(n + 1) of the contacts exceed. Equal to the mean radius for n <= 1.
-        fraction_below_slip_radius_1: Fraction of the contacts with radii up to `slip_radius_1` [-], which slip as a
-            whole.
+        fraction_below_slip_radius_1: Fraction of the contacts with radii up to `slip_radius_1` [-].
         fraction_between_slip_radii: Fraction of the contacts with radii between `slip_radius_1` and `slip_radius_2`
             [-].
         fraction_above_slip_radius_2: Fraction of the contacts with radii of at least `slip_radius_2` [-].
@@ -129,7 +128,7 @@ class State(_WithUnits):
             not given.
         warnings: Bits of `Warnings`: assumptions of the model that fail in this state; 0 if none is known to fail.
         tangential_stiffness: K_t [force/length]: tangential force by displacement while all contacts stick.
-        fraction_elastic: Fraction of the contacts below first yield [-]; 1 for "maugis" without a hardness.
+        fraction_elastic: Fraction of the contacts below first yield [-]; 1 without a hardness.
         fraction_flowing: Fraction of the contacts that are fully plastic [-].
         contact_radius_sum: Sum of the radii of all contacts over chi (see `nominal_area`) [length]. The constriction
             conductance, thermal or electrical, is 2 k times it, with 1/k = (1/k1 + 1/k2)/2 of the conductivities of
