@@ -122,8 +122,8 @@ private:
             });
         }
         text("summits", 2.7, "pair = \"steel/steel\"\nnominal_area = 1e-4\nheight_std = 1e-6\nsummit_radius = 1e-5\nsummit_density = 1e9\n");
-        text("Sq and Sdq", 46.5, "pair = \"steel/steel\"\nnominal_area = 1e-4\n[roughness]\nSq = 0.4e-6\nSdq = 0.1\n");
-        add("an estimate at 4 loads", 52, "million", 1, [] {
+        text("Sq and Sdq", 45, "pair = \"steel/steel\"\nnominal_area = 1e-4\n[roughness]\nSq = 0.4e-6\nSdq = 0.1\n");
+        add("an estimate at 4 loads", 40, "million", 1, [] {
             const char text[] = "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n"
                                 "[roughness]\nRa = 0.8e-6\nprocess = \"ground\"\n";
             const double load[] = {1.0, 10.0, 100.0, 1000.0};

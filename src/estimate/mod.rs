@@ -767,7 +767,7 @@ impl Estimate {
         if self.described.pressure_is_free && !self.strength.is_stress && !self.is_of_other_materials() {
             // The same part of the force, also where adhesion presses more or less than in the nodes.
             let hertz = specimens.map_or_else(reference, Ok)?.hertz;
-            measured.pressure_coefficient = exp(log(mean(&|node| node.pressed)) + self.strength.log_force() - hertz);
+            measured.pressure_coefficient = mean(&|node| node.pressed) * exp(self.strength.log_force() - hertz);
             params.pressure_coefficient = measured.pressure_coefficient;
         }
         if self.strength.is_stress && !self.described.has_stress {
