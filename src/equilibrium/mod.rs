@@ -25,6 +25,8 @@ const CLOSEST: f64 = -1e90;
 const LOG_TOLERANCE: f64 = 1e-11;
 /// Where the load is above pull-off by more than this part of that load, their difference has all digits that it needs.
 const FARTHEST_FALL: f64 = 0.05;
+/// Where it is by less than this, their difference has too few digits for a table.
+const NEAREST_DIFFERENCE: f64 = 1e-7;
 /// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
 const LOG_LIGHTEST_LOAD: f64 = -690.0;
 
@@ -133,7 +135,7 @@ impl Branch {
         self.end.farthest
     }
 
-    /// The state at a separation on the branch; next to pull-off with few digits of ln(load - pull-off load).
+    /// The state at a separation on the branch; near pull-off with fewer digits of ln(load - pull-off load), but for next to it.
     pub fn point(&self, separation: f64) -> BranchPoint {
         let (sums, gap) = match &self.waves {
             Some(waves) => {
@@ -142,6 +144,9 @@ impl Branch {
             }
             None => (self.population.at_separation(separation), None),
         };
+        if sums.load() - self.pull_off_load() < NEAREST_DIFFERENCE * -self.pull_off_load() {
+            return self.log_excess(separation);
+        }
         BranchPoint { gap, ..Self::point_of(sums, sums.load() - self.pull_off_load()) }
     }
 
