@@ -1,6 +1,7 @@
 """Holds the numbers on a host's page to its programs and to what its run printed: each is in one of them, rounded as the page has it.
 
 usage: page_numbers.py HOST LOG
+       page_numbers.py solvers LOG...       docs/solvers.md, where it tells of hosts, to all that hosts printed
 
 What follows "within" or "found" is a result, which the run printed. An error that a page gives with one digit may be up to ten times what the run
 found. Whole numbers below 100, dates, times, and what stands as code are not looked at; nor what no run finds: ELSEWHERE.
@@ -42,13 +43,19 @@ def known(number, value, percent, found):
     return False
 
 
-def main(host, log):
+def main(host, *logs):
     folder = ROOT / "hosts" / host
-    programs = [path for path in (*folder.rglob("*"), *folder.parent.glob("*"), *(ROOT / "python/src/asperity/hosts").glob("*"))
-                if path.is_file() and path.suffix not in (".md", ".pyc")]  # fmt: skip
-    printed = set(numbers(Path(log).read_text(encoding="utf-8")))
+    page, folders = folder / "README.md", [folder]
+    if host == "solvers":
+        page, folders = ROOT / "docs" / "solvers.md", sorted((ROOT / "hosts").iterdir())
+    programs = [path for path in (*(each for one in folders for each in one.rglob("*")), *folder.parent.glob("*"),
+                *(ROOT / "python/src/asperity/hosts").glob("*")) if path.is_file() and path.suffix not in (".md", ".pyc")]  # fmt: skip
+    printed = {number for log in logs for number in numbers(Path(log).read_text(encoding="utf-8"))}
     found = printed | {number for path in programs for number in numbers(path.read_text(encoding="utf-8"))}
-    page = prose((folder / "README.md").read_text(encoding="utf-8")) if (folder / "README.md").exists() else ""
+    text = page.read_text(encoding="utf-8") if page.exists() else ""
+    if host == "solvers":
+        found, text = printed, text[text.index("## Lagged or current force") : text.index("## Which transition rate?")]
+    page = prose(text)
     wrong = []
     for match in re.finditer(f"({NUMBER})( ?%)?", page, re.I):
         value = float(match[1])
@@ -58,7 +65,7 @@ def main(host, log):
         if match[1] not in ELSEWHERE.get(host, "").split() and not known(match[1], value, match[2], printed if is_result else found):
             wrong.append(match[0] + " in " + page[max(0, match.start() - 40) : match.end() + 20].replace("\n", " "))
     for number in wrong:
-        print(f"hosts/{host}/README.md: no program has and no run printed {number}")
+        print(f"the page of {host}: no program has and no run printed {number}")
     return 1 if wrong else 0
 
 

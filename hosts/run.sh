@@ -66,6 +66,11 @@ for host in "${hosts[@]}"; do
     verdicts+=$verdict$'\n'
 done
 
+if [ $# -eq 0 ]; then
+    number=$((number + 1))
+    python3 hosts/page_numbers.py solvers "$logs"/*.log || failed=$((failed + 1))
+fi
+
 echo
 printf '%s' "$verdicts" |
     awk '{ name = $1; word = $2; sub(/^[^ ]+ +[^ ]+ +/, ""); printf "%-10s %-5s %s\n", name, word, $0 }'
