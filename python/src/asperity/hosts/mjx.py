@@ -18,7 +18,7 @@ except ImportError as error:
     raise ImportError(f"asperity.mjx needs MuJoCo XLA ({error}): pip install mujoco-mjx") from None
 
 from .jax import friction
-from .mujoco_pairs import Geoms, Pairs, demand
+from .mujoco_pairs import Attached, Geoms
 
 __all__ = ["Friction", "Loads", "attach"]
 
@@ -33,14 +33,16 @@ class Loads(NamedTuple):
     apart: Any
 
 
-class Friction:
+class Friction(Attached):
     """What `attach` returns: the step that has the friction of laws. Its methods are pure functions of their arguments, so that
     `jax.jit`, `jax.vmap`, `jax.lax.scan` and `jax.grad` apply to them."""
 
-    def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int) -> None:
-        self.passes = passes
-        self.time_constant = time_constant
-        self._pairs = Pairs(model, laws)
+    def __init__(
+        self, model: mujoco.MjModel, m: Any, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int
+    ) -> None:
+        if not hasattr(d._impl, "efc_J"):
+            raise Error("needs mjx.put_model(model, impl='jax'): for Warp there is asperity.mujoco_warp, with MuJoCo Warp's own step")
+        super().__init__(model, m, laws, time_constant, passes)
         self._dtype = d.qpos.dtype
         self._laws = [friction(each, self._dtype) for each in self._pairs.laws]
 
@@ -109,28 +111,10 @@ class Friction:
 
 
 def attach(
-    model: mujoco.MjModel,
-    m: Any,
-    d: Any,
-    laws: Mapping[Geoms, Model],
-    time_constant: float | None = None,
-    passes: int = 2,
+    model: mujoco.MjModel, m: Any, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None = None, passes: int = 2
 ) -> Friction:
-    """The step of a model with which pairs of geoms have the friction of laws.
-
-    Args:
-        model: that of which `m` was made.
-        m: an `mjx.Model` of the back end JAX, with elliptic cones.
-        d: an `mjx.Data`, whose type the law has: float32, or float64 with `jax_enable_x64`.
-        laws: for the names of two geoms, or of one for all that it touches, the law. Changes of `Params` need a new `attach`.
-        time_constant: of the mean of the loads [s]; 0.05, or 40 steps if that is more, unless given.
-        passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
-
-    Raises:
-        Error: pyramidal cones, RK4, MJX's own back end of Warp, geoms with two surfaces, a time constant or passes that are none.
-        KeyError: there is no such geom.
+    """The step of a model with which pairs of geoms have the friction of laws. Arguments and errors are those of
+    `asperity.hosts.mujoco_pairs.Attached`; `d`, an `mjx.Data` of MJX's back end JAX, has the type of the law: float32, or float64 with
+    `jax_enable_x64`.
     """
-    if not hasattr(d._impl, "efc_J"):
-        raise Error("needs mjx.put_model(model, impl='jax'): for Warp there is asperity.mujoco_warp, with MuJoCo Warp's own step")
-    demand(m, time_constant, passes)
-    return Friction(model, d, laws, time_constant, passes)
+    return Friction(model, m, d, laws, time_constant, passes)

@@ -31,16 +31,33 @@ class Pairs:
             self.number[a, b] = self.number[b, a] = number
 
 
-def demand(m: Any, time_constant: float | None, passes: int) -> None:
-    """Refuses options with which the law cannot be right."""
-    if int(m.opt.cone) != int(mujoco.mjtCone.mjCONE_ELLIPTIC):
-        raise Error('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
-    if int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_RK4):
-        raise Error("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
-    if time_constant is not None and not 0 < time_constant < np.inf:
-        raise Error(f"time_constant = {time_constant!r}: must be positive and finite")
-    if passes < 1:
-        raise Error(f"passes = {passes!r}: must be at least 1")
+class Attached:
+    """What `attach` of a back end makes: the pairs that have a law, and how their loads are taken.
+
+    Args:
+        model: the `MjModel` of which `m` was made.
+        m: the back end's model, with elliptic cones.
+        laws: for the names of two geoms, or of one for all that it touches, the law. Changes of `Params` need a new `attach`.
+        time_constant: of the mean of the loads [s]; 0.05, or 40 steps if that is more, unless given.
+        passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
+
+    Raises:
+        Error: pyramidal cones, RK4, geoms with two surfaces, a time constant or passes that are none.
+        KeyError: there is no such geom.
+    """
+
+    def __init__(self, model: mujoco.MjModel, m: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int) -> None:
+        if int(m.opt.cone) != int(mujoco.mjtCone.mjCONE_ELLIPTIC):
+            raise Error('needs <option cone="elliptic"/>: in the pyramidal cone friction depends on the direction of slip')
+        if int(m.opt.integrator) == int(mujoco.mjtIntegrator.mjINT_RK4):
+            raise Error("needs an integrator that solves a step once, as Euler or implicitfast, not RK4")
+        if time_constant is not None and not 0 < time_constant < np.inf:
+            raise Error(f"time_constant = {time_constant!r}: must be positive and finite")
+        if passes < 1:
+            raise Error(f"passes = {passes!r}: must be at least 1")
+        self.passes = passes
+        self.time_constant = time_constant
+        self._pairs = Pairs(model, laws)
 
 
 def _laws_by_pair(model: mujoco.MjModel, laws: Mapping[Geoms, Model]) -> dict[tuple[int, int], Model]:

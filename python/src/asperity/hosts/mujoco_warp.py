@@ -16,7 +16,7 @@ try:
     import mujoco_warp
     import warp as wp
 
-    from .mujoco_pairs import Geoms, Pairs, demand
+    from .mujoco_pairs import Attached, Geoms
 except ImportError as error:
     raise ImportError(f"asperity.mujoco_warp needs MuJoCo Warp ({error}): pip install mujoco-warp") from None
 
@@ -82,13 +82,16 @@ def _set_friction(
         coefficients[contact] = given * (wp.max(friction(law, load), 1e-5) / given[0])
 
 
-class Friction:
+class Friction(Attached):
     """What `attach` adds to a model: the loads of pairs in each world, which it keeps from step to step."""
 
-    def __init__(self, model: mujoco.MjModel, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int) -> None:
-        self.passes = passes
-        self.time_constant = -1.0 if time_constant is None else time_constant
-        pairs = Pairs(model, laws)
+    def __init__(
+        self, model: mujoco.MjModel, m: Any, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None, passes: int
+    ) -> None:
+        super().__init__(model, m, laws, time_constant, passes)
+        if int(m.opt.disableflags) & int(mujoco.mjtDisableBit.mjDSBL_ACTUATION):
+            raise Error('needs <flag actuation="enable"/>: MuJoCo Warp calls no control callback without it')
+        pairs = self._pairs
         device, shape = d.qpos.device, (d.nworld, max(1, pairs.count))
         self._laws = [law(each, np.float32, device) for each in pairs.laws]
         self._pair_of = wp.array(pairs.number, dtype=int, device=device)
@@ -115,38 +118,20 @@ class Friction:
             load = self._load
             load.zero_()
             wp.launch(_add_loads, d.naconmax, [*ours, d.efc.force, load], device=device)
-        loads = [d.time, m.opt.timestep, self.time_constant, load, self._before, self._mean, self._age, self._apart]
+        constant = -1.0 if self.time_constant is None else self.time_constant
+        loads = [d.time, m.opt.timestep, constant, load, self._before, self._mean, self._age, self._apart]
         wp.launch(_take_loads, load.shape, loads, device=device)
         wp.copy(self._before, d.time)
         set_friction(load)
 
 
 def attach(
-    model: mujoco.MjModel,
-    m: Any,
-    d: Any,
-    laws: Mapping[Geoms, Model],
-    time_constant: float | None = None,
-    passes: int = 2,
+    model: mujoco.MjModel, m: Any, d: Any, laws: Mapping[Geoms, Model], time_constant: float | None = None, passes: int = 2
 ) -> Friction:
-    """Gives pairs of geoms the friction of laws, in every step from now on.
-
-    Args:
-        model: that of which `m` was made.
-        m: a `mujoco_warp.Model`, with elliptic cones; its control callback is called first, then the law.
-        d: the `mujoco_warp.Data` that will be stepped.
-        laws: for the names of two geoms, or of one for all that it touches, the law. Changes of `Params` need a new `attach`.
-        time_constant: of the mean of the loads [s]; 0.05, or 40 steps if that is more, unless given.
-        passes: how often a step is solved for its loads before it is solved with the law; 1 where contacts rarely begin.
-
-    Raises:
-        Error: pyramidal cones, RK4, actuation disabled, geoms with two surfaces, a time constant or passes that are none.
-        KeyError: there is no such geom.
+    """Gives pairs of geoms the friction of laws, in every step from now on, of `d`, a `mujoco_warp.Data`. Arguments and errors are those
+    of `asperity.hosts.mujoco_pairs.Attached`; disabled actuation is an `Error` too. A control callback of `m` is called first.
     """
-    demand(m, time_constant, passes)
-    if int(m.opt.disableflags) & int(mujoco.mjtDisableBit.mjDSBL_ACTUATION):
-        raise Error('needs <flag actuation="enable"/>: MuJoCo Warp calls no control callback without it')
-    made = Friction(model, d, laws, time_constant, passes)
+    made = Friction(model, m, d, laws, time_constant, passes)
     own = m.callback.control
     if isinstance(own, _Chain):  # attached before
         own = own.own
