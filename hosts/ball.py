@@ -69,12 +69,13 @@ def run(worlds, law, mass, timestep):
 
 HABITS = {
     "a ball of 0.1 kg": dict(mass=0.1), "a ball of 10 kg": dict(mass=10.0), "stiffer": dict(solref="0.01 1"), "a step of 1 ms": dict(timestep=0.001),
-    "a step of 5 ms": dict(timestep=0.005), "another friction": dict(friction=0.2), "impratio 1": dict(impratio=1),
+    "a step of 5 ms": dict(timestep=0.005), "another friction": dict(friction=0.2), "no friction": dict(friction="0 0 0"), "impratio 1": dict(impratio=1),
     "another time constant": dict(time_constant=0.04), "four passes": dict(passes=4), "one geom": dict(pair="ball"),
     "another surface": dict(params=FILM.replace(work_of_adhesion=0.02)), "calibrated": dict(params=FILM.calibrated(10, 0.1)),
     "pyramidal": dict(cone="pyramidal", refused='cone="elliptic"'), "RK4": dict(integrator="RK4", refused="RK4"),
     "no such geom": dict(laws={("bal", "floor"): asperity.Model(FILM)}, refused="bal"),
-    "two surfaces": dict(laws={"ball": asperity.Model(FILM), "floor": asperity.Model(FILM)}, refused="different surfaces"), "no time constant": dict(time_constant=0, refused="time_constant = 0"),
+    "two surfaces": dict(laws={"ball": asperity.Model(FILM), "floor": asperity.Model(FILM)}, refused="different surfaces"),
+    "no time constant": dict(time_constant=0, refused="time_constant = 0"),
     "no passes": dict(passes=0, refused="passes = 0"),
 }  # fmt: skip
 

@@ -76,6 +76,7 @@ def check_dropped():
 
 def main():
     check_dropped()
+    ball.HABITS["no friction"]["refused"] = "need a friction above 0"
     return ball.main(Worlds)
 
 

@@ -43,6 +43,10 @@ class Friction(Attached):
         if not hasattr(d._impl, "efc_J"):
             raise Error("needs mjx.put_model(model, impl='jax'): for Warp there is asperity.mujoco_warp, with MuJoCo Warp's own step")
         super().__init__(model, m, laws, time_constant, passes)
+        own = np.maximum(model.geom_friction[:, None, 0], model.geom_friction[None, :, 0])
+        for a, b in np.argwhere((self._pairs.number >= 0) & (own < mujoco.mjMINMU)):
+            names = f"{model.geom(a).name!r} and {model.geom(b).name!r}"
+            raise Error(f"geoms {names}: need a friction above 0, which the law replaces: of 0 MJX makes contacts that are not numbers")
         self._dtype = d.qpos.dtype
         self._laws = [friction(each, self._dtype) for each in self._pairs.laws]
 
