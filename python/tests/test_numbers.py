@@ -42,7 +42,7 @@ WHOLE = {"samples", "specimens", "seed", "count", "starts", "points", "detrend",
 NO_NUMBERS = {
     "pair", "free", "params", "loss", "quantity", "progress", "executor", "sampling", "checkpoint", "warnings", "rows", "spikes", "dust", "check",
     "path", "channel", "unit", "physical_sizes", "name", "first", "second", "text", "start", "summits", "process", "slope",
-    "height_distribution", "attraction", "contact_law", "slip_onset", "waviness_shape", "interface", "interface_kind", "found", "dtype", "shape", "keep", "details",
+    "height_distribution", "attraction", "contact_law", "slip_onset", "waviness_shape", "taken_as_gaussian", "interface", "interface_kind", "found", "dtype", "shape", "keep", "details",
 }  # fmt: skip
 # Beside the arguments of `RIGHT`, one at a time: others that are right.
 MORE: dict[str, dict[str, Any]] = {
