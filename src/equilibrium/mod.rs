@@ -25,8 +25,8 @@ const CLOSEST: f64 = -1e90;
 const LOG_TOLERANCE: f64 = 1e-11;
 /// Where the load is above pull-off by more than this part of that load, their difference has all digits that it needs.
 const FARTHEST_FALL: f64 = 0.05;
-/// Where it is by less than this, their difference has too few digits for a table.
-const NEAREST_DIFFERENCE: f64 = 1e-7;
+/// Where it is by less than this part of what presses and what pulls, their difference has too few digits for a table.
+const NEAREST_DIFFERENCE: f64 = 1e-5;
 /// ln of the lightest load that is a number to all digits; lighter ones have its coefficient of friction.
 const LOG_LIGHTEST_LOAD: f64 = -690.0;
 
@@ -144,7 +144,8 @@ impl Branch {
             }
             None => (self.population.at_separation(separation), None),
         };
-        if sums.load() - self.pull_off_load() < NEAREST_DIFFERENCE * -self.pull_off_load() {
+        let size = sums.hertz_load - sums.load_attracted - self.pull_off_load();
+        if self.end.pull_off.is_some() && sums.load() - self.pull_off_load() < NEAREST_DIFFERENCE * size {
             return self.log_excess(separation);
         }
         BranchPoint { gap, ..Self::point_of(sums, sums.load() - self.pull_off_load()) }

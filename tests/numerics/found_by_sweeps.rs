@@ -1,13 +1,14 @@
 //! Surfaces that long sweeps over the box found wrong, refused without need or slow, each once.
 
 use crate::common::second_evaluation::heights::{Heights, Johnson, Table};
+use crate::common::second_evaluation::scores::Scores;
 use crate::common::second_evaluation::Surface;
 
 #[rustfmt::skip]
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 23] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 24] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -92,6 +93,16 @@ pub fn surfaces() -> Vec<Surface> {
          Heights::weibull(3.183622022996027), [0.9113769535906613, 1.772540602100253e0], false),
         ([2.8756778670488536e-2, 1.718091888888489e5, 1.9511774466711823e-1, 4.533057544911567e0],
          Heights::weibull(85.57692478317134), [-0.9592285151593387, 5.981284142477296e-1], true),
+        // What pulls is so much more than the pull-off load that a difference of two loads had too few digits farther from it: refused.
+        ([2.2875732027711884e-1, 1.3215808920443141e1, 1.854509949067306e-2, 3.655402766065239e-1],
+         Heights::Scores(Scores::new(
+             vec![1.0, 1.6840066462141647, 2.029251190356183, 2.264177516539554, 2.4321539902071576, 2.546252521123182,
+                  2.618947090214144, 2.6645860585369343, 2.699294816928005, 2.718089644861393, 2.7281537541682854,
+                  2.7476267532809415, 2.7816227179406323],
+             vec![1.2213881907277213, 1.258296473820737, 1.2267193743365274, 0.9454017902734336, 1.231874657929992,
+                  1.0021430782485263, 1.353840611959194, 1.0268231570454038, 1.1416797914799046, 1.259325049028923,
+                  0.9548900142138004, 0.7719830945266625, 0.8042304109742214],
+         )), [0.0, 17.30936956978997], true),
         // All contacts lie so near to pull-off that the difference of two loads has too few digits for a table: refused.
         ([1.9898856744572166e-4, 1.4249794278494392, 6.980049586075819e-7, 1.8926241938550495e-1],
          Heights::weibull(150.54683263723996), [0.0, 2.363388711501999e-3], true),
