@@ -24,7 +24,7 @@ from surface import surface  # noqa: E402
 
 PAGE = ROOT / "docs" / "what-changes.md"
 BUILD = Path(os.environ["XDG_CACHE_HOME"])
-TOLERANCE = 0.02  # of a number of the page
+TOLERANCE = 0.03  # of a number of the page: a bed of small grains scatters by this
 AREA, LOAD = 1e-6, GRAVITY * math.cos(math.radians(30))  # where the coefficient was measured, once: 1 kg on the incline
 FILM = surface(AREA)
 FILM = FILM.calibrated(LOAD, asperity.Model(FILM).friction_at_load(LOAD))

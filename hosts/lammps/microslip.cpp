@@ -61,10 +61,11 @@ Frame frame_of(const Contact &c, bool remembers) {
 
 enum { BATCH = Law::BATCH, MOST = Law::MOST_REMEMBERED };
 
-// A state to or from a history: it ends with two stiffnesses, which grow with the area of the contact; all else are displacements.
+// A state to or from a history: it ends with two stiffnesses, which grow with the area of the contact, and the largest pressure; all else
+// are displacements.
 void copy_state(const double *from, int numbers, double scale, double *to) {
     std::copy_n(from, numbers, to);
-    for (int m = numbers - 2; m < numbers; m++) to[m] *= scale;
+    for (int m = numbers - 3; m < numbers - 1; m++) to[m] *= scale;
 }
 
 // What is solved for a contact: forces and displacements in the directions of its frame.

@@ -77,7 +77,7 @@ const SORTED: Needs = needs(64);
 const EXACT: Needs = Needs { allocates: true, ..BATCH };
 const MAKE: Needs = Needs { allocates: true, ..SORTED };
 const READ: Needs = Needs { opens_files: true, ..ESTIMATE };
-const ESTIMATE: Needs = Needs { allocates: true, ..needs(96) };
+const ESTIMATE: Needs = Needs { allocates: true, ..needs(112) };
 
 /// The bits of an argument.
 #[derive(Clone, Copy, Debug)]
