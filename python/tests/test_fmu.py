@@ -224,7 +224,7 @@ def test_each_warning_is_logged_once_in_a_run(instance: Any, references: dict[st
         instance.setReal([LOAD], [load])
         instance.getReal([FORCE, COEFFICIENT, SLOPE])
     assert [line.startswith(uncalibrated) for line in instance.log].count(True) == 1
-    assert ["at a load of 1e-06: fewer than 20 summits" in line for line in instance.log].count(True) == 1
+    assert ["at a load of 1e-06: fewer than 20 asperities" in line for line in instance.log].count(True) == 1
     assert len(set(line.split(": ")[1] for line in instance.log)) == len(instance.log)
     instance.exitInitializationMode()
     instance.terminate()
