@@ -99,9 +99,9 @@ static void warnings_are_told_once(void)
     for (int i = 0; i < 100; i++)
         asperity_modelica_force(law, 1e-3 + 1e-5 * i);
     expect(times_told("asperity: warning at a load of 0.001 N: the strength of the interface is the default") == 1, told);
-    expect(times_told("fewer than 20 summits") == 0, told);
+    expect(times_told("fewer than 20 asperities") == 0, told);
     asperity_modelica_force(law, 1e-6);
-    expect(times_told("warning at a load of 1e-06 N: fewer than 20 summits") == 1, told);
+    expect(times_told("warning at a load of 1e-06 N: fewer than 20 asperities") == 1, told);
     asperity_modelica_free(law);
 }
 
