@@ -132,9 +132,9 @@ class Cycle:
             now = 1 / (1 / grain + 1 / (softened * area * model.tangential_stiffness_at_load(load / area)))
             kept = min(1.0, now / had) if had else 1.0
             moved = row[1] - before[1] - (row[2] - kept * force) / grain
-            contact.state[-2:] /= area  # stiffnesses; the others are displacements
+            contact.state[-3:-1] /= area  # stiffnesses; before them are displacements, behind them the largest pressure
             expected = area * contact.step(load / area, [softened * moved, 0.0]).force[0]
-            contact.state[-2:] *= area
+            contact.state[-3:-1] *= area
             worst = np.max([worst, abs(row[2] - expected) / self.limit])
             force, had = row[2], now
         return worst
