@@ -50,8 +50,8 @@ pub struct AtScores {
     log_square_slope: Spline,
     log_ratio: Spline,
     log_count: Spline,
-    /// ln of Sq times e^-(ln (t/s) + ln (s/t^2)) / t.
-    log_height: f64,
+    /// The surface is flat where ln (t/s) and ln (s/t^2) together, which are -ln t but for a constant, are more than this.
+    flat: f64,
     changes: [f64; SCORES + 1],
     /// The largest slope of the table, over which ln s is.
     steepest: f64,
@@ -118,7 +118,7 @@ impl AtScores {
         found.beyond = found.beyond.map(|rate| rate * deviation);
         found.scores = scores(&found.knots, found.beyond);
         found.log_count = found.log_count.map(|cubic| cubic.raised(-log(count)));
-        found.log_height = log(count);
+        found.flat = -log(count * FLATTEST * 2.0_f64.sqrt().sqrt());
         found.steepest = steepest;
         [found.skew, found.kurtosis] = found.moments(|z| [z * z * z, z * z * z * z]);
         found.mode = found.highest_rise();
@@ -150,7 +150,7 @@ impl AtScores {
             log_square_slope,
             log_ratio: combined(1.0, -1.0),
             log_count: combined(-2.0, 1.0),
-            log_height: 0.0,
+            flat: f64::INFINITY,
             steepest: 1.0,
             changes: [0.0; SCORES + 1],
             mode: 0.0,
@@ -191,8 +191,7 @@ impl AtScores {
     /// Whether the surface is as flat there as [`FLATTEST`] says, with which its own heights are no longer those of the table.
     pub fn is_flat(&self, z: f64) -> bool {
         let [g, ..] = self.score(z);
-        let log_deviation = -(self.log_height + at(&self.log_count, g)[0] + at(&self.log_ratio, g)[0]);
-        log_deviation < log(FLATTEST * 2.0_f64.sqrt().sqrt())
+        at(&self.log_count, g)[0] + at(&self.log_ratio, g)[0] > self.flat
     }
 
     /// The logarithm of the density by u at a height, and du/dz.

@@ -11,10 +11,7 @@ use crate::numerics::float_bits::{power_of_two, MANTISSA_BITS};
 use crate::numerics::four::Portable;
 use std::sync::{Arc, OnceLock};
 
-/// There is a model for each largest load that is so many powers of two above another.
-const BINADES: u64 = 1;
-
-/// Models that are unloaded, of those of whose summits some yield.
+/// Models that are unloaded from largest loads each twice the one before, of those of whose summits some yield.
 #[derive(Debug, Clone)]
 pub(super) struct Unloaded {
     /// The exponent of the lightest, and whether each can be made.
@@ -43,7 +40,7 @@ impl Unloaded {
     /// Those of a table of loads.
     pub fn of((lightest, heaviest): (f64, f64)) -> Self {
         let exponent = |load: f64| load.to_bits() >> MANTISSA_BITS;
-        let count = exponent(heaviest).saturating_sub(exponent(lightest)) / BINADES + 1;
+        let count = exponent(heaviest).saturating_sub(exponent(lightest)) + 1;
         Self { first: exponent(lightest) + 1, models: (0..count).map(|_| OnceLock::new()).collect() }
     }
 
@@ -51,7 +48,7 @@ impl Unloaded {
     fn at(&self, place: u64, first: &Model) -> Option<&Top> {
         let cell = self.models.get(place as usize)?;
         let made = cell.get_or_init(|| {
-            let load = power_of_two(self.first + BINADES * place);
+            let load = power_of_two(self.first + place);
             let model = first.unloaded_for(load, true).ok()?;
             let values = Quantity::ALL.map(|quantity| model.value_and_slope(quantity, load).0);
             Some(Box::new(Top { model, load, values }))
@@ -69,10 +66,10 @@ impl Model {
         if largest <= self.largest_load || largest > self.heaviest {
             return None;
         }
-        let place = (largest.to_bits() >> MANTISSA_BITS).saturating_sub(unloaded.first) / BINADES;
+        let place = (largest.to_bits() >> MANTISSA_BITS).saturating_sub(unloaded.first);
         let values = |load: f64| Quantity::ALL.map(|quantity| self.value_and_slope(quantity, load).0);
         let upper = unloaded.at(place + 1, self).map(|top| (&top.model, top.load, top.values));
-        let lower = match power_of_two(unloaded.first + BINADES * place) <= self.largest_load {
+        let lower = match power_of_two(unloaded.first + place) <= self.largest_load {
             true => Some((self, self.largest_load, values(self.largest_load))),
             false => unloaded.at(place, self).map(|top| (&top.model, top.load, top.values)),
         };
