@@ -287,7 +287,7 @@ impl GivenRoughness<'_> {
 
     /// Refuses a slope that no surface has, by the name that gives it.
     fn check_slope(&self, kind: &Kind, m2: f64) -> Outcome<()> {
-        let given = kind.slopes.iter().find(|name| self.at(name).is_some());
+        let given = kind.slopes.iter().chain([&SLOPES]).find(|name| self.at(name).is_some());
         let slope = m2.sqrt();
         if slope <= given.map_or(STEEPEST_SURFACE * FRAC_1_SQRT_2, |_| STEEPEST_GIVEN) {
             return Ok(());
@@ -423,9 +423,13 @@ impl GivenRoughness<'_> {
 
     /// The ratio of the slopes across and along a lay, where it is given.
     fn lay(&self) -> Outcome<Option<f64>> {
-        let Some(name) = ["lay", "Rdq_along", "RSm_along"].into_iter().find(|name| self.at(name).is_some()) else {
-            return Ok(None);
-        };
+        let mut given = ["lay", "Rdq_along", "RSm_along"].into_iter().filter(|name| self.at(name).is_some());
+        let Some(name) = given.next() else { return Ok(None) };
+        if let Some(other) = given.next() {
+            return Err(
+                self.refused(other, format_args!("must not be given together with {name}, which says the same"))
+            );
+        }
         let number = self.need(name, 0)?;
         let lay = match name {
             "lay" => number,
@@ -458,7 +462,10 @@ impl GivenRoughness<'_> {
                     return Err(self.refused(missing, format_args!("must be set: Ssk and Sku go together")));
                 };
                 let height = self.need("Sq", 0)?;
-                let standard = shapes::skewed(skew, kurtosis).map_err(|error| at("Sku", error))?;
+                let standard = shapes::skewed(skew, kurtosis).map_err(|error| {
+                    let key = if error.name() == Some("skew") { "Ssk" } else { "Sku" };
+                    self.refused(key, format_args!("{error}"))
+                })?;
                 (standard.map(|z| height * z), shapes::POWER_OF_SKEW)
             }
             () => return Ok(None),

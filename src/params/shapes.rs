@@ -15,11 +15,10 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// The powers of t, where heights are those of skew and kurtosis, and where they are measured.
 pub const POWER_OF_SKEW: f64 = 2.0;
 pub const POWER_OF_HEIGHTS: f64 = 1.5;
-/// The power that gives a slope of the top lies between these.
-const POWERS: (f64, f64) = (-3.0, 5.0);
-/// A slope of the top is found to this, and taken to be that of all powers within this, relative.
+/// Slopes change by no more than this power of e a score.
+const STEEPEST_TILT: f64 = 1.0;
+/// A slope of the top is found to this, relative.
 const FOUND: f64 = 1e-6;
-const NEARLY: f64 = 0.05;
 /// The top: what is higher than the mean by a score of 1, 16 % of the surface.
 pub const TOP: f64 = 1.0;
 
@@ -57,25 +56,25 @@ pub fn slopes(height: &Heights, slope: f64, power: f64) -> Heights {
     }
 }
 
-/// The same, with the power that gives the slope of the top.
+/// The same with [`POWER_OF_HEIGHTS`], tilted: times a power of e that goes with the score, such that the top has its slope.
 ///
 /// # Errors
-/// [`Error::InvalidParameter`] of a slope of the top that no power gives.
+/// [`Error::InvalidParameter`] of a slope of the top that no surface has beside that of the whole.
 pub fn slopes_of_top(height: &Heights, slope: f64, top: f64) -> Result<Heights, Error> {
-    let excess = |power: f64| {
-        let found = AtScores::new(height, &slopes(height, slope, power));
-        found.map_or(f64::NAN, |(table, _)| log(table.slope_above(TOP) / top))
+    let level = slopes(height, slope, POWER_OF_HEIGHTS);
+    let tilted = |tilt: f64| from_fn(|i| level[i] * exp(tilt * table_score(i)));
+    let excess = |tilt: f64| {
+        let found = AtScores::new(height, &tilted(tilt));
+        found.map_or(f64::NAN, |(table, whole)| log(table.slope_above(TOP) / whole.slope * (slope / top)))
     };
-    let power = root::bracketed(excess, POWERS.0, POWERS.1);
-    if excess(power).abs() < FOUND {
-        return Ok(slopes(height, slope, power));
+    let tilt = root::bracketed(excess, -STEEPEST_TILT, STEEPEST_TILT);
+    match AtScores::new(height, &tilted(tilt)) {
+        Ok((_, whole)) if excess(tilt).abs() < FOUND => Ok(tilted(tilt).map(|one| one * (slope / whole.slope))),
+        _ => {
+            let allowed = "must be a slope that 16 % of a surface can have beside Sdq: is it Sdq of the points above the score 1?";
+            Err(Error::invalid("Sdq_top", top, allowed))
+        }
     }
-    // Where heights are nearly Gaussian all powers give nearly the same.
-    if excess(POWER_OF_HEIGHTS).abs() > NEARLY {
-        let allowed = "must be a slope that these heights can have above the score 1, their top 16 %: is it Sdq of the points above it?";
-        return Err(Error::invalid("Sdq_top", top, allowed));
-    }
-    Ok(slopes(height, slope, POWER_OF_HEIGHTS))
 }
 
 fn height_range(height: &Heights) -> f64 {
@@ -99,6 +98,16 @@ mod tests {
         let (table, whole) = AtScores::new(&height, &slope).expect("a table");
         assert!((whole.slope / 0.1 - 1.0).abs() < 1e-9 && (table.slope_above(TOP) / 0.04 - 1.0).abs() < 1e-5);
         assert!(slopes_of_top(&height, 0.1, 40.0).is_err());
+        // Heights that are Gaussian have a top of their own slope too.
+        let gaussian: Heights = from_fn(table_score);
+        for top in [0.05, 0.09, 0.1, 0.13, 0.2] {
+            let slope = slopes_of_top(&gaussian, 0.1, top).expect("slopes");
+            let (table, whole) = AtScores::new(&gaussian, &slope).expect("a table");
+            assert!(
+                (whole.slope / 0.1 - 1.0).abs() < 1e-9 && (table.slope_above(TOP) / top - 1.0).abs() < 1e-5,
+                "{top}"
+            );
+        }
     }
 
     #[test]
