@@ -6,6 +6,8 @@ The texts are those of the pages that are whole surfaces, each as it is and alte
 from __future__ import annotations
 
 import re
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +15,7 @@ import pytest
 
 from asperity import Error, Model, Params
 from asperity.__main__ import main
+from asperity._library import find
 from asperity.estimate import estimate
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -26,7 +29,27 @@ ALTERED = (
     (r"\A", 'interface_kind = "clean"\n'),
     (r"\A", "pressure_coefficient = 0.02\n"),
     (r'^process = .*$', "Rdq = 0.1"),
+    (r"\A", "size_effect = 0.5\n"),
+    (r"^measured = .*$", "slip_stress_1 = 0.02"),
+    (r"^measured = .*$", 'interface = "MoS2 film in dry air"'),
+    (r"^measured = .*$", 'interface = "steel/steel dry"'),
+    (r"^measured = .*$", "pressure_coefficient = 0.4"),
 )
+# What a tool of Modelica does with a surface file: mu at the loads.
+MODELICA = """
+#include <asperity_modelica.h>
+#include <stdio.h>
+
+void ModelicaFormatError(const char *format, ...) { fputs(format, stderr); exit(1); }
+void ModelicaFormatMessage(const char *format, ...) { (void)format; }
+int main(int count, char **word)
+{
+    void *law = asperity_modelica_create(word[1], "");
+    for (int i = 2; i < count; i++) printf("%.17g ", asperity_modelica_force(law, atof(word[i])) / atof(word[i]));
+    asperity_modelica_free(law);
+    return 0;
+}
+"""
 _HEIGHTS = [2e-7 * z - 5e-9 * z * z for z in range(-6, 7)]
 _GROUND = 'pair = "steel/steel"\nnominal_area = 1e-4\nmeasured = [[100, 0.16]]\n'
 # What pages say of no whole surface: tables, a lay, waves, devices, specimens that were measured on another surface.
@@ -52,13 +75,23 @@ def texts() -> list[str]:
     return found
 
 
-def doors(text: str, path: Path, loads: np.ndarray) -> dict[str, np.ndarray]:
+@pytest.fixture(scope="module")
+def modelica(tmp_path_factory: pytest.TempPathFactory, compile_c: Callable[..., None]) -> Path:
+    folder = tmp_path_factory.mktemp("modelica")
+    (folder / "main.c").write_text(MODELICA, encoding="utf-8")
+    includes = ("-Iinclude", "-Ihosts/modelica/Asperity/Resources/Include", "-Itests/consumers/modelica")
+    compile_c(*(f"-I{ROOT / one[2:]}" for one in includes), folder / "main.c", "-o", folder / "law", find(), "-lm")
+    return folder / "law"
+
+
+def doors(text: str, path: Path, loads: np.ndarray, modelica: Path) -> dict[str, np.ndarray]:
     path.write_text(text, encoding="utf-8")
+    of_host = subprocess.run([modelica, path, *map(repr, loads.tolist())], check=True, capture_output=True, text=True).stdout
     made = {"from_text": Params.from_text(text), "from_toml": Params.from_toml(path), "written": Params.from_text(Params.from_text(text).to_text())}
-    return {name: np.asarray(Model(params).friction_at_load(loads)) for name, params in made.items()}
+    return {"Modelica": np.array(of_host.split(), float), **{name: np.asarray(Model(params).friction_at_load(loads)) for name, params in made.items()}}
 
 
-def test_every_text_of_the_pages_means_the_same_through_all_doors(tmp_path: Path) -> None:
+def test_every_text_of_the_pages_means_the_same_through_all_doors(tmp_path: Path, modelica: Path) -> None:
     asked = 0
     for text in texts():
         area = float(re.findall(r"nominal_area = (\S+)", text)[0])
@@ -70,7 +103,7 @@ def test_every_text_of_the_pages_means_the_same_through_all_doors(tmp_path: Path
                 Params.from_text(text)
             continue
         asked += 1
-        for name, friction in doors(text, tmp_path / "surface.toml", loads).items():
+        for name, friction in doors(text, tmp_path / "surface.toml", loads, modelica).items():
             assert friction == pytest.approx(found.curve, rel=1e-5), (name, text)
         for load, value, curve in zip(loads, found.value, found.curve):
             says = f"a solver's curve has {curve:.3g} at {load:g} N".replace("e-0", "e-") in found.text

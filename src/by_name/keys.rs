@@ -31,66 +31,28 @@ impl Table {
     }
 
     /// Its keys beside the fields of parameters, which are those of the top.
-    pub fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Top => &[
-                "pair",
-                "interface",
-                "summit_density",
-                "table_height",
-                "table_density",
-                "calibration_load",
-                "calibration_friction_coefficient",
-                "calibration_friction_force",
-                "measured",
-                "specimens",
-                "coverage",
-                "interface_kind",
-                "size_effect",
-                "model_error",
-                HEIGHTS,
-            ],
-            Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
-            Self::Roughness => &[
-                "m0",
-                "m2",
-                "m4",
-                "Ra",
-                "Rq",
-                "RSm",
-                "Rdq",
-                "RSm_along",
-                "Rdq_along",
-                "Sq",
-                "Sdq",
-                "Ssc",
-                "Sds",
-                "Ssk",
-                "Sku",
-                "Spq",
-                "Svq",
-                "Smq",
-                "heights_at_scores",
-                "slopes_at_scores",
-                "Sdq_top",
-                "lay",
-                "summits",
-                "process",
-            ],
+    pub fn keys(self) -> impl Iterator<Item = &'static str> {
+        let keys = match self {
+            Self::Top => {
+                "pair interface summit_density table_height table_density calibration_load calibration_friction_coefficient \
+                 calibration_friction_force measured specimens coverage interface_kind size_effect model_error heights"
+            }
+            Self::Materials => "first second E1 nu1 E2 nu2",
+            Self::Roughness => {
+                "m0 m2 m4 Ra Rq RSm Rdq RSm_along Rdq_along Sq Sdq Ssc Sds Ssk Sku Spq Svq Smq heights_at_scores \
+                 slopes_at_scores Sdq_top lay summits process"
+            }
             // And those of the roughness.
-            Self::MeasuredOn => &["nominal_area", "E1", "nu1", "E2", "nu2", "hardness"],
-            Self::KnownTo => &["slope", "hardness", "work_of_adhesion", "E"],
-        }
-    }
-
-    fn has(self, name: &str) -> bool {
-        self.all_keys().any(|key| key == name)
+            Self::MeasuredOn => "nominal_area E1 nu1 E2 nu2 hardness",
+            Self::KnownTo => "slope hardness work_of_adhesion E",
+        };
+        keys.split(' ')
     }
 
     fn all_keys(self) -> impl Iterator<Item = &'static str> {
         let fields: &[_] = if self == Self::Top { FIELDS } else { &[] };
-        let rough = if self == Self::MeasuredOn { Self::Roughness.keys() } else { &[] };
-        fields.iter().map(|field| field.name).chain(rough.iter().chain(self.keys()).copied())
+        let rough = (self == Self::MeasuredOn).then(|| Self::Roughness.keys());
+        fields.iter().map(|field| field.name).chain(rough.into_iter().flatten()).chain(self.keys())
     }
 }
 
@@ -103,9 +65,6 @@ impl Display for Table {
         }
     }
 }
-
-/// The short word for `height_distribution`.
-const HEIGHTS: &str = "heights";
 
 /// What is said of words that people expect to be keys.
 const EXPECTED: &Expected = &[
@@ -199,7 +158,7 @@ impl<'t> Entries<'t> {
     /// Refuses a key that the table does not have.
     #[cold]
     fn unknown(&self, name: &str, at: usize) -> Box<Problem> {
-        let elsewhere = TABLES[..3].iter().copied().find(|table| table.has(name));
+        let elsewhere = TABLES[..3].iter().copied().find(|table| table.all_keys().any(|key| key == name));
         let (table, shown) = (self.table, Shown(name));
         match (elsewhere, meant(name)) {
             (Some(Table::Top), _) => Problem::new(at, format_args!("{table}{shown}: belongs above the first table")),
@@ -245,7 +204,8 @@ impl<'t> Keys<'t> for Entries<'t> {
         let Some(known) = self.table.all_keys().find(|key| *key == name) else {
             return Err(self.unknown(name, at));
         };
-        let name = if known == HEIGHTS { "height_distribution" } else { known };
+        // The short word of it.
+        let name = if known == "heights" { "height_distribution" } else { known };
         if let Some(first) = self.find(self.table, name) {
             let line = toml::line(self.text.as_bytes(), first.at);
             return Err(Problem::new(at, format_args!("{}{known}: given twice, also in line {line}", self.table)));

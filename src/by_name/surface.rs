@@ -14,7 +14,7 @@ use crate::materials::{no_interface, no_material, Bodies, Interface, Material, N
 use crate::model::calibration::MeasuredPoint;
 use crate::numerics::float_bits::nan;
 use crate::params::{positive, ContactLawKind, HeightFamily, Params};
-use std::fmt::{Arguments, Display, Formatter};
+use std::fmt::Arguments;
 use std::sync::Arc;
 
 /// The coverage of a band where the text gives none.
@@ -24,24 +24,16 @@ const MOST_POINTS: usize = 64;
 /// Names of bodies, and the numbers in their place.
 const BODIES: [(&str, [&str; 2]); 2] = [("first", ["E1", "nu1"]), ("second", ["E2", "nu2"])];
 /// What the bodies set, but for what may be given beside them.
-const MODULI: &[&str] = &["composite_modulus", "effective_shear_modulus", "tangential_modulus"];
+const MODULI: &str = "composite_modulus effective_shear_modulus tangential_modulus";
 /// What the roughness sets.
-const SUMMITS: &[&str] = &[
-    "height_std",
-    "summit_radius",
-    "asperity_count",
-    "summit_density",
-    "radius_amplitude",
-    "radius_rate",
-    "summit_mean_height",
-    "rms_slope",
-];
+const SUMMITS: &str = "height_std summit_radius asperity_count summit_density radius_amplitude radius_rate \
+     summit_mean_height rms_slope";
 /// The words for the summits of a roughness.
 const KINDS_OF_SUMMITS: &[&str] = &["moments", "mccool"];
 /// What an interface sets.
-const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coefficient"];
+const STRENGTH: &str = "slip_stress_1 slip_stress_2 pressure_coefficient";
 /// What chooses heights.
-const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
+const SHAPES: &str = "weibull_shape skew kurtosis table_height table_density";
 
 /// Sets what a text gives; of what it does not, all stays as it is. `solve` says which strength and contact law an estimate of the
 /// text takes, where the text tells a strength.
@@ -259,8 +251,25 @@ impl Entries<'_> {
             class: self.class()?,
             shape: shape(self, Table::Roughness, &params, machined.as_ref()),
             known_to: self.known_to()?,
-            model_error: self.model_error()?,
-            coverage: self.coverage()?,
+            model_error: self
+                .allowed(
+                    Table::Top,
+                    "model_error",
+                    |number| (0.0..=100.0).contains(&number),
+                    |_| "from 0, none, to 100; 1 is what is usual",
+                )?
+                .unwrap_or(1.0),
+            coverage: self
+                .allowed(
+                    Table::Top,
+                    "coverage",
+                    |number| number > 0.0 && number < 1.0,
+                    |number| match (1.0..100.0).contains(&number) {
+                        true => "between 0 and 1: is it in per cent?",
+                        false => "between 0 and 1",
+                    },
+                )?
+                .unwrap_or(DEFAULT_COVERAGE),
             bodies: numbers.bodies,
             has_moduli: self.of(Table::Materials).any(|entry| matches!(entry.value, Value::Number(_))),
             has_hardness: given(&["hardness"]),
@@ -299,14 +308,28 @@ impl Entries<'_> {
         draft.params.check_not_converted().map_err(|error| Problem::of(entry.at, error))
     }
 
+    /// A number of a key, where it is given, that is allowed, or else what it must be.
+    fn allowed(
+        &self,
+        table: Table,
+        name: &str,
+        is_allowed: fn(f64) -> bool,
+        or: fn(f64) -> &'static str,
+    ) -> Outcome<Option<f64>> {
+        let Some(entry) = self.find(table, name) else { return Ok(None) };
+        match entry.number()? {
+            number if is_allowed(number) => Ok(Some(number)),
+            number => Err(entry.must_be(format_args!("{}", or(number)))),
+        }
+    }
+
     /// The size effect in the place of slip stresses.
     fn size_effect(&self) -> Outcome<Option<f64>> {
-        let Some(entry) = self.find(Table::Top, "size_effect") else { return Ok(None) };
-        self.exclude(&["slip_stress_1", "slip_stress_2", "interface"], "size_effect")?;
-        match entry.number()? {
-            number if (0.0..=1.0).contains(&number) => Ok(Some(number)),
-            _ => Err(entry.must_be(format_args!("from 0, a film, to 1, clean crystals"))),
+        if self.find(Table::Top, "size_effect").is_some() {
+            self.exclude("slip_stress_1 slip_stress_2 interface", "size_effect")?;
         }
+        let says = |_| "from 0, a film, to 1, clean crystals";
+        self.allowed(Table::Top, "size_effect", |number| (0.0..=1.0).contains(&number), says)
     }
 
     /// The number of specimens that were measured.
@@ -321,10 +344,9 @@ impl Entries<'_> {
                 "a specimen needs its number of asperities, 1 or more: give its nominal_area, and loads in N"
             )));
         }
-        match entry.number()? {
-            number if (1.0..=1e6).contains(&number) && number.fract() == 0.0 => Ok(Some(number)),
-            _ => Err(entry.must_be(format_args!("a whole number, from 1: how many specimens were measured"))),
-        }
+        let is_count = |number: f64| (1.0..=1e6).contains(&number) && number.fract() == 0.0;
+        let says = |_| "a whole number, from 1: how many specimens were measured";
+        self.allowed(Table::Top, "specimens", is_count, says)
     }
 
     /// The class of the interface.
@@ -335,34 +357,17 @@ impl Entries<'_> {
             _ => None,
         };
         let names = CLASSES.each_ref().map(|class| class.words[0]);
-        found.ok_or_else(|| entry.must_be(format_args!("{}", Words(&names))))
+        found.ok_or_else(|| entry.must_be(format_args!("{}", one_of(&names))))
     }
 
     fn known_to(&self) -> Outcome<KnownTo> {
-        let factor = |name: &str| {
-            let Some(entry) = self.find(Table::KnownTo, name) else { return Ok(None) };
-            match entry.number()? {
-                number if (1.0..=1e3).contains(&number) => Ok(Some(number)),
-                number if number > 0.0 && number < 1.0 => {
-                    Err(entry.must_be(format_args!("a factor from 1, exact, to 1000: 1.2 is known to 20 %")))
-                }
-                _ => Err(entry.must_be(format_args!("a factor from 1, exact, to 1000"))),
-            }
+        let says = |number| match number > 0.0 && number < 1.0 {
+            true => "a factor from 1, exact, to 1000: 1.2 is known to 20 %",
+            false => "a factor from 1, exact, to 1000",
         };
-        Ok(KnownTo {
-            slope: factor("slope")?,
-            hardness: factor("hardness")?,
-            work: factor("work_of_adhesion")?,
-            young: factor("E")?,
-        })
-    }
-
-    fn model_error(&self) -> Outcome<f64> {
-        let Some(entry) = self.find(Table::Top, "model_error") else { return Ok(1.0) };
-        match entry.number()? {
-            number if (0.0..=100.0).contains(&number) => Ok(number),
-            _ => Err(entry.must_be(format_args!("from 0, none, to 100; 1 is what is usual"))),
-        }
+        let factor = |name| self.allowed(Table::KnownTo, name, |number| (1.0..=1e3).contains(&number), says);
+        let [slope, hardness, work, young] = ["slope", "hardness", "work_of_adhesion", "E"].map(factor);
+        Ok(KnownTo { slope: slope?, hardness: hardness?, work: work?, young: young? })
     }
 
     /// The surfaces that were measured, where they are not those that are asked for.
@@ -379,11 +384,11 @@ impl Entries<'_> {
                 format_args!("[measured_on]: measured must be set, what was measured there"),
             ));
         }
-        let own = Table::MeasuredOn.keys();
-        for entry in self.of(Table::MeasuredOn).filter(|entry| own.contains(&entry.name)) {
+        let is_own = |entry: &&Entry| Table::MeasuredOn.keys().any(|name| name == entry.name);
+        for entry in self.of(Table::MeasuredOn).filter(is_own) {
             numbers.give_named(entry.name, entry.number()?);
         }
-        let is_rough = self.of(Table::MeasuredOn).any(|entry| !own.contains(&entry.name));
+        let is_rough = !self.of(Table::MeasuredOn).all(|entry| is_own(&entry));
         let machined = match is_rough {
             true => self.roughness(Table::MeasuredOn, begin, &mut numbers)?,
             false => None,
@@ -400,7 +405,7 @@ impl Entries<'_> {
         let by = table.to_string();
         self.exclude(SUMMITS, by.trim_end())?;
         if Roughness::gives_curvature(self, table) {
-            self.exclude(&["bandwidth"], by.trim_end())?;
+            self.exclude("bandwidth", by.trim_end())?;
         }
         let bandwidth = numbers.get("bandwidth");
         let Roughness { moments, density, at_scores, lay, machined } = Roughness::of(self, table, begin, bandwidth)?;
@@ -423,23 +428,12 @@ impl Entries<'_> {
         (numbers.lay, numbers.at_scores) = (lay, at_scores);
         if numbers.at_scores.is_some() {
             self.exclude(SHAPES, by.trim_end())?;
-            self.exclude(&["height_distribution"], by.trim_end())?;
+            self.exclude("height_distribution", by.trim_end())?;
             if numbers.has_mccool_summits {
                 return refused(format_args!("\"mccool\" is for Gaussian heights: leave the key out"));
             }
         }
         Ok(machined)
-    }
-
-    fn coverage(&self) -> Outcome<f64> {
-        let Some(entry) = self.find(Table::Top, "coverage") else { return Ok(DEFAULT_COVERAGE) };
-        match entry.number()? {
-            number if number > 0.0 && number < 1.0 => Ok(number),
-            number if (1.0..100.0).contains(&number) => {
-                Err(entry.must_be(format_args!("between 0 and 1: is it in per cent?")))
-            }
-            _ => Err(entry.must_be(format_args!("between 0 and 1"))),
-        }
     }
 
     /// The measured points: those of `measured`, or that of the calibration.
@@ -503,7 +497,7 @@ impl Entries<'_> {
         let makes = |entry: &&Entry| match entry.table {
             Table::Roughness => true,
             _ if is_number => ["nominal_area", "summit_density", "asperity_count"].contains(&entry.name),
-            _ => SUMMITS.contains(&entry.name) || name.contains(entry.name),
+            _ => SUMMITS.split(' ').any(|name| name == entry.name) || name.contains(entry.name),
         };
         let keys: Vec<_> = self.all().filter(makes).collect();
         match keys[..] {
@@ -523,8 +517,8 @@ impl Entries<'_> {
 
     /// Refuses names that something else sets.
     #[inline(never)]
-    fn exclude(&self, names: &[&str], by: &str) -> Outcome<()> {
-        match names.iter().find_map(|name| self.find(Table::Top, name)) {
+    fn exclude(&self, names: &str, by: &str) -> Outcome<()> {
+        match names.split(' ').find_map(|name| self.find(Table::Top, name)) {
             Some(entry) => Err(entry.set_by(by)),
             None => Ok(()),
         }
@@ -581,25 +575,17 @@ impl Entry<'_> {
             Value::Number(number) => (0..words.len()).find(|&i| i as f64 == *number),
             _ => None,
         };
-        found.map(|number| number as f64).ok_or_else(|| self.must_be(format_args!("{}", Words(words))))
+        found.map(|number| number as f64).ok_or_else(|| self.must_be(format_args!("{}", one_of(words))))
     }
 }
 
 /// Words of which one must be given.
-struct Words<'a>(&'a [&'a str]);
-
-impl Display for Words<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        let quote = if self.0 == FLAG { "" } else { "\"" };
-        for (i, word) in self.0.iter().enumerate() {
-            let before = match i {
-                0 => "",
-                i if i + 1 == self.0.len() => " or ",
-                _ => ", ",
-            };
-            write!(f, "{before}{quote}{word}{quote}")?;
-        }
-        Ok(())
+fn one_of(words: &[&str]) -> String {
+    let quote = if words == FLAG { "" } else { "\"" };
+    let words: Vec<_> = words.iter().map(|word| format!("{quote}{word}{quote}")).collect();
+    match &words[..] {
+        [others @ .., last] => format!("{} or {last}", others.join(", ")),
+        [] => String::new(),
     }
 }
 
@@ -681,7 +667,7 @@ impl GivenSurface<'_> {
     }
 
     fn exclude_moduli(&self, by: &str) -> Outcome<()> {
-        match MODULI.iter().find_map(|name| self.entries.find(Table::Top, name)) {
+        match MODULI.split(' ').find_map(|name| self.entries.find(Table::Top, name)) {
             Some(entry) => Err(entry.refused(format_args!(
                 "{by} sets it already, leave one out; E1, nu1, E2 and nu2 replace the moduli of a pair"
             ))),

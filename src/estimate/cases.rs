@@ -27,22 +27,27 @@ pub const AREA_INPUT: usize = 7;
 /// All of the roughness.
 pub const SLOPES: [usize; 4] = [SLOPE_INPUT, HEIGHT_INPUT, THERE + SLOPE_INPUT, THERE + HEIGHT_INPUT];
 
-/// Logarithms of what surfaces bear at a load, with a shear strength of 1.
+/// What surfaces bear at a load, with a shear strength of 1.
 #[derive(Debug, Clone, Copy)]
 pub struct Terms {
-    /// The friction force of a film, whose strength does not depend on the size of a contact, and with the whole size effect; both the same
-    /// where that is given.
-    pub film: f64,
-    pub slip: f64,
-    /// The load of Hertz' contacts, which a pressure coefficient takes its part of.
-    pub hertz: f64,
-    /// Tangential and normal stiffness, the sum of the contact radii, and the normal stiffness of unloading.
-    pub stiffness: [f64; 4],
+    /// Logarithms of `FILM`, `SLIP`, `HERTZ` and `STIFFNESS`.
+    pub logs: [f64; 7],
     /// The gap itself, without what neighbours add.
     pub gap: f64,
     /// How many summits touch.
     pub contacts: f64,
+    /// How hard a specimen can be pulled; NaN of what is none.
+    pub pull: f64,
 }
+
+/// The friction force of a film, whose strength does not depend on the size of a contact, and with the whole size effect; both the same
+/// where that is given.
+const FILM: usize = 0;
+const SLIP: usize = 1;
+/// The load of Hertz' contacts, which a pressure coefficient takes its part of.
+pub const HERTZ: usize = 2;
+/// From here on tangential and normal stiffness, the sum of the contact radii, and the normal stiffness of unloading.
+pub const STIFFNESS: usize = 3;
 
 /// One work of adhesion, with its probability among the others.
 #[derive(Debug, Clone, Copy)]
@@ -90,8 +95,6 @@ pub struct OfLaw {
     changed: [Option<(Terms, f64)>; INPUTS],
     /// Single specimens of each model, none where many summits touch.
     specimens: Vec<Vec<Terms>>,
-    /// How hard the specimens of each model can be pulled, none likewise.
-    pulls: Vec<Vec<f64>>,
 }
 
 /// Specimens that stand for all, more where one was measured; where much else is not known fewer do; and those that tell what an input
@@ -114,12 +117,18 @@ impl Terms {
         let borne = surfaces.borne_near(load, near)?;
         let slip = log(borne.friction_force) - log(unit_strength(surfaces));
         let film = if is_film { log(borne.real_area) } else { slip };
-        let [tangential, normal, unloading] =
-            [borne.tangential_stiffness, borne.normal_stiffness, borne.unloading_stiffness].map(log);
-        let stiffness = [tangential, normal, log(borne.contact_radius_sum), unloading];
+        let more = [
+            borne.hertz_load,
+            borne.tangential_stiffness,
+            borne.normal_stiffness,
+            borne.contact_radius_sum,
+            borne.unloading_stiffness,
+        ];
+        let [hertz, tangential, normal, radii, unloading] = more.map(log);
         let gap = surfaces.gap_of(borne.separation, 0.0);
-        let found = Self { film, slip, hertz: log(borne.hertz_load), stiffness, gap, contacts: borne.contacting };
-        match finite(film) && finite(slip) && finite(found.hertz) {
+        let logs = [film, slip, hertz, tangential, normal, radii, unloading];
+        let found = Self { logs, gap, contacts: borne.contacting, pull: f64::NAN };
+        match finite(film) && finite(slip) && finite(hertz) {
             true => Ok((found, borne)),
             false if load > 0.0 => {
                 Err(Error::out_of_range(LOAD, load, "must be heavier: the friction force is too small for a number"))
@@ -129,25 +138,19 @@ impl Terms {
     }
 
     /// A specimen; one that is apart has nothing.
-    fn of(standing: Option<Standing>, surfaces: &Surfaces, is_film: bool) -> Self {
+    fn of(standing: Option<Standing>, pull: f64, surfaces: &Surfaces, is_film: bool) -> Self {
         let Some(standing) = standing else {
-            let stiffness = [NOTHING; 4];
-            return Self { film: NOTHING, slip: NOTHING, hertz: NOTHING, stiffness, gap: f64::NAN, contacts: 0.0 };
+            return Self { logs: [NOTHING; 7], gap: f64::NAN, contacts: 0.0, pull };
         };
         let held = standing.held(surfaces.units(), surfaces.gap_of(standing.separation, 0.0), 0.0);
         let [area, hertz] = standing.area_and_hertz(surfaces.units());
-        let some = |number: f64| if number > 0.0 { log(number).max(NOTHING) } else { NOTHING };
-        let slip = some(held.friction_force / unit_strength(surfaces));
+        let slip = held.friction_force / unit_strength(surfaces);
         let radii = standing.contacts.radius / standing.sums.psi() * surfaces.params().burgers_vector;
         let unloading = surfaces.unloading_stiffness(radii, held.normal_stiffness);
-        Self {
-            film: if is_film { some(area) } else { slip },
-            slip,
-            hertz: some(hertz),
-            stiffness: [held.tangential_stiffness, held.normal_stiffness, radii, unloading].map(some),
-            gap: held.gap,
-            contacts: held.contacts,
-        }
+        let film = if is_film { area } else { slip };
+        let all = [film, slip, hertz, held.tangential_stiffness, held.normal_stiffness, radii, unloading];
+        let logs = all.map(|number| if number > 0.0 { log(number).max(NOTHING) } else { NOTHING });
+        Self { logs, gap: held.gap, contacts: held.contacts, pull }
     }
 
     fn mix(&self, other: &Self, part: f64) -> Self {
@@ -156,33 +159,25 @@ impl Terms {
 
     /// What a function makes of the quantities of both.
     fn each(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
-        Self {
-            film: of(self.film, other.film),
-            slip: of(self.slip, other.slip),
-            hertz: of(self.hertz, other.hertz),
-            stiffness: std::array::from_fn(|i| of(self.stiffness[i], other.stiffness[i])),
-            gap: of(self.gap, other.gap),
-            contacts: of(self.contacts, other.contacts),
-        }
+        let logs = std::array::from_fn(|i| of(self.logs[i], other.logs[i]));
+        let [gap, contacts] = [of(self.gap, other.gap), of(self.contacts, other.contacts)];
+        Self { logs, gap, contacts, pull: of(self.pull, other.pull) }
     }
 
     /// The mean of specimens, of what it is the logarithm of.
     fn mean(all: &[Self]) -> Self {
         let mean = |of: &dyn Fn(&Self) -> f64| all.iter().map(of).sum::<f64>() / all.len() as f64;
-        let log_mean = |of: &dyn Fn(&Self) -> f64| log(mean(&|one| exp(of(one))));
         let holding = all.iter().filter(|one| !one.gap.is_nan());
         Self {
-            film: log_mean(&|one| one.film),
-            slip: log_mean(&|one| one.slip),
-            hertz: log_mean(&|one| one.hertz),
-            stiffness: std::array::from_fn(|i| log_mean(&|one| one.stiffness[i])),
+            logs: std::array::from_fn(|i| log(mean(&|one| exp(one.logs[i])))),
             gap: holding.clone().map(|one| one.gap).sum::<f64>() / holding.count() as f64,
             contacts: mean(&|one| one.contacts),
+            pull: f64::NAN,
         }
     }
 
     pub fn force(&self, size: f64) -> f64 {
-        self.film + size * (self.slip - self.film)
+        self.logs[FILM] + size * (self.logs[SLIP] - self.logs[FILM])
     }
 }
 
@@ -198,12 +193,6 @@ impl OfLaw {
         of(0).iter().zip(of(1)).map(|(one, other)| one.mix(other, work.part))
     }
 
-    /// How hard they can be pulled.
-    pub fn pulls<'a>(&'a self, work: &'a Work) -> impl Iterator<Item = f64> + 'a {
-        let of = |model: usize| self.pulls.get(work.models[model]).map_or(&[][..], |all| &all[..]);
-        of(0).iter().zip(of(1)).map(|(one, other)| one + work.part * (other - one))
-    }
-
     /// Of the surfaces as they most probably are, on the mean.
     pub fn separation(&self) -> Option<f64> {
         self.separations.first().copied()
@@ -215,7 +204,8 @@ impl OfLaw {
 
     /// The mean of what they can be pulled with, as the surfaces most probably are.
     pub fn mean_pull(&self) -> f64 {
-        self.pulls.get(self.middle).map_or(0.0, |pulls| pulls.iter().sum::<f64>() / pulls.len() as f64)
+        let of = |all: &Vec<Terms>| all.iter().map(|one| one.pull).sum::<f64>() / all.len() as f64;
+        self.specimens.get(self.middle).map_or(0.0, of)
     }
 
     /// What a quantity changes by with each input.
@@ -247,7 +237,8 @@ impl Law {
     /// at a load, on the mean.
     pub fn calibrated(&self, params: &Params, specimens: &Terms, load: f64, force: f64) -> Result<(f64, f64), Error> {
         let (surfaces, kappa) = (self.middle(), params.pressure_coefficient);
-        let factor = (force - kappa * exp(specimens.hertz)) / (exp(specimens.slip) * unit_strength(surfaces));
+        let factor =
+            (force - kappa * exp(specimens.logs[HERTZ])) / (exp(specimens.logs[SLIP]) * unit_strength(surfaces));
         let contacts = surfaces.borne_at_load(load).map_or(0.0, |borne| borne.contacting).max(1e-9);
         let many = load * (DRAWN / contacts).max(1.0);
         let borne = surfaces.borne_at_load(many)?;
@@ -288,12 +279,13 @@ impl Law {
         let Ok((of, to)) = near(there).and_then(|of| Ok((of, to?))) else { return mean };
         let mut found = mean_there.clone();
         for (k, at) in found.models.iter_mut().enumerate() {
-            let nearer =
-                |mean: &Terms, one: &Terms| mean.each(&one.each(&to.models[k], |a, b| a - b), |a, b| a + part * b);
+            let nearer = |mean: &Terms, one: &Terms| Terms {
+                pull: one.pull,
+                ..mean.each(&one.each(&to.models[k], |a, b| a - b), |a, b| a + part * b)
+            };
             found.specimens.push(of.specimens[k].iter().map(|one| nearer(at, one)).collect());
             *at = nearer(at, &of.models[k]);
         }
-        found.pulls = of.pulls;
         Ok(found)
     }
 
@@ -319,7 +311,7 @@ impl Law {
         let unchanged = self.even.as_ref().map_or(Ok(middle), |even| at(even, there))?;
         let changed = self.changed_by(|surfaces| at(surfaces, there))?;
         let (area, middle) = (self.area, self.middle);
-        Ok(OfLaw { separations, area, models, middle, unchanged, changed, specimens: Vec::new(), pulls: Vec::new() })
+        Ok(OfLaw { separations, area, models, middle, unchanged, changed, specimens: Vec::new() })
     }
 
     /// What is made of the surfaces that are changed.
@@ -338,21 +330,20 @@ impl Law {
     fn drawn_at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
         let heights = self.heights.get_or_init(|| Heights::of(self.middle()));
         let draw = |surfaces: &Surfaces, count: usize| {
-            let (mut found, mut pulls) = (Vec::with_capacity(count), Vec::with_capacity(count));
+            let mut found = Vec::with_capacity(count);
             let asked = Specimens { count, seed: 1, ..Specimens::default() };
             surfaces.stand((asked, MOST_DRAWN), heights, &[load], false, &mut |standing, pull| {
-                found.push(Terms::of(standing, surfaces, is_film));
-                pulls.push(pull);
+                found.push(Terms::of(standing, pull, surfaces, is_film));
             })?;
-            Ok::<_, Error>((found, pulls))
+            Ok::<_, Error>(found)
         };
-        let drawn = self.models.iter().map(|surfaces| draw(surfaces, self.specimens)).collect::<Result<Vec<_>, _>>()?;
-        let (specimens, pulls): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
-        let changed = self.changed_by(|surfaces| draw(surfaces, COMPARED).map(|(all, _)| Terms::mean(&all)))?;
+        let all = self.models.iter().map(|surfaces| draw(surfaces, self.specimens));
+        let specimens = all.collect::<Result<Vec<_>, _>>()?;
+        let changed = self.changed_by(|surfaces| draw(surfaces, COMPARED).map(|all| Terms::mean(&all)))?;
         let unchanged = Terms::mean(&specimens[self.middle][..COMPARED]);
         let models = specimens.iter().map(|all| Terms::mean(all)).collect();
         let (area, middle) = (self.area, self.middle);
-        Ok(OfLaw { separations: Vec::new(), area, models, middle, unchanged, changed, specimens, pulls })
+        Ok(OfLaw { separations: Vec::new(), area, models, middle, unchanged, changed, specimens })
     }
 }
 

@@ -22,7 +22,10 @@ use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{Params, OF_OTHER_MATERIALS};
-use cases::{laws, Law, OfLaw, Terms, Work, AREA_INPUT, HARDNESS_INPUT, NOTHING, SLOPES, STRENGTH_INPUT, YOUNG_INPUT};
+use cases::{
+    laws, Law, OfLaw, Terms, Work, AREA_INPUT, HARDNESS_INPUT, HERTZ, NOTHING, SLOPES, STIFFNESS, STRENGTH_INPUT,
+    YOUNG_INPUT,
+};
 use known::deviation;
 use posterior::{Kernel, Means, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
 use std::cell::RefCell;
@@ -279,45 +282,36 @@ impl Estimate {
         let measured: Vec<f64> = self.points.iter().map(|point| point.log_force).collect();
         let mut noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
         let unsolved = self.unsolved_nodes(&reference)?;
-        for is_again in [false, true] {
+        let solved = |noise: &[f64]| {
             let mut found: Vec<(Solved, f64)> = Vec::with_capacity(unsolved.len());
             for alike in unsolved.chunk_by(|(one, _), (other, _)| one.is_like(other)) {
                 let first = &alike[0].0;
-                let on_each: Vec<_> = match self.described.specimens {
-                    Some(_) => of_points.iter().map(|at| first.specimens(at)).collect(),
-                    None => Vec::new(),
-                };
+                let told = if self.measured_specimens() > 0.0 { &of_points[..] } else { &[] };
+                let on_each: Vec<_> = told.iter().map(|at| first.specimens(at)).collect();
                 found.extend(alike.iter().map(|(node, prior)| {
-                    let solved = self.solve(node, &on_each, &of_points, &decades, (&measured, &noise));
+                    let solved = self.solve(node, &on_each, &of_points, &decades, (&measured, noise));
                     let weight = log(*prior) + solved.log_probability;
                     (solved, weight)
                 }));
             }
-            let best = found.iter().map(|one| one.1).fold(f64::NEG_INFINITY, f64::max);
-            let mut all = 0.0;
-            for one in &mut found {
-                one.1 = exp(one.1 - best);
-                all += one.1;
-            }
-            // No law that changes so fast that hardly any does makes points at nearly one load agree.
-            let usual = unsolved.iter().zip(&found).filter(|((node, _), _)| node.more.0 <= FASTEST);
-            let least = usual.map(|(_, (solved, _))| solved.misfit).fold(f64::INFINITY, f64::min);
-            let growth = if is_again { 1.0 } else { self.growth_of(least) };
-            if growth > 1.0 {
-                self.growth = growth;
-                noise.iter_mut().for_each(|noise| *noise *= growth * growth);
-                continue;
-            }
-            self.nodes = unsolved
-                .into_iter()
-                .zip(found)
-                .filter(|(_, (_, weight))| weight / all > UNLIKELY)
-                .map(|((node, _), (solved, weight))| Node { weight: weight / all, solved, ..node })
-                .collect();
-            break;
+            found
+        };
+        let mut found = solved(&noise);
+        // No law that changes so fast that hardly any does makes points at nearly one load agree.
+        let usual = unsolved.iter().zip(&found).filter(|((node, _), _)| node.more.0 <= FASTEST);
+        let least = usual.map(|(_, (solved, _))| solved.misfit).fold(f64::INFINITY, f64::min);
+        let growth = self.growth_of(least);
+        if growth > 1.0 {
+            noise.iter_mut().for_each(|noise| *noise *= growth * growth);
+            found = solved(&noise);
         }
-        let leaves = |node: &&Node| node.more.0 > 1.0;
-        self.leaves_law = self.nodes.iter().filter(leaves).map(|node| node.weight).sum();
+        let best = found.iter().map(|one| one.1).fold(f64::NEG_INFINITY, f64::max);
+        found.iter_mut().for_each(|one| one.1 = exp(one.1 - best));
+        let all: f64 = found.iter().map(|one| one.1).sum();
+        let of = unsolved.into_iter().zip(found).filter(|(_, (_, weight))| weight / all > UNLIKELY);
+        self.nodes = of.map(|((node, _), (solved, weight))| Node { weight: weight / all, solved, ..node }).collect();
+        self.growth = growth;
+        self.leaves_law = self.nodes.iter().filter(|node| node.more.0 > 1.0).map(|node| node.weight).sum();
         Ok(())
     }
 
@@ -330,26 +324,23 @@ impl Estimate {
         decades: &[f64],
         (measured, noise): (&[f64], &[f64]),
     ) -> Solved {
-        let n = measured.len();
+        let (n, count) = (measured.len(), self.measured_specimens());
         let seen = of_points.iter().zip(decades).map(|(at, &decades)| node.seen(at, decades)).collect();
         let mut errors = vec![0.0; n * n];
         noise.iter().enumerate().for_each(|(i, noise)| errors[i * n + i] = *noise);
-        let Some(count) = self.described.specimens else { return Solved::new(seen, node.kernel, measured, &errors) };
         if count > 1.0 {
             for (i, k) in (0..n).flat_map(|i| (0..n).map(move |k| (i, k))) {
                 errors[i * n + k] += covariance(&on_each[i], &on_each[k], count);
             }
-            return Solved::new(seen, node.kernel, measured, &errors);
         }
         let solved = Solved::new(seen, node.kernel, measured, &errors);
-        if on_each.iter().all(Vec::is_empty) {
+        if count != 1.0 || on_each.iter().all(Vec::is_empty) {
             return solved;
         }
         let rise = |i: usize| node.more.1 * decades[i];
         let seen = |i: usize| node.seen(&of_points[i], decades[i]).mean;
         let on_one = |i: usize, one: usize| on_each[i].get(one).map_or_else(|| seen(i), |mean| mean + rise(i));
-        let count = on_each.iter().map(Vec::len).fold(0, usize::max);
-        solved.on_one_of(count, on_one, measured)
+        solved.on_one_of(on_each.iter().map(Vec::len).fold(0, usize::max), on_one, measured)
     }
 
     /// By how much the errors grow for a misfit, without a step.
@@ -388,8 +379,8 @@ impl Estimate {
                 let gains = if is_stress { [0.0; INPUTS] } else { of.gains(|terms| terms.force(size)) };
                 let (strength, is_part) = (self.strength.deviation, self.has_known_pressure());
                 let is_elsewhere = is_stress || self.laws_there.is_some();
-                let reference = Reference { force, hertz: terms.hertz, gains, strength, is_part, is_elsewhere };
-                let pressures = self.pressures(force, terms.hertz).into_iter().enumerate();
+                let reference = Reference { force, hertz: terms.logs[HERTZ], gains, strength, is_part, is_elsewhere };
+                let pressures = self.pressures(force, terms.logs[HERTZ]).into_iter().enumerate();
                 for (at_pressure, (pressed, of_pressure, log_force)) in pressures {
                     for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
                         let leaves = |rate: f64| if is_stress { 0.0 } else { (error * rate).powi(2) };
@@ -560,12 +551,12 @@ impl Estimate {
         let of_shape = self.described.shape.area;
         let error = self.described.model_error * (deviation(priors::STIFFNESS).powi(2) + of_shape * of_shape).sqrt();
         answer.stiffness =
-            std::array::from_fn(|i| self.of_surfaces(&at, error, |terms| terms.stiffness[i]).map(some_exp));
+            std::array::from_fn(|i| self.of_surfaces(&at, error, |terms| terms.logs[STIFFNESS + i]).map(some_exp));
         // In sigma.
         let length = self.laws[0].middle().units().length;
         let widening = self.widening(&at);
         answer.gap = self.of_surfaces(&at, 0.0, |terms| terms.gap / length).map(|gap| gap * length + widening);
-        answer.pull_off = self.pulled(&at);
+        answer.pull_off = self.of_surfaces(&at, 0.0, |terms| terms.pull);
         Ok(answer)
     }
 
@@ -585,7 +576,7 @@ impl Estimate {
         }
         if load == 0.0 || (load < 0.0 && answer.force.value > 0.0) {
             // What holds the surfaces together gives friction without a load; the ratio has no bound as the load goes to 0.
-            answer.friction = infinite();
+            answer.friction = Band::exact(f64::INFINITY);
         }
         if load <= 0.0 && answer.curve > 0.0 {
             answer.curve = f64::INFINITY;
@@ -675,16 +666,6 @@ impl Estimate {
         self.band_of(Mixture(normals))
     }
 
-    /// How hard specimens can be pulled.
-    fn pulled(&self, at: &[OfLaw]) -> Band {
-        let of = |(weight, node): (f64, &Node)| {
-            let pulls: Vec<f64> = at[node.law].pulls(&node.work).collect();
-            let weight = weight / pulls.len() as f64;
-            pulls.into_iter().map(move |mean| Normal { weight, mean, deviation: 0.0, part: 1.0 })
-        };
-        self.band_of(Mixture(self.surfaces().into_iter().flat_map(of).collect()))
-    }
-
     /// The median, and the quantiles of either end of a band.
     fn band_of(&self, mixture: Mixture) -> Band {
         if mixture.0.is_empty() {
@@ -695,7 +676,7 @@ impl Estimate {
         let coverage = self.described.coverage;
         let [low, high] = [0.5 * (1.0 - coverage), 0.5 * (1.0 + coverage)].map(|part| mixture.quantile(part));
         match mixture.moments().1 < CERTAIN {
-            true => Band { value, low: value, high: value },
+            true => Band::exact(value),
             false => Band { value, low: low.min(value), high: high.max(value) },
         }
     }
@@ -766,7 +747,7 @@ impl Estimate {
         // What other materials have is told of all of the friction: none is by pressure, which would be taken for known.
         if self.described.pressure_is_free && !self.strength.is_stress && !self.is_of_other_materials() {
             // The same part of the force, also where adhesion presses more or less than in the nodes.
-            let hertz = specimens.map_or_else(reference, Ok)?.hertz;
+            let hertz = specimens.map_or_else(reference, Ok)?.logs[HERTZ];
             measured.pressure_coefficient = mean(&|node| node.pressed) * exp(self.strength.log_force() - hertz);
             params.pressure_coefficient = measured.pressure_coefficient;
         }
@@ -936,18 +917,18 @@ impl Estimate {
     }
 }
 
-fn infinite() -> Band {
-    Band { value: f64::INFINITY, low: f64::INFINITY, high: f64::INFINITY }
-}
-
 impl Band {
+    const fn exact(value: f64) -> Self {
+        Self { value, low: value, high: value }
+    }
+
     fn map(self, of: impl Fn(f64) -> f64) -> Self {
         let [value, low, high] = [self.value, self.low, self.high].map(of);
         Self { value, low, high }
     }
 }
 
-const UNKNOWN: Band = Band { value: f64::NAN, low: f64::NAN, high: f64::NAN };
+const UNKNOWN: Band = Band::exact(f64::NAN);
 
 /// What a number is the logarithm of, or 0 where it is that of nothing.
 fn some_exp(number: f64) -> f64 {
@@ -978,7 +959,7 @@ impl Node {
     fn log_force(&self, terms: &Terms) -> (f64, f64) {
         let Reference { force, hertz, .. } = self.reference;
         let of_strength = (1.0 - self.pressed) * exp(terms.force(self.size) - force);
-        let all = of_strength + self.pressed * exp(terms.hertz - hertz);
+        let all = of_strength + self.pressed * exp(terms.logs[HERTZ] - hertz);
         (self.log_force + log(all), of_strength / all)
     }
 
