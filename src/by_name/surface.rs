@@ -142,7 +142,7 @@ impl Described {
     }
 
     /// Whether the strength follows from the text.
-    fn tells_strength(&self) -> bool {
+    pub fn tells_strength(&self) -> bool {
         let has_strength = self.has_stress || self.interface.is_some_and(|one| one.shear_strength > 0.0);
         !self.points.is_empty() || (self.is_whole && !has_strength)
     }

@@ -721,7 +721,8 @@ impl Estimate {
         if self.size.is_none() {
             params.slip.stress_2 = params.slip.stress_1 / exp(size * log(SIZE_RATIO));
         }
-        if params.work_of_adhesion > 0.0 {
+        // Where the text has a strength that nothing tells of, it has the law and the adhesion of a model too.
+        if params.work_of_adhesion > 0.0 && self.described.tells_strength() {
             params.work_of_adhesion = self.likely_work().unwrap_or(params.work_of_adhesion);
         }
         let surfaces = |params: &Params| {
