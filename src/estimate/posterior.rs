@@ -326,15 +326,20 @@ impl Mixture {
         self.0.iter().all(|one| one.deviation <= SHARPEST)
     }
 
-    /// The same of numbers without a deviation.
+    /// The same of numbers without a deviation: between the middles of neighbours on a line, so that it makes no step as they gain weight.
     fn sharp_quantile(&self, probability: f64) -> f64 {
-        let order = ascending(&self.0.iter().map(|one| one.mean).collect::<Vec<_>>());
-        let mut above: f64 = self.0.iter().map(|one| one.weight).sum::<f64>() * (1.0 - probability);
-        let found = order.iter().rev().find(|&&i| {
-            above -= self.0[i].weight;
-            above <= 0.0
-        });
-        found.map_or(f64::NAN, |&i| self.0[i].mean)
+        let all: f64 = self.0.iter().map(|one| one.weight).sum();
+        let (mut below, mut last) = (0.0, None);
+        for i in ascending(&self.0.iter().map(|one| one.mean).collect::<Vec<_>>()) {
+            let Normal { weight, mean, .. } = self.0[i];
+            let middle = (below + 0.5 * weight) / all;
+            if middle >= probability {
+                let of = |(at, before): (f64, f64)| before + (probability - at) / (middle - at) * (mean - before);
+                return last.map_or(mean, of);
+            }
+            (below, last) = (below + weight, Some((middle, mean)));
+        }
+        last.map_or(f64::NAN, |(_, mean)| mean)
     }
 
     /// What it is below of with a probability: by Newton's method within a bracket that is halved where it leads outside.
