@@ -11,7 +11,6 @@ use crate::model::validity::WARNING_TEXTS;
 use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
-use std::fmt::{Display, Formatter, Result, Write};
 use std::ops::RangeInclusive;
 
 /// Shares of the variance below this are not worth a measurement.
@@ -41,145 +40,143 @@ const FEW: f64 = 20.0;
 /// More points are told by their number.
 const MOST_POINTS_TOLD: usize = 3;
 
+/// Adds words to a text, or a line of them.
+macro_rules! begin {
+    ($out:expr, $($words:tt)*) => { $out.push_str(&format!($($words)*)) };
+}
+macro_rules! tell {
+    ($out:expr) => { $out.push('\n') };
+    ($out:expr, $($words:tt)*) => { { begin!($out, $($words)*); tell!($out) } };
+}
+
 /// Writes it, a line for each load and for each thing to know.
 ///
 /// # Errors
 /// Those of loads at which a point was measured.
-pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64) -> std::result::Result<String, Error> {
+pub fn write(estimate: &Estimate, answers: &[Answer], warnings: u64) -> Result<String, Error> {
     let mut out = String::new();
-    // Writing to a string does not fail.
-    let _ = write_answers(estimate, answers, &mut out);
+    write_answers(estimate, answers, &mut out);
     write_next(estimate, answers, &mut out)?;
     let points = &estimate.described.points;
-    let at_points =
-        points.iter().map(|point| estimate.friction_at(point.load)).collect::<std::result::Result<Vec<_>, _>>()?;
-    let _ = write_ground(estimate, answers, &at_points, warnings, &mut out);
-    let _ = write_outside(estimate, &at_points, &mut out);
+    let at_points = points.iter().map(|point| estimate.friction_at(point.load)).collect::<Result<Vec<_>, _>>()?;
+    write_ground(estimate, answers, &at_points, warnings, &mut out);
+    write_outside(estimate, &at_points, &mut out);
     Ok(out)
 }
 
-fn write_answers(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+fn write_answers(estimate: &Estimate, answers: &[Answer], out: &mut String) {
     match estimate.rests() {
         _ if estimate.is_measured() => {}
-        Rests::Rows(rows) => writeln!(out, "measured on other specimens: {}", Rows(rows))?,
+        Rests::Rows(rows) => tell!(out, "measured on other specimens: {}", rows_of(rows)),
         Rests::Family(rows) => {
-            writeln!(out, "measured on other specimens: {}: the alloy itself was not measured", Rows(rows))?;
+            tell!(out, "measured on other specimens: {}: the alloy itself was not measured", rows_of(rows));
         }
         _ => {}
     }
     for answer in answers {
-        write_answer(estimate, answer, out)?;
-        write_specimens(estimate, answer, out)?;
+        write_answer(estimate, answer, out);
+        write_specimens(estimate, answer, out);
     }
     write_constant(estimate, answers, out)
 }
 
 /// What it rests on, and what is to be checked.
-fn write_ground(
-    estimate: &Estimate,
-    answers: &[Answer],
-    at_points: &[Answer],
-    warnings: u64,
-    out: &mut dyn Write,
-) -> Result {
-    write_strength(estimate, at_points, out)?;
+fn write_ground(estimate: &Estimate, answers: &[Answer], at_points: &[Answer], warnings: u64, out: &mut String) {
+    write_strength(estimate, at_points, out);
     if estimate.is_of_pressures() {
-        writeln!(out, "rests on: loads are nominal pressures in Pa: no nominal_area was given")?;
+        tell!(out, "rests on: loads are nominal pressures in Pa: no nominal_area was given");
     }
-    write_shape(estimate, answers, out)?;
-    write_roughness(estimate, out)?;
-    write_bodies(estimate, out)?;
-    write_assumed(estimate, out)?;
-    write_points(estimate, out)?;
-    write_units(estimate, answers, out)?;
+    write_shape(estimate, answers, out);
+    write_roughness(estimate, out);
+    write_bodies(estimate, out);
+    write_assumed(estimate, out);
+    write_points(estimate, out);
+    write_units(estimate, answers, out);
     if estimate.described.yields() {
-        let index = Figures(estimate.described.params.plasticity_index());
-        writeln!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion")?;
+        let index = figures(estimate.described.params.plasticity_index());
+        tell!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion");
     }
     match &estimate.curve.failure {
         Some(Error::Uncalibrated { load, number, reason: CalibrationFailure::Strength, .. }) => {
-            let [load, most] = [*load, *number / *load].map(Figures);
-            writeln!(
+            let [load, most] = [*load, *number / *load].map(figures);
+            tell!(
                 out,
                 "check: not the shear of contacts: at {load} {} a strength below the shear modulus gives at most {most}; a solver gets no \
                  curve of this",
                 estimate.unit()
-            )?;
+            );
         }
-        Some(error) => writeln!(out, "check: a solver gets no curve of this: {error}")?,
+        Some(error) => tell!(out, "check: a solver gets no curve of this: {error}"),
         None => {}
     }
     if warnings != 0 {
         let names = WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(name, ..)| text(name));
-        writeln!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "))?;
+        tell!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "));
     }
-    Ok(())
 }
 
-fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
+fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut String) {
     let Answer { load, friction, force, curve, .. } = *answer;
-    let [at, mu, low, high] = [load, friction.value, friction.low, friction.high].map(Figures);
+    let [at, mu, low, high] = [load, friction.value, friction.low, friction.high].map(figures);
     let unit = estimate.unit();
     if friction.value == 0.0 {
-        return writeln!(out, "mu({at} {unit}) = 0: the surfaces are apart");
+        return tell!(out, "mu({at} {unit}) = 0: the surfaces are apart");
     }
     if load <= 0.0 {
-        write!(out, "mu({at} {unit}) has no limit: ")?;
+        begin!(out, "mu({at} {unit}) has no limit: ");
         let adheres = estimate.curve.params.work_of_adhesion > 0.0;
         if force.value == 0.0 && adheres {
-            return writeln!(out, "the tallest asperities adhere, how many depends on the nominal area");
+            return tell!(out, "the tallest asperities adhere, how many depends on the nominal area");
         }
         if force.value == 0.0 {
-            return writeln!(out, "it grows as the load goes to 0, where friction is 0");
+            return tell!(out, "it grows as the load goes to 0, where friction is 0");
         }
         let specimen = if is_few(answer) { " one specimen" } else { "" };
-        let [value, low, high] = [force.value, force.low, force.high].map(Figures);
-        write!(out, "adhesion gives{specimen} a friction force of {value} {unit}")?;
-        let percent = Percent(estimate.described.coverage);
+        let [value, low, high] = [force.value, force.low, force.high].map(figures);
+        begin!(out, "adhesion gives{specimen} a friction force of {value} {unit}");
+        let part = percent(estimate.described.coverage);
         if force.low < force.high {
-            write!(out, ", {percent} % band {low} to {high}")?;
+            begin!(out, ", {part} % band {low} to {high}");
         }
         let may_be_none = estimate.laws.iter().any(|law| law.works.iter().any(|work| work.work == 0.0));
-        return writeln!(out, "{}", if may_be_none { ", if there is any" } else { "" });
+        return tell!(out, "{}", if may_be_none { ", if there is any" } else { "" });
     }
-    let percent = Percent(estimate.described.coverage);
+    let part = percent(estimate.described.coverage);
     match (estimate.rests(), estimate.is_measured()) {
         _ if friction.low == friction.high => {
-            writeln!(out, "mu({at} {unit}) = {mu}, no band: all inputs count as known")?;
+            tell!(out, "mu({at} {unit}) = {mu}, no band: all inputs count as known");
         }
         (Rests::Metals | Rests::Others | Rests::GivenByDefault, false) => {
-            writeln!(out, "not measured: mu({at} {unit}) about {mu}, {low} to {high}")?;
+            tell!(out, "not measured: mu({at} {unit}) about {mu}, {low} to {high}");
         }
-        _ => writeln!(out, "mu({at} {unit}) = {mu}, {percent} % band {low} to {high}")?,
+        _ => tell!(out, "mu({at} {unit}) = {mu}, {part} % band {low} to {high}"),
     }
-    let curve = Figures(curve);
-    if !curve.0.is_nan() && curve.to_string() != mu.to_string() {
-        let off = Percent(((curve.0 / mu.0 - 1.0) * 1e3).round() * 1e-3);
+    let shown = figures(curve);
+    if !curve.is_nan() && shown != mu {
+        let off = percent(((curve / friction.value - 1.0) * 1e3).round() * 1e-3);
         let of = if answer.whose == Whose::Many { "" } else { ": it is of the mean of many specimens" };
-        writeln!(out, "a solver's curve has {curve} at {at} {unit}, {off} % off this{of}")?;
+        tell!(out, "a solver's curve has {shown} at {at} {unit}, {off} % off this{of}");
     }
-    Ok(())
 }
 
 /// How probable it is that a constant coefficient does.
-fn write_constant(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+fn write_constant(estimate: &Estimate, answers: &[Answer], out: &mut String) {
     if !estimate.is_measured() || estimate.strength.load <= 0.0 {
-        return Ok(());
+        return;
     }
-    let (constant, measured, unit) = (Figures(exp(estimate.strength.mean)), estimate.strength.load, estimate.unit());
+    let (constant, measured, unit) = (figures(exp(estimate.strength.mean)), estimate.strength.load, estimate.unit());
     let is_apart = |answer: &&Answer| answer.load > 0.0 && (answer.load / measured - 1.0).abs() > 0.01;
     for answer in answers.iter().filter(is_apart).take(MOST_LOOKED_AT) {
-        let (load, odds) = (Figures(answer.load), answer.constant_odds);
+        let (load, odds) = (figures(answer.load), answer.constant_odds);
         match odds > DOES {
-            true => writeln!(out, "a constant does at {load} {unit}: within 10 % of {constant}, odds {}", Odds(odds))?,
-            false => writeln!(out, "within 10 % of the constant {constant} at {load} {unit}: odds {}", Odds(odds))?,
+            true => tell!(out, "a constant does at {load} {unit}: within 10 % of {constant}, odds {}", odds_of(odds)),
+            false => tell!(out, "within 10 % of the constant {constant} at {load} {unit}: odds {}", odds_of(odds)),
         }
     }
-    Ok(())
 }
 
 /// What makes the most of the variance, and what would make it less.
-fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std::result::Result<(), Error> {
+fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> Result<(), Error> {
     // Without a band the shares are 0.
     let banded: Vec<&Answer> = answers.iter().filter(|answer| answer.friction.low < answer.friction.high).collect();
     let width = |answer: &&&Answer| answer.friction.high / answer.friction.low;
@@ -197,10 +194,10 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
         (of(|shares| shares.shape), "what is not told of the shape of the heights"),
         (of(|shares| shares.specimen), "which asperities a specimen happens to have"),
     ];
-    let (load, unit) = (Figures(widest.load), estimate.unit());
+    let (load, unit) = (figures(widest.load), estimate.unit());
     let order = ascending(&shares.map(|(share, _)| share));
     let (share, what) = shares[order[order.len() - 1]];
-    let _ = writeln!(out, "dominated by: {what} ({:.0} % of the variance at {load} {unit})", 100.0 * share);
+    tell!(out, "dominated by: {what} ({:.0} % of the variance at {load} {unit})", 100.0 * share);
     let mut remedies = Vec::new();
     let loads: Vec<f64> = banded.iter().map(|answer| answer.load).take(MOST_LOOKED_AT).collect();
     if let Some((load, gain)) = estimate.next_point(&loads)? {
@@ -209,7 +206,7 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
             1 => "a second measured point",
             _ => "one more measured point",
         };
-        remedies.push((gain, format!("{count} at {} {}", Figures(load), estimate.unit())));
+        remedies.push((gain, format!("{count} at {} {}", figures(load), estimate.unit())));
     }
     let slope = match &estimate.described.machined {
         Some(machined) if !machined.has_height && !machined.has_slope => "the profile: Ra or Rq, and RSm",
@@ -221,15 +218,15 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> std:
     remedies.extend(inputs.map(|(i, what)| (shares[i].0, what.to_owned())));
     let order = ascending(&remedies.iter().map(|(share, _)| -share).collect::<Vec<_>>());
     for (share, remedy) in order.into_iter().map(|i| &remedies[i]).filter(|(share, _)| *share >= WORTHWHILE) {
-        let _ = writeln!(out, "to narrow it: {remedy} ({:.0} % of the variance)", 100.0 * share);
+        tell!(out, "to narrow it: {remedy} ({:.0} % of the variance)", 100.0 * share);
     }
     Ok(())
 }
 
 /// Measured points outside the band at their loads.
-fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write) -> Result {
+fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
     if estimate.described.measured_on.is_some() {
-        return Ok(());
+        return;
     }
     let ratio = |point: &MeasuredPoint| point.force / point.load;
     let is_outside = |(point, answer): &(&MeasuredPoint, &Answer)| {
@@ -239,18 +236,17 @@ fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write)
     let unit = estimate.unit();
     for (point, answer) in outside.iter().take(MOST_POINTS_TOLD) {
         let off = (log(ratio(point) / answer.friction.value) / point.error).abs();
-        let [ratio, load, off] = [ratio(point), point.load, off].map(Figures);
-        let [low, high] = [answer.friction.low, answer.friction.high].map(Figures);
-        writeln!(
+        let [ratio, load, off] = [ratio(point), point.load, off].map(figures);
+        let [low, high] = [answer.friction.low, answer.friction.high].map(figures);
+        tell!(
             out,
             "check: the measured {ratio} at {load} {unit} is outside the band {low} to {high}, {off} of its errors from the value: the \
              band is that of the mean, and the points scatter"
-        )?;
+        );
     }
     if outside.len() > MOST_POINTS_TOLD {
-        writeln!(out, "check: so are {} more of the measured points", outside.len() - MOST_POINTS_TOLD)?;
+        tell!(out, "check: so are {} more of the measured points", outside.len() - MOST_POINTS_TOLD);
     }
-    Ok(())
 }
 
 fn is_few(answer: &Answer) -> bool {
@@ -258,67 +254,71 @@ fn is_few(answer: &Answer) -> bool {
 }
 
 /// Of which specimen an answer is where they differ.
-fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut dyn Write) -> Result {
+fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut String) {
     let Answer { load, another, whose, .. } = *answer;
-    let [at, contacts] = [load, answer.contacts].map(Figures);
+    let [at, contacts] = [load, answer.contacts].map(figures);
     let unit = estimate.unit();
-    let [value, low, high] = [another.value, another.low, another.high].map(|force| Figures(force / load));
+    let [value, low, high] = [another.value, another.low, another.high].map(|force| figures(force / load));
     match whose {
-        _ if load <= 0.0 || answer.friction.value == 0.0 => Ok(()),
-        Whose::Measured => writeln!(
+        _ if load <= 0.0 || answer.friction.value == 0.0 => {}
+        Whose::Measured => tell!(
             out,
             "few contacts: {contacts} asperities touch at {at} {unit}: this is of the specimen that was measured; another one has {value}, {low} to {high}"
         ),
         Whose::Any if is_few(answer) => {
-            writeln!(out, "few contacts: {contacts} asperities touch at {at} {unit}: this is of one specimen, whichever it is")
+            tell!(out, "few contacts: {contacts} asperities touch at {at} {unit}: this is of one specimen, whichever it is")
         }
-        _ => Ok(()),
+        _ => {}
     }
 }
 
-fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write) -> Result {
-    let (factor, unit) = (Figures(estimate.strength.factor()), estimate.unit());
-    let median = Figures(exp(estimate.strength.mean));
-    write!(out, "rests on: strength of the interface: ")?;
+fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
+    let (factor, unit) = (figures(estimate.strength.factor()), estimate.unit());
+    let median = figures(exp(estimate.strength.mean));
+    begin!(out, "rests on: strength of the interface: ");
     if !estimate.is_measured() {
         return match estimate.rests() {
             Rests::Metals => {
-                writeln!(out, "not measured: that of dry metals, {median} to a factor of {factor} either way")?;
+                tell!(out, "not measured: that of dry metals, {median} to a factor of {factor} either way");
                 let (median, factor) = MAYBE_LUBRICATED;
-                writeln!(out, "check: is it dry? Where a lubricant may be, metals have {median} to a factor of {factor} either way")
+                tell!(out, "check: is it dry? Where a lubricant may be, metals have {median} to a factor of {factor} either way")
             }
             Rests::Others => {
-                writeln!(out, "not measured: {median} to a factor of {factor} either way, as dry solids have")
+                tell!(out, "not measured: {median} to a factor of {factor} either way, as dry solids have")
             }
             Rests::Rows(rows) | Rests::Family(rows) => {
-                writeln!(out, "from {}, to a factor of {factor} either way", Names(rows))
+                let which = match rows[..] {
+                    [row] => format!("{} of the table", text(row.name)),
+                    _ => format!("the {} rows of these bodies in the table", rows.len()),
+                };
+                tell!(out, "from {which} of interfaces, to a factor of {factor} either way")
             }
-            Rests::Given => writeln!(out, "as given"),
+            Rests::Given => tell!(out, "as given"),
             Rests::GivenByDefault => {
-                writeln!(out, "not measured: slip stresses as given, to a factor of {factor} either way")
+                tell!(out, "not measured: slip stresses as given, to a factor of {factor} either way")
             }
         };
     }
     let points = &estimate.described.points;
-    write!(out, "measured here, ")?;
+    begin!(out, "measured here, ");
     match &points[..] {
         _ if points.len() > MOST_POINTS_TOLD => {
             let loads = || points.iter().map(|point| point.load);
             let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
-            let [lightest, heaviest] = ends.map(Figures);
-            writeln!(out, "{} points from {lightest} {unit} to {heaviest} {unit}", points.len())?;
+            let [lightest, heaviest] = ends.map(figures);
+            tell!(out, "{} points from {lightest} {unit} to {heaviest} {unit}", points.len());
         }
         some => {
             for (i, point) in some.iter().enumerate() {
                 let before = if i > 0 { ", " } else { "" };
-                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
+                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(figures);
                 match point.load > 0.0 {
-                    true => write!(out, "{before}{ratio} at {load} {unit}")?,
-                    false => write!(out, "{before}{force} {unit} at {load} {unit}")?,
+                    true => begin!(out, "{before}{ratio} at {load} {unit}"),
+                    false => begin!(out, "{before}{force} {unit} at {load} {unit}"),
                 }
-                write!(out, " to {} %", Percent(point.error))?;
+                begin!(out, " to {} %", percent(point.error));
             }
-            writeln!(out)?;
+            tell!(out);
         }
     }
     if estimate.leaves_law > 0.5 {
@@ -328,38 +328,37 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut dyn Write
         };
         let misses = points.iter().zip(at_points).filter_map(off);
         if let Some((load, off)) = misses.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs())) {
-            let (load, off) = (Figures(load), 100.0 * off.abs());
-            writeln!(
+            let (load, off) = (figures(load), 100.0 * off.abs());
+            tell!(
                 out,
                 "check: the points change faster than the law; a solver's curve misses them by {off:.0} % at {load} {unit}: is the load in \
                  N, is there wear or a lubricant?"
-            )?;
+            );
         }
     }
     if estimate.growth > 1.0 {
-        let errors = Figures(apart_at_one_load(points).max(estimate.growth));
-        writeln!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it")?;
+        let errors = figures(apart_at_one_load(points).max(estimate.growth));
+        tell!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it");
     }
     match estimate.described.specimens {
-        Some(1.0) => writeln!(out, "rests on: measured on 1 specimen")?,
-        Some(count) => writeln!(
+        Some(1.0) => tell!(out, "rests on: measured on 1 specimen"),
+        Some(count) => tell!(
             out,
             "rests on: measured on {} specimens: the scatter between them over its root is in the band",
-            Figures(count)
-        )?,
+            figures(count)
+        ),
         None => {}
     }
     let is_asked = |answer: &&Answer| answer.contacts < FEW && estimate.described.specimens.is_none();
     for answer in at_points.iter().filter(is_asked).take(1) {
-        let [load, contacts] = [answer.load, answer.contacts].map(Figures);
+        let [load, contacts] = [answer.load, answer.contacts].map(figures);
         let taken = if estimate.described.is_of_law { "a model has" } else { "specimens have on the mean" };
-        writeln!(
+        tell!(
             out,
             "check: {contacts} asperities touch at the measured {load} N: on how many specimens was it measured? Give specimens = 1 if on one; it \
              is taken for what {taken}"
-        )?;
+        );
     }
-    Ok(())
 }
 
 /// By how many of their errors points differ whose loads hardly do.
@@ -379,43 +378,46 @@ fn apart_at_one_load(points: &[MeasuredPoint]) -> f64 {
 }
 
 /// What is taken of the bodies by their names.
-fn write_bodies(estimate: &Estimate, out: &mut dyn Write) -> Result {
+fn write_bodies(estimate: &Estimate, out: &mut String) {
     let described = &estimate.described;
-    let write_elastic = |of: &str, out: &mut dyn Write| {
-        writeln!(out, "rests on: elastic asperities: the hardness{of} is not known, give it if they yield")
+    let write_elastic = |of: &str, out: &mut String| {
+        tell!(out, "rests on: elastic asperities: the hardness{of} is not known, give it if they yield")
     };
     let Some(bodies) = &described.bodies else {
         let is_known = described.has_hardness || described.params.hardness > 0.0;
-        return if is_known { Ok(()) } else { write_elastic("", out) };
+        return if is_known {
+        } else {
+            write_elastic("", out)
+        };
     };
     let Bodies { first, second } = *bodies;
     if !described.has_moduli {
         let of = |body: &'static Material| {
-            let (young, poisson, name) = (Stress(body.young), body.poisson, text(body.name));
+            let (young, poisson, name) = (stress(body.young), body.poisson, text(body.name));
             format!("E = {young} and nu = {poisson} of {name}")
         };
         let other = if std::ptr::eq(first, second) { String::new() } else { format!(", {}", of(second)) };
-        writeln!(out, "rests on: {}{other}", of(first))?;
+        tell!(out, "rests on: {}{other}", of(first));
     }
     if !described.has_adhesion && described.params.work_of_adhesion > 0.0 && !described.yields() {
         match bodies.pair() {
             Some(pair) => {
-                let work = Figures(pair.work_of_adhesion);
-                write!(out, "rests on: work of adhesion {work} J/m^2 of {}", text(pair.name))?;
+                let work = figures(pair.work_of_adhesion);
+                begin!(out, "rests on: work of adhesion {work} J/m^2 of {}", text(pair.name));
                 let [least, most] = pair.work_of_adhesion_range;
                 if most > least {
-                    write!(out, ", measured and estimated {} to {}", Figures(least), Figures(most))?;
+                    begin!(out, ", measured and estimated {} to {}", figures(least), figures(most));
                 }
             }
             None => {
                 let names = [first.name, second.name].map(text).join("/");
-                write!(out, "rests on: work of adhesion {USUAL_WORK} J/m^2, as of what adsorbs in air: none is known of {names}")?;
+                begin!(out, "rests on: work of adhesion {USUAL_WORK} J/m^2, as of what adsorbs in air: none is known of {names}");
             }
         }
-        writeln!(out, ", or none")?;
+        tell!(out, ", or none");
     }
     if described.has_hardness {
-        return Ok(());
+        return;
     }
     let softer = bodies.softer();
     let name = text(softer.name);
@@ -423,64 +425,63 @@ fn write_bodies(estimate: &Estimate, out: &mut dyn Write) -> Result {
         return write_elastic(&format!(" of {name}"), out);
     }
     if !described.law_is_open || estimate.laws.len() == 1 && !described.yields() {
-        return Ok(());
+        return;
     }
     let of = if softer.state.is_empty() { String::new() } else { format!(", {}", softer.state) };
-    writeln!(out, "rests on: hardness = {} of {name}{of}", Stress(softer.hardness))
+    tell!(out, "rests on: hardness = {} of {name}{of}", stress(softer.hardness))
 }
 
 /// What was taken of what is not known, in a line.
-fn write_assumed(estimate: &Estimate, out: &mut dyn Write) -> Result {
+fn write_assumed(estimate: &Estimate, out: &mut String) {
     let described = &estimate.described;
     let params = &estimate.curve.params;
     let mut parts = Vec::new();
     match estimate.size {
         None => {
             let size: f64 = estimate.nodes.iter().map(|node| node.weight * node.size).sum();
-            parts.push(format!("{} (size effect {})", described.class.called, Figures(size)));
+            parts.push(format!("{} (size effect {})", described.class.called, figures(size)));
         }
-        Some(size) => parts.push(format!("{}, size effect {} as given", described.class.called, Figures(size))),
+        Some(size) => parts.push(format!("{}, size effect {} as given", described.class.called, figures(size))),
     }
     if params.is_of_many() {
         let slope = if described.machined.is_some() { params.rms_slope / 2.0_f64.sqrt() } else { params.rms_slope };
-        let factor = Figures(slope_factor(described, described.machined.as_ref()));
+        let factor = figures(slope_factor(described, described.machined.as_ref()));
         match slope > 0.0 {
-            true => parts.push(format!("slope {} to a factor of {factor}", Figures(slope))),
+            true => parts.push(format!("slope {} to a factor of {factor}", figures(slope))),
             false => parts.push(format!("slope to a factor of {factor}")),
         }
     }
     if described.yields() && hardness_factor(described) > 1.0 {
-        parts.push(format!("hardness to a factor of {}", Figures(hardness_factor(described))));
+        parts.push(format!("hardness to a factor of {}", figures(hardness_factor(described))));
     }
     match params.work_of_adhesion > 0.0 {
         true if work_factor(described) > 1.0 => {
             parts.push(format!(
                 "adhesion {} J/m^2 to a factor of {}, or none",
-                Figures(params.work_of_adhesion),
-                Figures(work_factor(described))
+                figures(params.work_of_adhesion),
+                figures(work_factor(described))
             ));
         }
-        true => parts.push(format!("adhesion {} J/m^2", Figures(params.work_of_adhesion))),
+        true => parts.push(format!("adhesion {} J/m^2", figures(params.work_of_adhesion))),
         false => parts.push("no adhesion".to_owned()),
     }
-    writeln!(out, "assumed: {}", parts.join(", "))?;
+    tell!(out, "assumed: {}", parts.join(", "));
     let is_brittle = |body: &Material| ["glass", "SiO2"].contains(&text(body.name));
     let of_glass = described.bodies.is_some_and(|bodies| is_brittle(bodies.first) || is_brittle(bodies.second));
     if !described.class.carries_over || of_glass {
-        writeln!(
+        tell!(
             out,
             "check: of rock, glass and grains a strength does not carry over to another roughness: measured friction rises with roughness \
              there, by interlocking"
-        )?;
+        );
     }
     if described.measured_on.is_some() {
-        writeln!(out, "rests on: the strength in Pa of the specimen of [measured_on]")?;
+        tell!(out, "rests on: the strength in Pa of the specimen of [measured_on]");
     }
-    Ok(())
 }
 
 /// Measured points that are hardly of dry friction.
-fn write_points(estimate: &Estimate, out: &mut dyn Write) -> Result {
+fn write_points(estimate: &Estimate, out: &mut String) {
     let unit = estimate.unit();
     let ends = |of: fn(&MeasuredPoint) -> f64| {
         let values = || estimate.described.points.iter().filter(|point| point.load > 0.0).map(of);
@@ -489,25 +490,23 @@ fn write_points(estimate: &Estimate, out: &mut dyn Write) -> Result {
     let ([lightest, heaviest], [least, most]) = (ends(|point| point.load), ends(|point| point.force / point.load));
     let is_like = LIKE_A_COEFFICIENT.contains(&lightest) && LIKE_A_COEFFICIENT.contains(&heaviest);
     if most > LARGE {
-        let [ratio, part] = [most, 0.01 * most].map(Figures);
-        write!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?")?;
-        writeln!(out, "{}", if is_like { " Or is it the load? A point is [load, coefficient]" } else { "" })
+        let [ratio, part] = [most, 0.01 * most].map(figures);
+        begin!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?");
+        tell!(out, "{}", if is_like { " Or is it the load? A point is [load, coefficient]" } else { "" })
     } else if least < SMALL {
-        let least = Figures(least);
-        writeln!(out, "check: the measured friction coefficient is {least}, dry surfaces have more: is it the load? A point is [load, coefficient]")
+        let least = figures(least);
+        tell!(out, "check: the measured friction coefficient is {least}, dry surfaces have more: is it the load? A point is [load, coefficient]")
     } else if is_like && heaviest > lightest && most / least > APART.max(heaviest / lightest) {
-        let [lightest, heaviest, least, most] = [lightest, heaviest, least, most].map(Figures);
-        writeln!(
+        let [lightest, heaviest, least, most] = [lightest, heaviest, least, most].map(figures);
+        tell!(
             out,
             "check: friction coefficients of {least} to {most} at {lightest} to {heaviest} {unit}: are the two swapped? A point is [load, coefficient]"
         )
-    } else {
-        Ok(())
     }
 }
 
 /// Slips of units that make numbers which no contact has.
-fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut String) {
     let points = &estimate.described.points;
     let Params { rms_slope, pressure_coefficient, work_of_adhesion, .. } = estimate.described.params;
     let is_given = estimate.described.machined.as_ref().is_none_or(|machined| machined.has_slope);
@@ -522,12 +521,12 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
         ("work_of_adhesion", work_of_adhesion, STICKY, "is it in mJ/m^2?"),
     ] {
         if value > most {
-            writeln!(out, "check: {name} is {}: {says}", Figures(value))?;
+            tell!(out, "check: {name} is {}: {says}", figures(value));
         }
     }
     let Params { nominal_area, hardness, work_of_adhesion, .. } = estimate.curve.params;
     if !estimate.curve.params.is_of_many() {
-        return Ok(());
+        return;
     }
     let loads = answers.iter().map(|answer| answer.load).chain(points.iter().map(|point| point.load));
     let pressure = loads.fold(0.0, f64::max) / estimate.described.area();
@@ -536,156 +535,112 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> 
         (false, true) => "is load in N, and nominal_area in m^2?",
         (false, false) => "is load in N, and asperity_count a number and not a density?",
     };
-    let shown = Figures(pressure);
+    let shown = figures(pressure);
     if pressure > 0.0 && pressure < if work_of_adhesion > 0.0 { LIGHT_OF_ADHESION } else { LIGHT } {
-        let light = Figures(LIGHT);
-        writeln!(out, "check: the nominal pressure is {shown} Pa, and a steel sheet of 1 mm has {light} Pa: {units}")
+        let light = figures(LIGHT);
+        tell!(out, "check: the nominal pressure is {shown} Pa, and a steel sheet of 1 mm has {light} Pa: {units}")
     } else if nominal_area > 0.0 && hardness > 0.0 && pressure > hardness {
-        writeln!(out, "check: the nominal pressure is {shown} Pa, above the hardness, which no contact bears: {units}")
-    } else {
-        Ok(())
+        tell!(out, "check: the nominal pressure is {shown} Pa, above the hardness, which no contact bears: {units}")
     }
 }
 
 /// What is told of the shape of heights, and what a table of it would be worth.
-fn write_shape(estimate: &Estimate, answers: &[Answer], out: &mut dyn Write) -> Result {
+fn write_shape(estimate: &Estimate, answers: &[Answer], out: &mut String) {
     let shape = estimate.described.shape;
     if shape.called.is_empty() {
-        return Ok(());
+        return;
     }
-    write!(out, "rests on: roughness: {}", shape.called)?;
+    begin!(out, "rests on: roughness: {}", shape.called);
     let worth = |answer: &&Answer| answer.friction.low < answer.friction.high && answer.shares.shape > WORTHWHILE;
     let most = answers.iter().filter(worth).max_by(|one, other| one.shares.shape.total_cmp(&other.shares.shape));
     if let Some(answer) = most.filter(|_| *shape == ALONE) {
         let (Band { value, low, high }, left) = (answer.friction, (1.0 - answer.shares.shape).max(0.0).sqrt());
         let [load, low, high] =
-            [answer.load, value * exp(left * log(low / value)), value * exp(left * log(high / value))].map(Figures);
+            [answer.load, value * exp(left * log(low / value)), value * exp(left * log(high / value))].map(figures);
         let unit = estimate.unit();
-        write!(
+        begin!(
             out,
             ", as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at {load} {unit} to \
              some {low} to {high}"
-        )?;
+        );
     }
-    writeln!(out)?;
+    tell!(out);
     match &estimate.described.machined {
-        Some(machined) if machined.process.leaves_plateaus() => writeln!(
+        Some(machined) if machined.process.leaves_plateaus() => tell!(
             out,
             "check: {} surfaces have plateaus and are not Gaussian: give heights_at_scores, or Spq, Svq and Smq",
             machined.process.name
         ),
-        _ => Ok(()),
+        _ => {}
     }
 }
 
-fn write_roughness(estimate: &Estimate, out: &mut dyn Write) -> Result {
-    let Some(machined) = &estimate.described.machined else { return Ok(()) };
-    let (name, [least, most]) = (machined.process.name, machined.process.mean_deviation.map(|ra| Figures(ra * 1e6)));
+fn write_roughness(estimate: &Estimate, out: &mut String) {
+    let Some(machined) = &estimate.described.machined else { return };
+    let (name, [least, most]) = (machined.process.name, machined.process.mean_deviation.map(|ra| figures(ra * 1e6)));
     if !machined.has_height {
-        writeln!(out, "rests on: Ra of {name} surfaces: {least} to {most} um")?;
+        tell!(out, "rests on: Ra of {name} surfaces: {least} to {most} um");
     }
     if let Some(ra) = machined.unusual {
-        let ra = Figures(ra * 1e6);
-        writeln!(
-            out,
-            "check: Ra = {ra} um: {name} surfaces have {least} to {most} um: is it of this process, and in m?"
-        )?;
+        let ra = figures(ra * 1e6);
+        tell!(out, "check: Ra = {ra} um: {name} surfaces have {least} to {most} um: is it of this process, and in m?");
     }
     if !machined.has_slope {
-        let (slope, factor) = (Figures(machined.slope), Figures(slope_factor(&estimate.described, Some(machined))));
-        writeln!(out, "rests on: slope of the profile: {slope} to a factor of {factor}, assumed of machined surfaces")?;
+        let (slope, factor) = (figures(machined.slope), figures(slope_factor(&estimate.described, Some(machined))));
+        tell!(out, "rests on: slope of the profile: {slope} to a factor of {factor}, assumed of machined surfaces");
     }
-    Ok(())
 }
 
 /// Odds as people say them.
-struct Odds(f64);
-
-impl Display for Odds {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match self.0 {
-            odds if odds < 0.05 => f.write_str("below 1 in 20"),
-            odds if odds <= 0.5 => write!(f, "1 in {:.0}", 1.0 / odds),
-            odds if odds < 0.95 => write!(f, "{:.0} in 10", 10.0 * odds),
-            _ => f.write_str("above 19 in 20"),
-        }
+fn odds_of(odds: f64) -> String {
+    match odds {
+        odds if odds < 0.05 => "below 1 in 20".to_owned(),
+        odds if odds <= 0.5 => format!("1 in {:.0}", 1.0 / odds),
+        odds if odds < 0.95 => format!("{:.0} in 10", 10.0 * odds),
+        _ => "above 19 in 20".to_owned(),
     }
 }
 
 /// What rows tell: "steel/steel dry 0.57 at 12 N".
-struct Rows<'a>(&'a [&'static Interface]);
-
-impl Display for Rows<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        for (i, row) in self.0.iter().enumerate() {
-            let before = if i > 0 { "; " } else { "" };
-            write!(f, "{before}{} ", text(row.name))?;
-            match row.friction_coefficient > 0.0 {
-                true => write!(f, "{}", Figures(row.friction_coefficient))?,
-                false => write!(f, "shear strength {} MPa", Figures(row.shear_strength * 1e-6))?,
-            }
-            if row.load > 0.0 {
-                write!(f, " at {} N", Figures(row.load))?;
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Which rows.
-struct Names<'a>(&'a [&'static Interface]);
-
-impl Display for Names<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let rows = self.0;
-        match rows {
-            [row] => write!(f, "{} of the table of interfaces", text(row.name)),
-            _ => write!(f, "the {} rows of these bodies in the table of interfaces", rows.len()),
-        }
-    }
+fn rows_of(rows: &[&Interface]) -> String {
+    let told = |row: &&Interface| {
+        let value = match row.friction_coefficient > 0.0 {
+            true => figures(row.friction_coefficient),
+            false => format!("shear strength {} MPa", figures(row.shear_strength * 1e-6)),
+        };
+        let at = if row.load > 0.0 { format!(" at {} N", figures(row.load)) } else { String::new() };
+        format!("{} {value}{at}", text(row.name))
+    };
+    rows.iter().map(told).collect::<Vec<_>>().join("; ")
 }
 
 /// A modulus or a hardness.
-struct Stress(f64);
-
-impl Display for Stress {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match self.0 < 1e9 {
-            true => write!(f, "{} MPa", Figures(self.0 * 1e-6)),
-            false => write!(f, "{} GPa", Figures(self.0 * 1e-9)),
-        }
+fn stress(pascals: f64) -> String {
+    match pascals < 1e9 {
+        true => format!("{} MPa", figures(pascals * 1e-6)),
+        false => format!("{} GPa", figures(pascals * 1e-9)),
     }
 }
 
 /// A part of one in per cent.
-struct Percent(f64);
-
-impl Display for Percent {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let percent = format!("{:.4}", 100.0 * self.0);
-        f.write_str(percent.trim_end_matches('0').trim_end_matches('.'))
-    }
+fn percent(part: f64) -> String {
+    format!("{:.4}", 100.0 * part).trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A number in three figures, as people write it.
-struct Figures(f64);
-
-impl Display for Figures {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let number = self.0;
-        if number == 0.0 || !number.is_finite() {
-            return write!(f, "{number}");
-        }
-        let scientific = format!("{number:.2e}");
-        let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-        let exponent: i32 = exponent.parse().unwrap_or(0);
-        let short = |digits: &str| match digits.contains('.') {
-            true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
-            false => digits.to_owned(),
-        };
-        match exponent {
-            -4..=5 => f.write_str(&short(&format!("{number:.*}", usize::try_from(2 - exponent).unwrap_or(0)))),
-            _ => write!(f, "{}e{exponent}", short(digits)),
-        }
+fn figures(number: f64) -> String {
+    if number == 0.0 || !number.is_finite() {
+        return number.to_string();
+    }
+    let scientific = format!("{number:.2e}");
+    let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let short = |digits: &str| match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => digits.to_owned(),
+    };
+    match exponent {
+        -4..=5 => short(&format!("{number:.*}", usize::try_from(2 - exponent).unwrap_or(0))),
+        _ => format!("{}e{exponent}", short(digits)),
     }
 }
