@@ -211,27 +211,19 @@ impl GivenRoughness<'_> {
                 return Err(self.refused(name, format_args!("is not for {}, as {first} is", kind.called)));
             }
         }
-        match (self.at("Ra"), self.at(kind.height)) {
-            (Some(_), Some(_)) => {
-                return Err(self.refused(
-                    "Ra",
-                    format_args!("must not be given together with {}, which it replaces", kind.height),
-                ));
-            }
-            (None, None) if self.process.is_none() && self.at(HEIGHTS).or(self.at("Spq")).is_none() => {
-                return Err(self.refused(kind.height, format_args!("must be set, or Ra in its place")));
-            }
-            _ => {}
+        let (ra, height) = (self.at("Ra"), self.at(kind.height));
+        if ra.is_some() && height.is_some() {
+            let says = format_args!("must not be given together with {}, which it replaces", kind.height);
+            return Err(self.refused("Ra", says));
+        }
+        if ra.or(height).or(self.at(HEIGHTS)).or(self.at("Spq")).is_none() && self.process.is_none() {
+            return Err(self.refused(kind.height, format_args!("must be set, or Ra in its place")));
         }
         let shapes = ["Ssk", "Sku", "Spq", "Svq", "Smq", HEIGHTS];
         let given: Vec<_> = shapes.into_iter().filter(|name| self.at(name).is_some()).collect();
         if let (Some(name), true) = (given.first(), self.at("Ra").is_some()) {
-            return Err(self.refused(
-                "Ra",
-                format_args!(
-                    "must not be given together with {name}, it is understood as that of Gaussian heights: give Sq"
-                ),
-            ));
+            let says = "it is understood as that of Gaussian heights: give Sq";
+            return Err(self.refused("Ra", format_args!("must not be given together with {name}, {says}")));
         }
         let is_whole = |names: &[&str]| given.iter().all(|name| names.contains(name));
         let is_measured = given.iter().any(|name| !["Ssk", "Sku"].contains(name));
@@ -241,12 +233,14 @@ impl GivenRoughness<'_> {
                 return Err(self.refused(name, format_args!("{all}")));
             }
         }
-        match kind.slopes.iter().filter(|name| self.at(name).is_some()).count() {
-            0 if self.process.is_some() || self.at(SLOPES).is_some() => Ok(()),
-            1 if self.at(SLOPES).is_some() => Err(self
-                .refused(kind.slopes[0], format_args!("must not be given together with {SLOPES}, which it replaces"))),
-            0 => Err(self.refused(kind.slopes[0], format_args!("must be set, {}", kind.otherwise))),
-            1 => Ok(()),
+        match (kind.slopes.iter().filter(|name| self.at(name).is_some()).count(), self.at(SLOPES).is_some()) {
+            (0, has_slopes) if self.process.is_some() || has_slopes => Ok(()),
+            (1, false) => Ok(()),
+            (0, _) => Err(self.refused(kind.slopes[0], format_args!("must be set, {}", kind.otherwise))),
+            (1, true) => {
+                let says = format_args!("must not be given together with {SLOPES}, which it replaces");
+                Err(self.refused(kind.slopes[0], says))
+            }
             _ => Err(self.refused("Rdq", format_args!("must not be given together with RSm, which it replaces"))),
         }
     }
@@ -261,15 +255,8 @@ impl GivenRoughness<'_> {
         {
             return Ok(());
         }
-        for (name, most, likely) in [
-            ("Ra", HIGHEST, HEIGHT_RANGE),
-            ("Rq", HIGHEST, HEIGHT_RANGE),
-            ("Sq", HIGHEST, HEIGHT_RANGE),
-            ("Spq", HIGHEST, HEIGHT_RANGE),
-            ("Svq", HIGHEST, HEIGHT_RANGE),
-            (HEIGHTS, HIGHEST, HEIGHT_RANGE),
-            ("RSm", WIDEST, WIDTH_RANGE),
-        ] {
+        for name in ["Ra", "Rq", "Sq", "Spq", "Svq", HEIGHTS, "RSm"] {
+            let (most, likely) = if name == "RSm" { (WIDEST, WIDTH_RANGE) } else { (HIGHEST, HEIGHT_RANGE) };
             if let Some(value) = self.numbers(name).iter().copied().find(|length| length.abs() > most) {
                 let units = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9)];
                 let meant = units.into_iter().filter(|(_, metres)| likely.contains(&(value.abs() * metres)));
@@ -310,24 +297,19 @@ impl GivenRoughness<'_> {
             let is_one = KINDS.iter().any(|kind| kind.names.contains(&entry.name)) || entry.name == "Ra";
             is_one && !["process", HEIGHTS, SLOPES].contains(&entry.name)
         }) {
+            let one_each = "one, or two in brackets, one of each surface";
             let count = match &entry.value {
                 Value::Number(_) => 1,
                 Value::Numbers(numbers) if numbers.len() == 2 => 2,
                 _ => {
-                    return Err(self.refused(
-                        entry.name,
-                        format_args!("must be a number, or two in brackets, one of each surface"),
-                    ))
+                    let says = "must be a number, or two in brackets, one of each surface";
+                    return Err(self.refused(entry.name, format_args!("{says}")));
                 }
             };
             let (other, expected) = *first.get_or_insert((entry.name, count));
             if count != expected {
-                return Err(self.refused(
-                    entry.name,
-                    format_args!(
-                        "must be as many numbers as {other} has: one, or two in brackets, one of each surface"
-                    ),
-                ));
+                let says = format_args!("must be as many numbers as {other} has: {one_each}");
+                return Err(self.refused(entry.name, says));
             }
         }
         Ok(first.map_or(1, |(_, count)| count))
@@ -448,10 +430,8 @@ impl GivenRoughness<'_> {
             () if self.at("Spq").or(self.at("Svq")).or(self.at("Smq")).is_some() => {
                 let [spq, svq, smq] = [self.need("Spq", 0)?, self.need("Svq", 0)?, self.need("Smq", 0)?];
                 if smq >= 1.0 {
-                    return Err(self.refused(
-                        "Smq",
-                        format_args!("must be below 1: it is a part of the surface; is it in per cent?"),
-                    ));
+                    let says = "must be below 1: it is a part of the surface; is it in per cent?";
+                    return Err(self.refused("Smq", format_args!("{says}")));
                 }
                 (shapes::plateau(spq, svq, smq), shapes::POWER_OF_HEIGHTS)
             }
@@ -486,13 +466,8 @@ impl GivenRoughness<'_> {
     fn table(&self, name: &'static str) -> Outcome<Heights> {
         let numbers = self.numbers(name);
         numbers.try_into().map_err(|_| {
-            let count = numbers.len();
-            self.refused(
-                name,
-                format_args!(
-                    "{count} numbers for 13: one for each normal score from -3 to 3 in steps of 0.5, in brackets"
-                ),
-            )
+            let says = "one for each normal score from -3 to 3 in steps of 0.5, in brackets";
+            self.refused(name, format_args!("{} numbers for 13: {says}", numbers.len()))
         })
     }
 

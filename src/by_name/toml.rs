@@ -3,6 +3,7 @@
 //! The lexer and the parser are those of the crate `toml_parser`. Whatever the text, the work is in proportion to its length, and
 //! memory is bounded: arrays more than two deep and keys with dots are refused where they begin.
 
+use super::keys::Entries;
 use crate::distribution::tabulated::TABLE_LENGTHS;
 use crate::error::Error;
 use std::borrow::Cow;
@@ -94,13 +95,6 @@ pub fn line(text: &[u8], at: usize) -> usize {
     1 + text[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
 }
 
-/// What takes the tables and the keys of a text in their order.
-pub trait Keys<'t> {
-    /// The keys that follow are those of a table, or of none.
-    fn table(&mut self, name: Option<&str>, at: usize) -> Outcome<()>;
-    fn key(&mut self, name: &str, at: usize, value: Value<'t>) -> Outcome<()>;
-}
-
 /// The text of bytes.
 ///
 /// # Errors
@@ -116,7 +110,7 @@ pub fn text(bytes: &[u8]) -> Result<&str, Error> {
 }
 
 /// Hands all tables and keys of a text on, up to the first that is refused.
-pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
+pub fn read<'t>(text: &'t str, keys: &mut Entries<'t>) -> Outcome<()> {
     let source = Source::new(text);
     let count = source.lex().take(MOST_TOKENS + 1).count();
     if count > MOST_TOKENS {
@@ -126,17 +120,9 @@ pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
     let mut tokens = Vec::with_capacity(count);
     tokens.extend(source.lex());
     let first = RefCell::new(None);
-    let mut reader = Reader {
-        source,
-        keys,
-        first: &first,
-        key: None,
-        is_header: false,
-        has_header: false,
-        is_inside: false,
-        array: None,
-        rows: None,
-    };
+    let [is_header, has_header, is_inside] = [false; 3];
+    let (key, array, rows) = (None, None, None);
+    let mut reader = Reader { source, keys, first: &first, key, is_header, has_header, is_inside, array, rows };
     let mut syntax = |error: ParseError| {
         first.borrow_mut().get_or_insert_with(|| of_syntax(&error, text));
     };
@@ -150,7 +136,14 @@ fn of_syntax(error: &ParseError, text: &str) -> Box<Problem> {
     let [start, found] = [error.context(), error.unexpected()].map(|span| span.map(|span| span.start()));
     // What has no end is shown where it begins.
     let at = found.filter(|&at| at < text.trim_end().len()).or(start).or(found).unwrap_or_default();
-    let expected = Alternatives(error.expected().unwrap_or_default());
+    let expected = error.expected().unwrap_or_default().iter().map(|one| match one {
+        Expected::Literal("\n") => "a new line".to_owned(),
+        Expected::Literal(sign) => format!("`{sign}`"),
+        Expected::Description(words) => (*words).to_owned(),
+        _ => String::new(),
+    });
+    let expected = expected.collect::<Vec<_>>().join(" or ");
+    let expected = if expected.is_empty() { expected } else { format!(", expected {expected}") };
     let likely = match text.as_bytes().get(at) {
         Some(b',') => "; is it the point of a number?",
         Some(b':') => "; is it to be an equals sign?",
@@ -159,28 +152,10 @@ fn of_syntax(error: &ParseError, text: &str) -> Box<Problem> {
     Problem::new(at, format_args!("not TOML: {}{expected}{likely}", error.description()))
 }
 
-/// What the parser expected.
-struct Alternatives(&'static [Expected]);
-
-impl Display for Alternatives {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
-        for (i, expected) in self.0.iter().enumerate() {
-            f.write_str(if i == 0 { ", expected " } else { " or " })?;
-            match expected {
-                Expected::Literal("\n") => f.write_str("a new line")?,
-                Expected::Literal(sign) => write!(f, "`{sign}`")?,
-                Expected::Description(words) => f.write_str(words)?,
-                _ => {}
-            }
-        }
-        Ok(())
-    }
-}
-
 /// Keys and values out of the parser's events.
 struct Reader<'t, 'r> {
     source: Source<'t>,
-    keys: &'r mut dyn Keys<'t>,
+    keys: &'r mut Entries<'t>,
     /// The first problem, after which nothing is read.
     first: &'r RefCell<Option<Box<Problem>>>,
     key: Option<(Cow<'t, str>, usize)>,
@@ -236,13 +211,9 @@ impl<'t> Reader<'t, '_> {
     fn value(&mut self, span: Span, encoding: Option<Encoding>, error: &mut dyn ErrorSink) -> Option<Value<'t>> {
         let raw = toml_parser::Raw::new_unchecked(self.source.get(span)?.as_str(), encoding, span);
         if encoding.is_none() && is_bare_word(raw.as_str()) {
-            match raw.as_str() {
-                "" => self.refuse(span, format_args!("has no value")),
-                word => self.refuse(
-                    span,
-                    format_args!("{} is neither a number without unit nor a word in quotes", Shown(word)),
-                ),
-            }
+            let neither = format!("{} is neither a number without unit nor a word in quotes", Shown(raw.as_str()));
+            let says = if raw.as_str().is_empty() { "has no value" } else { &neither };
+            self.refuse(span, format_args!("{says}"));
             return None;
         }
         let mut text = Cow::Borrowed("");
