@@ -179,13 +179,8 @@ impl<'t> Entries<'t> {
         self.table = Table::Top;
         let Some(name) = name else { return Ok(()) };
         let Some(&table) = TABLES[1..].iter().find(|table| table.name() == name) else {
-            return Err(Problem::new(
-                at,
-                format_args!(
-                    "[{}]: no such table; there are [materials], [roughness], [measured_on] and [known_to]",
-                    Shown(name)
-                ),
-            ));
+            let says = "no such table; there are [materials], [roughness], [measured_on] and [known_to]";
+            return Err(Problem::new(at, format_args!("[{}]: {says}", Shown(name))));
         };
         if let Some(first) = self.begin(table) {
             let line = toml::line(self.text.as_bytes(), first);

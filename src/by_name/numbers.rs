@@ -178,9 +178,8 @@ impl Numbers {
 
     fn set_density(&self, draft: &mut Draft, density: f64) -> Result<(), Error> {
         if self.get("asperity_count").is_some() {
-            return Err(meaningless(
-                "summit_density: must not be given together with asperity_count, which it replaces",
-            ));
+            let says = "summit_density: must not be given together with asperity_count, which it replaces";
+            return Err(meaningless(says));
         }
         positive("summit_density", density)?;
         if draft.params.nominal_area == 0.0 {

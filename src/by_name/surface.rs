@@ -297,10 +297,9 @@ impl Entries<'_> {
             positive(name, unit).map_err(|error| self.problem(error, None))?;
             if unit != *before && !is_fresh {
                 let (unit, before) = (Value::Number(unit), Value::Number(*before));
-                return Err(Problem::new(
-                    self.place(name).unwrap_or_default(),
-                    format_args!("{name} = {unit}: must be {before}, that of the parameters set before: set texts first, then convert all"),
-                ));
+                let says = "that of the parameters set before: set texts first, then convert all";
+                let at = self.place(name).unwrap_or_default();
+                return Err(Problem::new(at, format_args!("{name} = {unit}: must be {before}, {says}")));
             }
             *before = unit;
         }
@@ -340,9 +339,8 @@ impl Entries<'_> {
         }
         let has_count = !self.gives_no_area() || params.asperity_count >= 1.0 && params.nominal_area != 1.0;
         if !has_count || params.asperity_count < 1.0 {
-            return Err(entry.refused(format_args!(
-                "a specimen needs its number of asperities, 1 or more: give its nominal_area, and loads in N"
-            )));
+            let says = "a specimen needs its number of asperities, 1 or more: give its nominal_area, and loads in N";
+            return Err(entry.refused(format_args!("{says}")));
         }
         let is_count = |number: f64| (1.0..=1e6).contains(&number) && number.fract() == 0.0;
         let says = |_| "a whole number, from 1: how many specimens were measured";
@@ -379,10 +377,8 @@ impl Entries<'_> {
     ) -> Outcome<Option<Measured>> {
         let Some(begin) = self.begin(Table::MeasuredOn) else { return Ok(None) };
         if points.is_empty() {
-            return Err(Problem::new(
-                begin,
-                format_args!("[measured_on]: measured must be set, what was measured there"),
-            ));
+            let says = format_args!("[measured_on]: measured must be set, what was measured there");
+            return Err(Problem::new(begin, says));
         }
         let is_own = |entry: &&Entry| Table::MeasuredOn.keys().any(|name| name == entry.name);
         for entry in self.of(Table::MeasuredOn).filter(is_own) {
@@ -415,14 +411,10 @@ impl Entries<'_> {
         let summits = self.find(table, "summits");
         let kind = summits.map(|entry| entry.choice(KINDS_OF_SUMMITS)).transpose()?;
         numbers.has_mccool_summits = kind == Some(1.0);
-        let refused = |says: Arguments| {
-            let at = summits.map_or(begin, |entry| entry.at);
-            Err(Problem::new(at, format_args!("{table}summits: {says}")))
-        };
+        let at = summits.map_or(begin, |entry| entry.at);
+        let refused = |says: &str| Err(Problem::new(at, format_args!("{table}summits: {says}")));
         if numbers.has_mccool_summits && moments.m4 == 0.0 {
-            return refused(format_args!(
-                "\"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth"
-            ));
+            return refused("\"mccool\" needs the curvature of the surface: give m4, Ssc, Sds or bandwidth");
         }
         numbers.give_named("summit_density", density.filter(|_| numbers.has_mccool_summits));
         (numbers.lay, numbers.at_scores) = (lay, at_scores);
@@ -430,7 +422,7 @@ impl Entries<'_> {
             self.exclude(SHAPES, by.trim_end())?;
             self.exclude("height_distribution", by.trim_end())?;
             if numbers.has_mccool_summits {
-                return refused(format_args!("\"mccool\" is for Gaussian heights: leave the key out"));
+                return refused("\"mccool\" is for Gaussian heights: leave the key out");
             }
         }
         Ok(machined)
@@ -451,9 +443,8 @@ impl Entries<'_> {
             _ => &[],
         };
         if rows.is_empty() || rows.len() > MOST_POINTS {
-            return Err(entry.must_be(format_args!(
-                "points [load, coefficient] or [load, coefficient, error], as [[1000, 0.16], [10, 0.19, 0.03]], at most {MOST_POINTS}"
-            )));
+            let says = "points [load, coefficient] or [load, coefficient, error], as [[1000, 0.16], [10, 0.19, 0.03]]";
+            return Err(entry.must_be(format_args!("{says}, at most {MOST_POINTS}")));
         }
         let point = |(i, row): (usize, &Vec<f64>)| {
             let refused = |says: Arguments| Err(entry.refused(format_args!("point {}: {says}", i + 1)));
@@ -463,10 +454,8 @@ impl Entries<'_> {
                 _ => return refused(format_args!("must be [load, coefficient] or [load, coefficient, error]")),
             };
             if !(error > 0.0 && error <= 1.0) {
-                return refused(format_args!(
-                    "error = {}: must be > 0 and at most 1: it is a fraction of the coefficient",
-                    Value::Number(error)
-                ));
+                let says = "must be > 0 and at most 1: it is a fraction of the coefficient";
+                return refused(format_args!("error = {}: {says}", Value::Number(error)));
             }
             match Params::measured_force(load, coefficient) {
                 Ok(force) => Ok(MeasuredPoint { load, force, error }),
@@ -619,8 +608,8 @@ impl GivenSurface<'_> {
                 return Err(twice.set_by("pair"));
             }
             self.exclude_moduli("pair")?;
-            let bodies = Bodies::find(name)
-                .ok_or_else(|| Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes()))))?;
+            let unknown = || Problem::new(entry.at, format_args!("{}", NoPair(name.as_bytes())));
+            let bodies = Bodies::find(name).ok_or_else(unknown)?;
             for ((_, numbers), Material { young, poisson, .. }) in BODIES.iter().zip([bodies.first, bodies.second]) {
                 for (number, known) in numbers.iter().zip([young, poisson]).filter(|_| has_own) {
                     let given = entries.find(Table::Materials, number).map(Entry::number);
@@ -638,12 +627,10 @@ impl GivenSurface<'_> {
         for (name, numbers) in BODIES {
             let Some((entry, word)) = entries.word(Table::Materials, name, "a material")? else {
                 for number in numbers {
-                    let entry = entries.find(Table::Materials, number).ok_or_else(|| {
-                        Problem::new(
-                            begin,
-                            format_args!("[materials] gives no name as {name}, so {number} must be set there"),
-                        )
-                    })?;
+                    let Some(entry) = entries.find(Table::Materials, number) else {
+                        let says = format_args!("[materials] gives no name as {name}, so {number} must be set there");
+                        return Err(Problem::new(begin, says));
+                    };
                     self.numbers.give_named(number, entry.number()?);
                 }
                 continue;
@@ -651,10 +638,10 @@ impl GivenSurface<'_> {
             if let Some(twice) = numbers.iter().find_map(|number| entries.find(Table::Materials, number)) {
                 return Err(twice.set_by(name));
             }
-            let found = Material::find(word);
-            let material = found.ok_or_else(|| {
-                Problem::new(entry.at, format_args!("[materials] {name}: {}", no_material(word.as_bytes())))
-            })?;
+            let Some(material) = Material::find(word) else {
+                let says = no_material(word.as_bytes());
+                return Err(Problem::new(entry.at, format_args!("[materials] {name}: {says}")));
+            };
             for (number, value) in numbers.into_iter().zip([material.young, material.poisson]) {
                 self.numbers.give_named(number, value);
             }
@@ -667,12 +654,9 @@ impl GivenSurface<'_> {
     }
 
     fn exclude_moduli(&self, by: &str) -> Outcome<()> {
-        match MODULI.split(' ').find_map(|name| self.entries.find(Table::Top, name)) {
-            Some(entry) => Err(entry.refused(format_args!(
-                "{by} sets it already, leave one out; E1, nu1, E2 and nu2 replace the moduli of a pair"
-            ))),
-            None => Ok(()),
-        }
+        let Some(entry) = MODULI.split(' ').find_map(|name| self.entries.find(Table::Top, name)) else { return Ok(()) };
+        let says = "leave one out; E1, nu1, E2 and nu2 replace the moduli of a pair";
+        Err(entry.refused(format_args!("{by} sets it already, {says}")))
     }
 
     /// All that is known of two materials by their names, and what is not known of them from beside it.
@@ -684,10 +668,8 @@ impl GivenSurface<'_> {
         }
         if bodies.burgers_vector().is_none() {
             let Some(burgers_vector) = self.numbers.get("burgers_vector") else {
-                return Err(Problem::new(
-                    entry.at,
-                    format_args!("burgers_vector: none is known of a body of {name}: give one"),
-                ));
+                let says = format_args!("burgers_vector: none is known of a body of {name}: give one");
+                return Err(Problem::new(entry.at, says));
             };
             if self.numbers.get("adhesion_range").is_none() {
                 self.numbers.give_named("adhesion_range", burgers_vector);
@@ -700,18 +682,15 @@ impl GivenSurface<'_> {
     /// A table of heights, and heights that are chosen by what is given of them.
     fn heights(&mut self, draft: &mut Draft) -> Outcome<()> {
         let entries = self.entries;
-        let [height, density] = ["table_height", "table_density"].map(|name| entries.find(Table::Top, name));
+        let given = |name: &str| entries.find(Table::Top, name);
+        let (height, density) = (given("table_height"), given("table_density"));
         let family = self.numbers.get("height_distribution");
-        let is_chosen = family.is_some();
-        if !is_chosen {
-            let given = |name: &str| entries.find(Table::Top, name);
-            let tabulated = height.or(density);
-            let meant: Vec<_> = [given("weibull_shape"), given("kurtosis"), tabulated].into_iter().flatten().collect();
+        if family.is_none() {
+            let meant: Vec<_> =
+                [given("weibull_shape"), given("kurtosis"), height.or(density)].into_iter().flatten().collect();
             if let [first, other, ..] = meant[..] {
-                return Err(first.refused(format_args!(
-                    "means other heights than {}: give one of them, or height_distribution too",
-                    other.name
-                )));
+                let says = "give one of them, or height_distribution too";
+                return Err(first.refused(format_args!("means other heights than {}: {says}", other.name)));
             }
             let skewed = given("skew").filter(|_| given("kurtosis").is_none());
             if let (Some(skew), Some(other)) = (skewed, meant.first()) {
@@ -741,7 +720,7 @@ impl GivenSurface<'_> {
             return Err(height.refused(format_args!("{error}")));
         }
         draft.params.heights = HeightFamily::of_table(is_at_scores, Arc::from(heights), Arc::from(densities));
-        if !is_chosen {
+        if family.is_none() {
             self.numbers.give_named("height_distribution", f64::from(TABULATED));
         }
         Ok(())
@@ -754,10 +733,8 @@ impl GivenSurface<'_> {
             return Ok(());
         }
         if self.numbers.get("nominal_area").is_none() && draft.params.nominal_area == 0.0 {
-            return Err(Problem::new(
-                begin,
-                format_args!("nominal_area: must be set, since [roughness] gives the asperities per area"),
-            ));
+            let says = "must be set, since [roughness] gives the asperities per area";
+            return Err(Problem::new(begin, format_args!("nominal_area: {says}")));
         }
         self.machined = entries.roughness(Table::Roughness, begin, &mut self.numbers)?;
         let leaves_plateaus = |machined: &Machined| machined.process.leaves_plateaus();
@@ -768,12 +745,10 @@ impl GivenSurface<'_> {
     fn interface(&mut self) -> Outcome<()> {
         let Some((entry, name)) = self.entries.word(Table::Top, "interface", "an interface")? else { return Ok(()) };
         self.entries.exclude(STRENGTH, "interface")?;
-        let found = Interface::find(name);
-        let interface = found
-            .ok_or_else(|| Problem::new(entry.at, format_args!("interface: {}", no_interface(name.as_bytes()))))?;
-        self.interface = Some(interface);
+        self.interface = Interface::find(name);
         // The friction coefficient of the others is for an estimate.
-        self.numbers.interface = Some(interface).filter(|interface| interface.shear_strength > 0.0);
-        Ok(())
+        self.numbers.interface = self.interface.filter(|interface| interface.shear_strength > 0.0);
+        let unknown = || Problem::new(entry.at, format_args!("interface: {}", no_interface(name.as_bytes())));
+        self.interface.map(|_| ()).ok_or_else(unknown)
     }
 }

@@ -405,17 +405,14 @@ impl Estimate {
                 }
             }
         }
-        if let ([point, ..], []) = (&self.described.points[..], &nodes[..]) {
-            let mut params = self.described.params.clone();
-            params.strengthen(self.laws[0].middle(), point.load, point.force)?;
-            return Err(Error::Uncalibrated {
-                load: point.load,
-                friction_force: point.force,
-                reason: CalibrationFailure::Pressure,
-                number: point.force,
-            });
+        match (&self.described.points[..], &nodes[..]) {
+            ([MeasuredPoint { load, force, .. }, ..], []) => {
+                let (load, friction_force, reason) = (*load, *force, CalibrationFailure::Pressure);
+                self.described.params.clone().strengthen(self.laws[0].middle(), load, friction_force)?;
+                Err(Error::Uncalibrated { load, friction_force, reason, number: friction_force })
+            }
+            _ => Ok(nodes),
         }
-        Ok(nodes)
     }
 
     /// Whether friction was not measured, but a part of it is given, as a pressure coefficient beside what a table has of the strength.
@@ -754,9 +751,7 @@ impl Estimate {
         }
         if self.strength.is_stress && !self.described.has_stress {
             let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
-            let factor = exp(self.strength.mean) / unit;
-            params.slip.stress_1 *= factor;
-            params.slip.stress_2 *= factor;
+            multiply(&mut params.slip, exp(self.strength.mean) / unit);
         }
         if self.strength.is_stress {
             self.mark(&mut params);
@@ -770,17 +765,10 @@ impl Estimate {
         if failure.is_none() {
             let factor =
                 measured.slip.stress_1 / unit * measured.effective_shear_modulus / params.effective_shear_modulus;
-            params = match self.described.measured_on {
-                Some(_) => Params {
-                    slip: SlipConstants {
-                        stress_1: params.slip.stress_1 * factor,
-                        stress_2: params.slip.stress_2 * factor,
-                        ..params.slip
-                    },
-                    ..params
-                },
-                None => measured,
-            };
+            match self.described.measured_on {
+                Some(_) => multiply(&mut params.slip, factor),
+                None => params = measured,
+            }
             self.mark(&mut params);
         }
         Ok(Curve { params, surfaces: found, failure })
@@ -851,10 +839,7 @@ impl Estimate {
 
     /// The unit of loads and of forces.
     fn unit(&self) -> &'static str {
-        match self.is_of_pressures() {
-            true => "Pa",
-            false => "N",
-        }
+        ["N", "Pa"][usize::from(self.is_of_pressures())]
     }
 
     /// At which of these loads a measured point is worth most, and what part of the variance at all of them it would take away.
@@ -938,6 +923,10 @@ fn some_exp(number: f64) -> f64 {
     } else {
         0.0
     }
+}
+
+fn multiply(slip: &mut SlipConstants, factor: f64) {
+    (slip.stress_1, slip.stress_2) = (slip.stress_1 * factor, slip.stress_2 * factor);
 }
 
 /// The covariance of means over so many specimens, where their logarithms at two loads are these.

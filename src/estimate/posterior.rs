@@ -83,9 +83,8 @@ impl Solved {
         solve(&factor, &mut pull);
         let misfit: f64 = pull.iter().zip(&off).map(|(a, b)| a * b).sum();
         let log_root: f64 = (0..n).map(|i| log(factor[i * n + i])).sum();
-        let (noise, pulls, devices, log_probability) =
-            (noise.to_vec(), Vec::new(), Vec::new(), -0.5 * misfit - log_root);
-        Self { log_probability, noise, seen, kernel, factor, pull, pulls, devices, misfit }
+        let (noise, log_probability) = (noise.to_vec(), -0.5 * misfit - log_root);
+        Self { log_probability, noise, seen, kernel, factor, pull, pulls: Vec::new(), devices: Vec::new(), misfit }
     }
 
     /// The same of points that were measured on one specimen: `means` has what y would be at the points on each of so many that it may be.
@@ -148,13 +147,18 @@ impl Solved {
 
     /// What the points add to y, of each specimen that may be the one that was measured.
     pub fn pulled<'a>(&'a self, at: &Seen) -> impl Iterator<Item = f64> + 'a {
-        let with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
+        let with = self.with_points(at);
         self.pulls.chunks(with.len().max(1)).map(move |pull| with.iter().zip(pull).map(|(a, b)| a * b).sum())
+    }
+
+    /// The covariance of y at a load with that at each point.
+    fn with_points(&self, at: &Seen) -> Vec<f64> {
+        self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect()
     }
 
     /// How much of each point is taken for y at a load.
     fn shares_of_points(&self, at: &Seen) -> Vec<f64> {
-        let mut with: Vec<f64> = self.seen.iter().map(|seen| self.kernel.covariance(seen, at)).collect();
+        let mut with = self.with_points(at);
         solve(&self.factor, &mut with);
         with
     }
@@ -187,13 +191,9 @@ impl Solved {
 
     /// The covariance of y at two loads.
     pub fn covariance(&self, one: &Seen, other: &Seen) -> f64 {
-        let told = self
-            .shares_of_points(one)
-            .iter()
-            .zip(&self.seen)
-            .map(|(a, b)| a * self.kernel.covariance(b, other))
-            .sum::<f64>();
-        self.kernel.covariance(one, other) - told
+        let shares = self.shares_of_points(one);
+        let told = shares.iter().zip(&self.seen).map(|(a, b)| a * self.kernel.covariance(b, other));
+        self.kernel.covariance(one, other) - told.sum::<f64>()
     }
 }
 
