@@ -59,6 +59,13 @@ pub struct Work {
     part: f64,
 }
 
+impl Work {
+    /// That of the first model.
+    fn alone(work: f64, probability: f64) -> Self {
+        Self { probability, work, models: [0; 2], part: 0.0 }
+    }
+}
+
 /// Surfaces of one contact law.
 #[derive(Debug)]
 pub struct Law {
@@ -227,8 +234,7 @@ fn unit_strength(surfaces: &Surfaces) -> f64 {
 impl Law {
     /// Surfaces of which nothing is in doubt.
     pub fn alone(surfaces: &Surfaces, of: &Self) -> Self {
-        let works =
-            vec![Work { probability: 1.0, work: surfaces.params().work_of_adhesion, models: [0; 2], part: 0.0 }];
+        let works = vec![Work::alone(surfaces.params().work_of_adhesion, 1.0)];
         let (models, changed, heights) = (vec![surfaces.clone()], [const { None }; INPUTS], Rc::clone(&of.heights));
         Self { probability: 1.0, works, models, middle: 0, even: None, changed, heights, ..*of }
     }
@@ -467,10 +473,7 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
         factor > 1.0 && params.work_of_adhesion > 0.0 && described.points.iter().all(|point| point.load > 0.0);
     let (works, made) = match is_open {
         true => works(params.work_of_adhesion, deviation(factor), described.known_to.work.is_none()),
-        false => {
-            let work = params.work_of_adhesion;
-            (vec![Work { probability: 1.0, work, models: [0; 2], part: 0.0 }], vec![work])
-        }
+        false => (vec![Work::alone(params.work_of_adhesion, 1.0)], vec![params.work_of_adhesion]),
     };
     let middle = made.len() / 2;
     let mut models: Vec<Surfaces> = Vec::new();
@@ -496,19 +499,8 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
     let is_told = usize::from(described.specimens.is_some());
     let is_known = !is_open && !described.pressure_is_free && described.model_error == 0.0;
     let specimens = if is_known { SPECIMENS[is_told] } else { FEWER_SPECIMENS };
-    let heights = Rc::default();
-    Ok(Law {
-        probability: 1.0,
-        works,
-        models,
-        middle,
-        even,
-        changed,
-        specimens,
-        alike: ALIKE[is_told],
-        area: 0.0,
-        heights,
-    })
+    let (probability, area, alike, heights) = (1.0, 0.0, ALIKE[is_told], Rc::default());
+    Ok(Law { probability, works, models, middle, even, changed, specimens, alike, area, heights })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.
@@ -531,7 +523,7 @@ fn works(about: f64, deviation: f64, may_be_none: bool) -> (Vec<Work>, Vec<f64>)
         .collect();
     if may_be_none {
         made.insert(0, 0.0);
-        works.insert(0, Work { probability: 0.5, work: 0.0, models: [0; 2], part: 0.0 });
+        works.insert(0, Work::alone(0.0, 0.5));
     }
     (works, made)
 }

@@ -227,19 +227,9 @@ impl Estimate {
         let laws_there = described.measured_on.as_ref().map(|_| laws(&described, true)).transpose()?;
         let curve = Curve { params: described.params.clone(), surfaces: laws_here[0].middle().clone(), failure: None };
         let points = merged(&described.points);
-        let mut estimate = Self {
-            described,
-            strength,
-            laws: laws_here,
-            laws_there,
-            size,
-            points,
-            kept: RefCell::default(),
-            nodes: Vec::new(),
-            curve,
-            growth: 1.0,
-            leaves_law: 0.0,
-        };
+        let (laws, kept, nodes, growth, leaves_law) = (laws_here, RefCell::default(), Vec::new(), 1.0, 0.0);
+        let mut estimate =
+            Self { described, strength, laws, laws_there, size, points, kept, nodes, curve, growth, leaves_law };
         estimate.weigh()?;
         estimate.curve = estimate.find_curve()?;
         Ok(estimate)
@@ -369,11 +359,9 @@ impl Estimate {
         };
         let mut nodes = Vec::new();
         let laws = self.laws_there.as_ref().unwrap_or(&self.laws);
-        let of_laws = laws.iter().zip(reference).enumerate();
-        let of_works =
-            of_laws.flat_map(|(i, (law, of))| law.works.iter().enumerate().map(move |work| (i, law, of, work)));
-        for (at_law, law, of, (at_work, work)) in of_works {
-            let terms = of.terms(work);
+        let works = |at: usize| laws[at].works.iter().enumerate().map(move |work| (at, work));
+        for (at_law, (at_work, work)) in (0..laws.len()).flat_map(works) {
+            let (law, of, terms) = (&laws[at_law], &reference[at_law], reference[at_law].terms(work));
             for (at_size, &(size, of_size)) in sizes.iter().enumerate() {
                 let force = terms.force(size);
                 let gains = if is_stress { [0.0; INPUTS] } else { of.gains(|terms| terms.force(size)) };
@@ -381,27 +369,29 @@ impl Estimate {
                 let is_elsewhere = is_stress || self.laws_there.is_some();
                 let reference = Reference { force, hertz: terms.logs[HERTZ], gains, strength, is_part, is_elsewhere };
                 let pressures = self.pressures(force, terms.logs[HERTZ]).into_iter().enumerate();
-                for (at_pressure, (pressed, of_pressure, log_force)) in pressures {
-                    for (at_more, &(times, rise, of_more)) in mores.iter().enumerate() {
-                        let leaves = |rate: f64| if is_stress { 0.0 } else { (error * rate).powi(2) };
-                        let (drift, wander) = (leaves(times * class.drift), leaves(times * class.wander));
-                        // How real surfaces leave the law was measured on such as are told no better.
-                        let kernel = Kernel { drift, wander: wander.max(leaves(self.described.shape.wander)) };
-                        let node = Node {
-                            law: at_law,
-                            work: *work,
-                            size,
-                            pressed,
-                            more: (times, rise * error.min(1.0)),
-                            place: [at_law, at_work, at_size, at_pressure, at_more],
-                            kernel,
-                            log_force,
-                            reference,
-                            solved: Solved::new(Vec::new(), kernel, &[], &[]),
-                            weight: 0.0,
-                        };
-                        nodes.push((node, law.probability * work.probability * of_size * of_pressure * of_more));
-                    }
+                let all = pressures.flat_map(|pressure| mores.iter().enumerate().map(move |more| (pressure, more)));
+                for ((at_pressure, (pressed, of_pressure, log_force)), (at_more, &(times, rise, of_more))) in all {
+                    let leaves = |rate: f64| if is_stress { 0.0 } else { (error * rate).powi(2) };
+                    let (drift, wander) = (leaves(times * class.drift), leaves(times * class.wander));
+                    // How real surfaces leave the law was measured on such as are told no better.
+                    let kernel = Kernel { drift, wander: wander.max(leaves(self.described.shape.wander)) };
+                    let (law_at, work, more) = (at_law, *work, (times, rise * error.min(1.0)));
+                    let place = [at_law, at_work, at_size, at_pressure, at_more];
+                    let (solved, weight) = (Solved::new(Vec::new(), kernel, &[], &[]), 0.0);
+                    let node = Node {
+                        law: law_at,
+                        work,
+                        size,
+                        pressed,
+                        more,
+                        place,
+                        kernel,
+                        log_force,
+                        reference,
+                        solved,
+                        weight,
+                    };
+                    nodes.push((node, law.probability * work.probability * of_size * of_pressure * of_more));
                 }
             }
         }
@@ -812,13 +802,10 @@ impl Estimate {
         const CLEARLY: f64 = 0.6;
         // Rounding of what the points say nothing of.
         const SAME: f64 = 1e-3;
-        let (mut none, mut some, mut sum) = (0.0, 0.0, 0.0);
-        for node in &self.nodes {
-            match node.work.work > 0.0 {
-                true => (some, sum) = (some + node.weight, sum + node.weight * log(node.work.work)),
-                false => none += node.weight,
-            }
-        }
+        let of = |adheres: bool| self.nodes.iter().filter(move |node| (node.work.work > 0.0) == adheres);
+        let weight = |adheres| of(adheres).map(|node| node.weight).sum::<f64>();
+        let (none, some) = (weight(false), weight(true));
+        let sum: f64 = of(true).map(|node| node.weight * log(node.work.work)).sum();
         let before = self.laws.iter().any(|law| law.works.iter().any(|work| work.work == 0.0));
         let given = self.described.params.work_of_adhesion;
         match before && none > CLEARLY * (none + some) {
@@ -1034,12 +1021,12 @@ fn fix_size(described: &mut Described, strength: &Strength) -> Result<Option<f64
         return Ok(Some(0.0));
     }
     if described.has_stress {
-        let slip = described.params.slip;
-        if slip.stress_1 == 0.0 && slip.stress_2 == 0.0 {
+        let SlipConstants { stress_1, stress_2, .. } = described.params.slip;
+        if stress_1 == 0.0 && stress_2 == 0.0 {
             let says = "slip_stress_1: must be > 0 for an estimate: without slip stresses F/P is pressure_coefficient";
             return Err(Error::Meaningless(says.into()));
         }
-        return Ok(Some(log(slip.stress_1 / slip.stress_2) / log(SIZE_RATIO)));
+        return Ok(Some(log(stress_1 / stress_2) / log(SIZE_RATIO)));
     }
     let size = described.size_effect.unwrap_or(1.0);
     let SlipConstants { stress_1, stress_2, .. } = SlipConstants::default();
