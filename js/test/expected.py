@@ -2,18 +2,23 @@
 
 maps: .npy files with a distance of points [m] and a power of ten of the unit of the heights; answered with their moments.
 areal: areal parameters; answered with the moments, from the parameters that `Params.from_iso25178` makes.
+texts: nothing; answered with loads and what the curve of a solver has at them, for each text of the Python package's test of doors.
 """
 
+import contextlib
 import json
 import math
+import re
 import sys
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import asperity
 from asperity import Params, surface
+from asperity.estimate import estimate
 
 
 def moments(file: str, step: float, power: int) -> dict[str, float]:
@@ -30,6 +35,18 @@ def areal(given: dict[str, float], nominal_area: float) -> dict[str, float]:
     return {name: getattr(params, name) for name in ("height_std", "summit_radius", "asperity_count")}
 
 
+def texts() -> dict[str, dict[str, list[float]]]:
+    sys.path.insert(0, str(Path(__file__).parents[2] / "python" / "tests"))
+    import test_doors
+
+    found = {}
+    for text in test_doors.texts():
+        load = np.array([1e5, 1e7]) * float(re.findall(r"nominal_area = (\S+)", text)[0])
+        with contextlib.suppress(asperity.Error):
+            found[text] = {"load": load.tolist(), "curve": estimate(text, load).curve.tolist()}
+    return found
+
+
 def finite(value: Any) -> Any:
     """JSON has no other numbers."""
     if isinstance(value, dict):
@@ -40,6 +57,6 @@ def finite(value: Any) -> Any:
     return float(value)
 
 
-ANSWERS = {"maps": moments, "areal": areal}
+ANSWERS = {"maps": moments, "areal": areal, "texts": texts}
 questions = json.load(sys.stdin)
 json.dump({kind: [finite(ANSWERS[kind](*one)) for one in asked] for kind, asked in questions.items()}, sys.stdout)

@@ -47,6 +47,20 @@ test("moments of a map and of areal parameters are those of the Python package",
   });
 });
 
+test("a text means to the page what it means to Python", () => {
+  const texts = Object.entries(expected({ texts: [[]] }).texts[0]);
+  assert.ok(texts.length >= 50);
+  for (const [text, { load, curve }] of texts) {
+    // As a curve of the page is made, without the points between.
+    const model = new Model(text);
+    asperity.estimate(text, load).forEach((found, i) => {
+      near(model.frictionAtLoad(load[i]), curve[i], 1e-5, text);
+      near(found.curve_coefficient, curve[i], 1e-9, text);
+    });
+    model.free();
+  }
+});
+
 test("distances of rows and columns may differ, and a map may be transposed", () => {
   const one = momentsOfMap(heights, COLUMNS, 3, 5);
   const turned = Float64Array.from({ length: heights.length }, (_, at) => heights[(at % ROWS) * COLUMNS + Math.floor(at / ROWS)]);
