@@ -4,7 +4,7 @@
 # make test-all  that, and everything else that is checked before a release
 # make hosts     the law inside other people's solvers
 # make validate  against boundary elements, other people's code and measurements: docs/validation.md anew, two hours or so
-# make bench     measures speed and accuracy, and writes docs/dev/performance.md anew
+# make bench     measures speed, and writes docs/dev/performance.md anew
 # make core      what the numerical core costs: lines, constants, instructions, memory
 # make harden    every instrument of docs/dev/reliability.md, for hours; tests/harden/harden.mk names its parts
 # make dist      the files of a release, in dist/: libraries for every platform, wheels, packages, sources; TARGETS="..." for a part
@@ -110,7 +110,6 @@ hosts:
 site:
 	docs/site/build.sh
 
-# docs/performance.svg is of measurements, and drawn by make bench with them.
 figures: library
 	python=$$(python/environment.sh)/bin/python && \
 	    $$python docs/gallery

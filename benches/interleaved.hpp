@@ -53,6 +53,12 @@ public:
         }
     }
 
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const Contestant &contestant : contestants_) names.push_back(contestant.name);
+        return names;
+    }
+
     // Seconds per call.
     Spread seconds(const std::string &name) const { return spread_of(seconds_[index(name)]); }
 

@@ -1,5 +1,5 @@
-// What a call costs for loads of every kind that a solver may have, in ordinary calls of the same run: zero, pulling,
-// separated, light, heavy, and those in a row of the table that has a kink.
+// Calls at loads of every kind that a solver may have: zero, pulling, separated, light, heavy, and those in a row of the table that
+// has a kink.
 #pragma once
 
 #include "asperity.h"
@@ -16,28 +16,6 @@
 
 class KindsOfLoad {
 public:
-    static void report() {
-        std::printf("\n### Loads of every kind\n\n"
-                    "Cost of a call over that of an ordinary one (contacts between a tenth of the load at which half of the "
-                    "summits touch and ten times it): the median, of scalar mu, scalar F, batch mu, batch F and dF/dP. "
-                    "*Light* is 1e-20 of that load, *far beyond* 1e6 times the heaviest load that tables had before they "
-                    "reached so far, *kink* the row in which all summits pass the slip law's second radius. The limit is %.0f; "
-                    "what is above is marked.\n\n"
-                    "| kind of load |", kMost);
-        const std::vector<Surface> surfaces = kinds_of_surface();
-        for (const Surface &surface : surfaces) std::printf(" %s |", surface.name.c_str());
-        std::printf("\n|---|");
-        for (size_t i = 0; i < surfaces.size(); ++i) std::printf("---|");
-        std::printf("\n");
-        std::vector<std::vector<std::pair<std::string, std::string>>> columns;
-        for (const Surface &surface : surfaces) columns.push_back(KindsOfLoad(surface).column());
-        for (size_t kind = 0; kind < columns.front().size(); ++kind) {
-            std::printf("| %s |", columns.front()[kind].first.c_str());
-            for (const auto &column : columns) std::printf(" %s |", column[kind].second.c_str());
-            std::printf("\n");
-        }
-    }
-
     // Calls visit(surface, kind, call, function) for each of them, where the function makes kCount calls; ordinary loads come first.
     template <class Visit>
     static void each(const Visit &visit) {
@@ -53,8 +31,6 @@ public:
 
 private:
     static constexpr size_t kCount = 256;
-    // A load of any kind may cost so many ordinary ones.
-    static constexpr double kMost = 3.0;
     // The separation, in height_std, to which tables reached before.
     static constexpr double kFormerEnd = -12.0;
 
@@ -131,30 +107,6 @@ private:
             {"too heavy", std::vector<double>(kCount, 1e300)},
             {"kink", in_a_row_with_parts()},
         };
-    }
-
-    std::vector<std::pair<std::string, std::string>> column() const {
-        const auto kinds = this->kinds();
-        std::vector<Contestant> calls;
-        for (const auto &[kind, loads] : kinds)
-            if (!loads.empty()) add_calls(calls, kind, loads);
-        const Interleaved times(std::move(calls), {5, 5, 5e-5});
-        std::vector<std::pair<std::string, std::string>> cells;
-        for (const auto &[kind, loads] : kinds) {
-            std::string cell;
-            bool is_met = true;
-            for (const char *call : kCalls) {
-                if (loads.empty()) break;
-                char text[32];
-                const double ratio = times.ratio(kind + call, std::string("ordinary") + call).median;
-                is_met = is_met && ratio <= kMost;
-                std::snprintf(text, sizeof text, "%.1f ", ratio);
-                cell += text;
-            }
-            if (!is_met) cell += "**MISSED**";
-            cells.emplace_back(kind, cell.empty() ? "none" : cell);
-        }
-        return cells;
     }
 
     static constexpr const char *kCalls[] = {" scalar mu", " scalar F", " batch mu", " batch F"};

@@ -1,13 +1,10 @@
-// What a solver would do without the library: interpolate the friction force in a table of its own, by a cubic spline
-// of GSL or linearly. Each is given as many knots as it takes for an accuracy, found by doubling.
+// What a solver would do without the library: interpolate the friction force in a table of its own. The cubic one is given as many
+// knots as it takes for an accuracy, found by doubling.
 #pragma once
-
-#include <gsl/gsl_spline.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <vector>
 
 using Law = std::function<double(double)>;
@@ -16,41 +13,6 @@ using Law = std::function<double(double)>;
 inline double load_at(double lightest, double heaviest, double part) {
     return lightest * std::exp(part * std::log(heaviest / lightest));
 }
-
-// Cubic spline of F, or of ln F, over ln(load).
-class GslSpline {
-public:
-    enum class Of { Force, LogForce };
-
-    GslSpline(const Law &law, double lightest, double heaviest, size_t knots, Of of)
-        : of_(of), spline_(gsl_spline_alloc(gsl_interp_cspline, knots)), accelerator_(gsl_interp_accel_alloc()) {
-        std::vector<double> x(knots), y(knots);
-        for (size_t i = 0; i < knots; ++i) {
-            const double load = load_at(lightest, heaviest, double(i) / double(knots - 1));
-            x[i] = std::log(load);
-            y[i] = of == Of::Force ? law(load) : std::log(law(load));
-        }
-        // Rounding must leave no load outside, which GSL answers by aborting.
-        x.front() = std::log(lightest) - 1e-12;
-        x.back() = std::log(heaviest) + 1e-12;
-        gsl_spline_init(spline_.get(), x.data(), y.data(), knots);
-    }
-
-    double operator()(double load) const {
-        const double y = gsl_spline_eval(spline_.get(), std::log(load), accelerator_.get());
-        return of_ == Of::Force ? y : std::exp(y);
-    }
-    size_t knots() const { return spline_->size; }
-
-private:
-    struct Free {
-        void operator()(gsl_spline *spline) const { gsl_spline_free(spline); }
-        void operator()(gsl_interp_accel *accelerator) const { gsl_interp_accel_free(accelerator); }
-    };
-    Of of_;
-    std::unique_ptr<gsl_spline, Free> spline_;
-    std::unique_ptr<gsl_interp_accel, Free> accelerator_;
-};
 
 // What a good engineer writes: knots evenly spaced in ln(load), found from log without a search, cubic Hermite
 // interpolation of F with the slopes that the library gives.
@@ -135,6 +97,6 @@ double error_of(const Rival &rival, const Law &law, double lightest, double heav
 template <class Make>
 auto accurate(Make make, const Law &law, double lightest, double heaviest, size_t knots, double tolerance) {
     auto rival = make(knots);
-    while (error_of(*rival, law, lightest, heaviest) > tolerance) rival = make(knots *= 2);
+    while (error_of(rival, law, lightest, heaviest) > tolerance) rival = make(knots *= 2);
     return rival;
 }

@@ -5,7 +5,7 @@
 # As root on Debian or Ubuntu it installs what is missing; otherwise it prints the one command that would, and fails.
 set -euo pipefail
 
-core="g++ gfortran clang cmake pkg-config python3 python3-venv libgsl-dev valgrind"
+core="g++ gfortran clang cmake pkg-config python3 python3-venv valgrind"
 hosts="calculix-ccx libode-dev libsiconos-numerics-dev libsimbody-dev python3-getfem pkg-config yade python3-venv"
 harden="valgrind"
 # Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
