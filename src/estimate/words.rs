@@ -11,6 +11,7 @@ use crate::model::validity::WARNING_TEXTS;
 use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::params::Params;
+use std::fmt::{Arguments, Display, Formatter, Write};
 use std::ops::RangeInclusive;
 
 /// Shares of the variance below this are not worth a measurement.
@@ -42,11 +43,23 @@ const MOST_POINTS_TOLD: usize = 3;
 
 /// Adds words to a text, or a line of them.
 macro_rules! begin {
-    ($out:expr, $($words:tt)*) => { $out.push_str(&format!($($words)*)) };
+    ($out:expr, $($words:tt)*) => { add($out, format_args!($($words)*)) };
 }
 macro_rules! tell {
     ($out:expr) => { $out.push('\n') };
-    ($out:expr, $($words:tt)*) => { { begin!($out, $($words)*); tell!($out) } };
+    ($out:expr, $($words:tt)*) => { add_line($out, format_args!($($words)*)) };
+}
+
+#[inline(never)]
+fn add(out: &mut String, words: Arguments) {
+    // Writing to a string does not fail.
+    let _ = out.write_fmt(words);
+}
+
+#[inline(never)]
+fn add_line(out: &mut String, words: Arguments) {
+    add(out, words);
+    out.push('\n');
 }
 
 /// Writes it, a line for each load and for each thing to know.
@@ -93,12 +106,12 @@ fn write_ground(estimate: &Estimate, answers: &[Answer], at_points: &[Answer], w
     write_points(estimate, out);
     write_units(estimate, answers, out);
     if estimate.described.yields() {
-        let index = figures(estimate.described.params.plasticity_index());
+        let index = Figures(estimate.described.params.plasticity_index());
         tell!(out, "rests on: asperities yield, plasticity index {index}: elastic-plastic law, without adhesion");
     }
     match &estimate.curve.failure {
         Some(Error::Uncalibrated { load, number, reason: CalibrationFailure::Strength, .. }) => {
-            let [load, most] = [*load, *number / *load].map(figures);
+            let [load, most] = [*load, *number / *load].map(Figures);
             tell!(
                 out,
                 "check: not the shear of contacts: at {load} {} a strength below the shear modulus gives at most {most}; a solver gets no \
@@ -117,7 +130,7 @@ fn write_ground(estimate: &Estimate, answers: &[Answer], at_points: &[Answer], w
 
 fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut String) {
     let Answer { load, friction, force, curve, .. } = *answer;
-    let [at, mu, low, high] = [load, friction.value, friction.low, friction.high].map(figures);
+    let [at, mu, low, high] = [load, friction.value, friction.low, friction.high].map(Figures);
     let unit = estimate.unit();
     if friction.value == 0.0 {
         return tell!(out, "mu({at} {unit}) = 0: the surfaces are apart");
@@ -132,7 +145,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut String) {
             return tell!(out, "it grows as the load goes to 0, where friction is 0");
         }
         let specimen = if is_few(answer) { " one specimen" } else { "" };
-        let [value, low, high] = [force.value, force.low, force.high].map(figures);
+        let [value, low, high] = [force.value, force.low, force.high].map(Figures);
         begin!(out, "adhesion gives{specimen} a friction force of {value} {unit}");
         let part = percent(estimate.described.coverage);
         if force.low < force.high {
@@ -152,7 +165,7 @@ fn write_answer(estimate: &Estimate, answer: &Answer, out: &mut String) {
         _ => tell!(out, "mu({at} {unit}) = {mu}, {part} % band {low} to {high}"),
     }
     let shown = figures(curve);
-    if !curve.is_nan() && shown != mu {
+    if !curve.is_nan() && shown != figures(friction.value) {
         let off = percent(((curve / friction.value - 1.0) * 1e3).round() * 1e-3);
         let of = if answer.whose == Whose::Many { "" } else { ": it is of the mean of many specimens" };
         tell!(out, "a solver's curve has {shown} at {at} {unit}, {off} % off this{of}");
@@ -164,10 +177,10 @@ fn write_constant(estimate: &Estimate, answers: &[Answer], out: &mut String) {
     if !estimate.is_measured() || estimate.strength.load <= 0.0 {
         return;
     }
-    let (constant, measured, unit) = (figures(exp(estimate.strength.mean)), estimate.strength.load, estimate.unit());
+    let (constant, measured, unit) = (Figures(exp(estimate.strength.mean)), estimate.strength.load, estimate.unit());
     let is_apart = |answer: &&Answer| answer.load > 0.0 && (answer.load / measured - 1.0).abs() > 0.01;
     for answer in answers.iter().filter(is_apart).take(MOST_LOOKED_AT) {
-        let (load, odds) = (figures(answer.load), answer.constant_odds);
+        let (load, odds) = (Figures(answer.load), answer.constant_odds);
         match odds > DOES {
             true => tell!(out, "a constant does at {load} {unit}: within 10 % of {constant}, odds {}", odds_of(odds)),
             false => tell!(out, "within 10 % of the constant {constant} at {load} {unit}: odds {}", odds_of(odds)),
@@ -194,7 +207,7 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> Resu
         (of(|shares| shares.shape), "what is not told of the shape of the heights"),
         (of(|shares| shares.specimen), "which asperities a specimen happens to have"),
     ];
-    let (load, unit) = (figures(widest.load), estimate.unit());
+    let (load, unit) = (Figures(widest.load), estimate.unit());
     let order = ascending(&shares.map(|(share, _)| share));
     let (share, what) = shares[order[order.len() - 1]];
     tell!(out, "dominated by: {what} ({:.0} % of the variance at {load} {unit})", 100.0 * share);
@@ -206,7 +219,7 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> Resu
             1 => "a second measured point",
             _ => "one more measured point",
         };
-        remedies.push((gain, format!("{count} at {} {}", figures(load), estimate.unit())));
+        remedies.push((gain, format!("{count} at {} {}", Figures(load), estimate.unit())));
     }
     let slope = match &estimate.described.machined {
         Some(machined) if !machined.has_height && !machined.has_slope => "the profile: Ra or Rq, and RSm",
@@ -236,8 +249,8 @@ fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
     let unit = estimate.unit();
     for (point, answer) in outside.iter().take(MOST_POINTS_TOLD) {
         let off = (log(ratio(point) / answer.friction.value) / point.error).abs();
-        let [ratio, load, off] = [ratio(point), point.load, off].map(figures);
-        let [low, high] = [answer.friction.low, answer.friction.high].map(figures);
+        let [ratio, load, off] = [ratio(point), point.load, off].map(Figures);
+        let [low, high] = [answer.friction.low, answer.friction.high].map(Figures);
         tell!(
             out,
             "check: the measured {ratio} at {load} {unit} is outside the band {low} to {high}, {off} of its errors from the value: the \
@@ -256,9 +269,9 @@ fn is_few(answer: &Answer) -> bool {
 /// Of which specimen an answer is where they differ.
 fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut String) {
     let Answer { load, another, whose, .. } = *answer;
-    let [at, contacts] = [load, answer.contacts].map(figures);
+    let [at, contacts] = [load, answer.contacts].map(Figures);
     let unit = estimate.unit();
-    let [value, low, high] = [another.value, another.low, another.high].map(|force| figures(force / load));
+    let [value, low, high] = [another.value, another.low, another.high].map(|force| Figures(force / load));
     match whose {
         _ if load <= 0.0 || answer.friction.value == 0.0 => {}
         Whose::Measured => tell!(
@@ -273,8 +286,8 @@ fn write_specimens(estimate: &Estimate, answer: &Answer, out: &mut String) {
 }
 
 fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
-    let (factor, unit) = (figures(estimate.strength.factor()), estimate.unit());
-    let median = figures(exp(estimate.strength.mean));
+    let (factor, unit) = (Figures(estimate.strength.factor()), estimate.unit());
+    let median = Figures(exp(estimate.strength.mean));
     begin!(out, "rests on: strength of the interface: ");
     if !estimate.is_measured() {
         return match estimate.rests() {
@@ -305,13 +318,13 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
         _ if points.len() > MOST_POINTS_TOLD => {
             let loads = || points.iter().map(|point| point.load);
             let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
-            let [lightest, heaviest] = ends.map(figures);
+            let [lightest, heaviest] = ends.map(Figures);
             tell!(out, "{} points from {lightest} {unit} to {heaviest} {unit}", points.len());
         }
         some => {
             for (i, point) in some.iter().enumerate() {
                 let before = if i > 0 { ", " } else { "" };
-                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(figures);
+                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
                 match point.load > 0.0 {
                     true => begin!(out, "{before}{ratio} at {load} {unit}"),
                     false => begin!(out, "{before}{force} {unit} at {load} {unit}"),
@@ -328,7 +341,7 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
         };
         let misses = points.iter().zip(at_points).filter_map(off);
         if let Some((load, off)) = misses.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs())) {
-            let (load, off) = (figures(load), 100.0 * off.abs());
+            let (load, off) = (Figures(load), 100.0 * off.abs());
             tell!(
                 out,
                 "check: the points change faster than the law; a solver's curve misses them by {off:.0} % at {load} {unit}: is the load in \
@@ -337,7 +350,7 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
         }
     }
     if estimate.growth > 1.0 {
-        let errors = figures(apart_at_one_load(points).max(estimate.growth));
+        let errors = Figures(apart_at_one_load(points).max(estimate.growth));
         tell!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it");
     }
     match estimate.described.specimens {
@@ -345,13 +358,13 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
         Some(count) => tell!(
             out,
             "rests on: measured on {} specimens: the scatter between them over its root is in the band",
-            figures(count)
+            Figures(count)
         ),
         None => {}
     }
     let is_asked = |answer: &&Answer| answer.contacts < FEW && estimate.described.specimens.is_none();
     for answer in at_points.iter().filter(is_asked).take(1) {
-        let [load, contacts] = [answer.load, answer.contacts].map(figures);
+        let [load, contacts] = [answer.load, answer.contacts].map(Figures);
         let taken = if estimate.described.is_of_law { "a model has" } else { "specimens have on the mean" };
         tell!(
             out,
@@ -402,11 +415,11 @@ fn write_bodies(estimate: &Estimate, out: &mut String) {
     if !described.has_adhesion && described.params.work_of_adhesion > 0.0 && !described.yields() {
         match bodies.pair() {
             Some(pair) => {
-                let work = figures(pair.work_of_adhesion);
+                let work = Figures(pair.work_of_adhesion);
                 begin!(out, "rests on: work of adhesion {work} J/m^2 of {}", text(pair.name));
                 let [least, most] = pair.work_of_adhesion_range;
                 if most > least {
-                    begin!(out, ", measured and estimated {} to {}", figures(least), figures(most));
+                    begin!(out, ", measured and estimated {} to {}", Figures(least), Figures(most));
                 }
             }
             None => {
@@ -439,30 +452,30 @@ fn write_assumed(estimate: &Estimate, out: &mut String) {
     match estimate.size {
         None => {
             let size: f64 = estimate.nodes.iter().map(|node| node.weight * node.size).sum();
-            parts.push(format!("{} (size effect {})", described.class.called, figures(size)));
+            parts.push(format!("{} (size effect {})", described.class.called, Figures(size)));
         }
-        Some(size) => parts.push(format!("{}, size effect {} as given", described.class.called, figures(size))),
+        Some(size) => parts.push(format!("{}, size effect {} as given", described.class.called, Figures(size))),
     }
     if params.is_of_many() {
         let slope = if described.machined.is_some() { params.rms_slope / 2.0_f64.sqrt() } else { params.rms_slope };
-        let factor = figures(slope_factor(described, described.machined.as_ref()));
+        let factor = Figures(slope_factor(described, described.machined.as_ref()));
         match slope > 0.0 {
-            true => parts.push(format!("slope {} to a factor of {factor}", figures(slope))),
+            true => parts.push(format!("slope {} to a factor of {factor}", Figures(slope))),
             false => parts.push(format!("slope to a factor of {factor}")),
         }
     }
     if described.yields() && hardness_factor(described) > 1.0 {
-        parts.push(format!("hardness to a factor of {}", figures(hardness_factor(described))));
+        parts.push(format!("hardness to a factor of {}", Figures(hardness_factor(described))));
     }
     match params.work_of_adhesion > 0.0 {
         true if work_factor(described) > 1.0 => {
             parts.push(format!(
                 "adhesion {} J/m^2 to a factor of {}, or none",
-                figures(params.work_of_adhesion),
-                figures(work_factor(described))
+                Figures(params.work_of_adhesion),
+                Figures(work_factor(described))
             ));
         }
-        true => parts.push(format!("adhesion {} J/m^2", figures(params.work_of_adhesion))),
+        true => parts.push(format!("adhesion {} J/m^2", Figures(params.work_of_adhesion))),
         false => parts.push("no adhesion".to_owned()),
     }
     tell!(out, "assumed: {}", parts.join(", "));
@@ -490,14 +503,14 @@ fn write_points(estimate: &Estimate, out: &mut String) {
     let ([lightest, heaviest], [least, most]) = (ends(|point| point.load), ends(|point| point.force / point.load));
     let is_like = LIKE_A_COEFFICIENT.contains(&lightest) && LIKE_A_COEFFICIENT.contains(&heaviest);
     if most > LARGE {
-        let [ratio, part] = [most, 0.01 * most].map(figures);
+        let [ratio, part] = [most, 0.01 * most].map(Figures);
         begin!(out, "check: the measured friction coefficient is {ratio}: is it in per cent ({part})?");
         tell!(out, "{}", if is_like { " Or is it the load? A point is [load, coefficient]" } else { "" })
     } else if least < SMALL {
-        let least = figures(least);
+        let least = Figures(least);
         tell!(out, "check: the measured friction coefficient is {least}, dry surfaces have more: is it the load? A point is [load, coefficient]")
     } else if is_like && heaviest > lightest && most / least > APART.max(heaviest / lightest) {
-        let [lightest, heaviest, least, most] = [lightest, heaviest, least, most].map(figures);
+        let [lightest, heaviest, least, most] = [lightest, heaviest, least, most].map(Figures);
         tell!(
             out,
             "check: friction coefficients of {least} to {most} at {lightest} to {heaviest} {unit}: are the two swapped? A point is [load, coefficient]"
@@ -521,7 +534,7 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut String) {
         ("work_of_adhesion", work_of_adhesion, STICKY, "is it in mJ/m^2?"),
     ] {
         if value > most {
-            tell!(out, "check: {name} is {}: {says}", figures(value));
+            tell!(out, "check: {name} is {}: {says}", Figures(value));
         }
     }
     let Params { nominal_area, hardness, work_of_adhesion, .. } = estimate.curve.params;
@@ -535,9 +548,9 @@ fn write_units(estimate: &Estimate, answers: &[Answer], out: &mut String) {
         (false, true) => "is load in N, and nominal_area in m^2?",
         (false, false) => "is load in N, and asperity_count a number and not a density?",
     };
-    let shown = figures(pressure);
+    let shown = Figures(pressure);
     if pressure > 0.0 && pressure < if work_of_adhesion > 0.0 { LIGHT_OF_ADHESION } else { LIGHT } {
-        let light = figures(LIGHT);
+        let light = Figures(LIGHT);
         tell!(out, "check: the nominal pressure is {shown} Pa, and a steel sheet of 1 mm has {light} Pa: {units}")
     } else if nominal_area > 0.0 && hardness > 0.0 && pressure > hardness {
         tell!(out, "check: the nominal pressure is {shown} Pa, above the hardness, which no contact bears: {units}")
@@ -556,7 +569,7 @@ fn write_shape(estimate: &Estimate, answers: &[Answer], out: &mut String) {
     if let Some(answer) = most.filter(|_| *shape == ALONE) {
         let (Band { value, low, high }, left) = (answer.friction, (1.0 - answer.shares.shape).max(0.0).sqrt());
         let [load, low, high] =
-            [answer.load, value * exp(left * log(low / value)), value * exp(left * log(high / value))].map(figures);
+            [answer.load, value * exp(left * log(low / value)), value * exp(left * log(high / value))].map(Figures);
         let unit = estimate.unit();
         begin!(
             out,
@@ -577,16 +590,16 @@ fn write_shape(estimate: &Estimate, answers: &[Answer], out: &mut String) {
 
 fn write_roughness(estimate: &Estimate, out: &mut String) {
     let Some(machined) = &estimate.described.machined else { return };
-    let (name, [least, most]) = (machined.process.name, machined.process.mean_deviation.map(|ra| figures(ra * 1e6)));
+    let (name, [least, most]) = (machined.process.name, machined.process.mean_deviation.map(|ra| Figures(ra * 1e6)));
     if !machined.has_height {
         tell!(out, "rests on: Ra of {name} surfaces: {least} to {most} um");
     }
     if let Some(ra) = machined.unusual {
-        let ra = figures(ra * 1e6);
+        let ra = Figures(ra * 1e6);
         tell!(out, "check: Ra = {ra} um: {name} surfaces have {least} to {most} um: is it of this process, and in m?");
     }
     if !machined.has_slope {
-        let (slope, factor) = (figures(machined.slope), figures(slope_factor(&estimate.described, Some(machined))));
+        let (slope, factor) = (Figures(machined.slope), Figures(slope_factor(&estimate.described, Some(machined))));
         tell!(out, "rests on: slope of the profile: {slope} to a factor of {factor}, assumed of machined surfaces");
     }
 }
@@ -627,7 +640,16 @@ fn percent(part: f64) -> String {
     format!("{:.4}", 100.0 * part).trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A number in three figures, as people write it.
+/// A number in three figures.
+struct Figures(f64);
+
+impl Display for Figures {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&figures(self.0))
+    }
+}
+
+/// As people write it.
 fn figures(number: f64) -> String {
     if number == 0.0 || !number.is_finite() {
         return number.to_string();
