@@ -32,6 +32,8 @@ const REACH: u32 = 12;
 const NEAREST: f64 = 1e-6;
 /// Slopes differ by no larger factor.
 const LARGEST_SLOPE_RATIO: f64 = 1e4;
+/// Cubics of cubics are summed in panels that are shorter by this.
+const PART_OF_PANEL: f64 = 0.75;
 /// Heights between two of the table at which the density is looked at.
 const LOOKS: u32 = 64;
 
@@ -376,6 +378,10 @@ impl HeightDistribution for AtScores {
 
     fn breakpoints(&self) -> &[f64] {
         &self.knots
+    }
+
+    fn part_of_panel(&self) -> f64 {
+        PART_OF_PANEL
     }
 
     fn last_mode(&self) -> f64 {

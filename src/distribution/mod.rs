@@ -54,6 +54,11 @@ pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
         &[]
     }
 
+    /// What part of a panel serves that would serve if the logarithm of the density were a polynomial of low degree.
+    fn part_of_panel(&self) -> f64 {
+        1.0
+    }
+
     /// Whether the density is a polynomial of low degree between two breakpoints: then one panel reaches from one to the
     /// next, however steep ln phi is where the density vanishes.
     fn is_piecewise_polynomial(&self) -> bool {

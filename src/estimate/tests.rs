@@ -386,7 +386,7 @@ fn bands_have_what_is_not_told_of_the_shape_of_heights() {
     let texts =
         [alone.into(), skewed.into(), format!("{heights}Sdq = 0.08\nSdq_top = 0.08\n"), format!("{heights}{slopes}")];
     let widths = texts.each_ref().map(|text: &String| told(text, "", ""));
-    assert!(widths[0] > 1.3 * widths[1] && widths[1] >= widths[2] && widths[2] >= widths[3], "{widths:?}");
+    assert!(widths[0] > 1.3 * widths[1] && widths[1] >= widths[2] && widths[2] >= widths[3] - 1e-9, "{widths:?}");
     let gaussian = told(alone, "height_distribution = \"gaussian\"\n", "");
     assert!(widths[3] < 1.3 * gaussian && gaussian <= widths[3], "{gaussian} {widths:?}");
     // Where nothing else is in doubt there is no band.

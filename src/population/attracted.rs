@@ -111,7 +111,7 @@ impl Population {
         upper: f64,
         visit: &mut impl FnMut(f64, f64, f64),
     ) -> (f64, f64) {
-        let smooth = (overlap + law.reach).min(self.radius.smooth_length(z));
+        let smooth = (overlap + law.reach).min(self.radius.panel_length(z));
         let longest = (PART_AT_LOWER_END * smooth).min(upper - z);
         let Some(panel) = LowerEndPanel::new(&*self.heights, z, longest) else { return (z, overlap) };
         for (rise, fraction) in panel.nodes(&*self.heights) {
@@ -132,7 +132,7 @@ impl Population {
             return smooth;
         }
         let (rise, _) = here.rise((CIRCLE_RATIO - 1.0) * here.overlap_rate / here.overlap_bend);
-        rise.max(shortest).min(smooth).min(self.radius.smooth_length(z))
+        rise.max(shortest).min(smooth).min(self.radius.panel_length(z))
     }
 
     /// The part of a range of heights in which summits out of contact attract: lambda_g^3 < 9/32.

@@ -12,7 +12,7 @@ use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root::MOST_STEPS;
 
 /// A panel in height is no longer than this many times the distance to break-away, where the law of contact is singular.
-const HEIGHT_RATIO: f64 = 2.5;
+const HEIGHT_RATIO: f64 = 3.5;
 /// Where radii vary, dz/ds must not change by more than this factor over a panel in the parameter because they do: where the radius
 /// of contact falls with height, the parameter does at last.
 const MOST_RATE_CHANGE: f64 = 1.2;
@@ -20,7 +20,7 @@ const MOST_RATE_CHANGE: f64 = 1.2;
 const PARAMETER_RATIO: f64 = 3.0;
 /// Between the slip law's radii friction is a power of the contact radius of about 3/2, which the rule follows closely: no
 /// longer than this many times the parameter, at 0 of which the radius is 0.
-const POWER_RATIO: f64 = 5.0;
+const POWER_RATIO: f64 = 7.0;
 /// As a function of the parameter the density is steeper than as one of height: of a panel in height this part is taken.
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
 /// Where contacts slip in part no panel is longer than this many times the parameter, or the distance to break-away: what they
@@ -83,9 +83,9 @@ impl Population {
     ) -> SummitPanel {
         // Where radii fall so steeply that the parameter turns back, panels in it would become ever shorter; not so at break-away.
         let turns_back = here.height_share() < LEAST_RATE;
-        let by_parameter = if self.lost > 0.0 && clearance <= PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
+        let by_parameter = if self.lost > 0.0 && clearance <= PART_OF_HEIGHT_PANEL * reach / self.height_ratio() {
             Some(self.root_panel_end(separation, &here, clearance, PART_OF_HEIGHT_PANEL * reach, stop))
-        } else if turns_back || self.lost > 0.0 || clearance > PART_OF_HEIGHT_PANEL * reach / HEIGHT_RATIO {
+        } else if turns_back || self.lost > 0.0 || clearance > PART_OF_HEIGHT_PANEL * reach / self.height_ratio() {
             None
         } else {
             let is_polynomial = self.heights.is_piecewise_polynomial();
@@ -96,7 +96,7 @@ impl Population {
             Some(to) if self.lost > 0.0 => (Axis::Root(here.z - clearance), to),
             Some(to) => (Axis::Parameter, to),
             None => {
-                let ratio = if self.has_onset() { ONSET_RATIO } else { HEIGHT_RATIO };
+                let ratio = if self.has_onset() { ONSET_RATIO } else { self.height_ratio() };
                 let z = (here.z + reach.min((ratio * clearance).max(SHORTEST_PANEL))).min(stop);
                 (Axis::Height, self.at_height(separation, z, here.contact.parameter))
             }
@@ -106,7 +106,7 @@ impl Population {
         // Between breakpoints a density is smoother than they are near.
         let smooth = || match self.heights.breakpoints() {
             [] => reach,
-            _ => panel::smooth_reach(&*self.heights, here.z).min(self.radius.smooth_length(here.z)),
+            _ => panel::smooth_reach(&*self.heights, here.z).min(self.radius.panel_length(here.z)),
         };
         // What contacts about to slip resist asks for all points.
         let part = match (self.has_onset(), &self.radius.scores) {
@@ -122,11 +122,16 @@ impl Population {
         SummitPanel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
     }
 
+    /// How long a panel in height may be, in distances to break-away.
+    fn height_ratio(&self) -> f64 {
+        HEIGHT_RATIO * self.heights.part_of_panel()
+    }
+
     /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
     fn part(&self, panel: &SummitPanel, clearance: f64, smooth: f64) -> f64 {
         let rise = panel.to.z - panel.from.z;
         match panel.axis {
-            Axis::Height => rise / smooth.min(HEIGHT_RATIO * clearance),
+            Axis::Height => rise / smooth.min(self.height_ratio() * clearance),
             // The ends do not tell how dz/ds changes between them.
             Axis::Root(_) => 1.0,
             Axis::Parameter if !self.radius.is_constant() => 1.0,

@@ -19,6 +19,8 @@ pub struct RadiusProfile {
 
 /// Over one smooth piece the radius changes by no more e-folds.
 const MOST_RADIUS_E_FOLDS: f64 = 7.0;
+/// A panel resolves so many times as much of eq (3), but not of a table, of which radii are cubics of cubics.
+const PANEL_OVER_SMOOTH: f64 = 1.2;
 /// How finely heights are looked at, per length in which radii change.
 const LOOKS_PER_CHANGE: f64 = 8.0;
 /// Smaller radius factors are taken as this: such summits carry nothing, and squares stay in range.
@@ -93,7 +95,7 @@ impl RadiusProfile {
     }
 
     /// How far above z one smooth piece may reach: the poles of tanh lie at +-i pi/(2 rho), and where g goes to 0 it is exponential.
-    pub fn smooth_length(&self, z: f64) -> f64 {
+    fn smooth_length(&self, z: f64) -> f64 {
         if self.is_constant() {
             return f64::MAX;
         }
@@ -105,6 +107,11 @@ impl RadiusProfile {
         };
         let smooth = if place < 0.0 { (0.65 * -place).max(1.1 * pole) } else { 1.1 * hypot(place, pole) } / rate;
         smooth.min(MOST_RADIUS_E_FOLDS * g / slope.abs())
+    }
+
+    /// How far above z one panel may reach.
+    pub fn panel_length(&self, z: f64) -> f64 {
+        self.smooth_length(z) * if self.scores.is_some() { 1.0 } else { PANEL_OVER_SMOOTH }
     }
 
     /// Heights from one up to another, near enough to each other to see how radii change.

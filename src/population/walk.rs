@@ -16,7 +16,7 @@ const LONGER_PER_FOLD: f64 = 0.02;
 /// is the height.
 pub(super) const PART_AT_LOWER_END: f64 = 0.1;
 /// What is less than this part of all above the last mode of the heights ends the sum.
-const NEGLIGIBLE_REST: f64 = 1e-16;
+const NEGLIGIBLE_REST: f64 = 1e-12;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
 const STEEPEST_DENSITY: f64 = 1e9;
 
@@ -111,7 +111,7 @@ impl Population {
                 return Ok(());
             }
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
-            let mut reach = reach.min(self.radius.smooth_length(here.z));
+            let mut reach = reach.min(self.radius.panel_length(here.z));
             let lay = |reach: f64| {
                 let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
                 (panel, self.nodes(separation, &panel))
@@ -192,7 +192,7 @@ impl Population {
     fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut dyn ContactVisitor) -> Point {
         let &Walk { separation, start, edge_height, end } = walk;
         let (lower_end, _) = self.heights.support();
-        let smooth = (start.z - edge_height).min(self.radius.smooth_length(lower_end));
+        let smooth = (start.z - edge_height).min(self.radius.panel_length(lower_end));
         let longest = (PART_AT_LOWER_END * smooth).min(end - lower_end);
         let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
         // A kink of the slip law within so short a panel ends it.
