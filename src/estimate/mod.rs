@@ -617,8 +617,8 @@ impl Estimate {
     fn widening(&self, at: &[OfLaw]) -> f64 {
         let of_law = |(i, (law, of)): (usize, (&Law, &OfLaw))| {
             let weight: f64 = self.nodes.iter().filter(|node| node.law == i).map(|node| node.weight).sum();
-            let length = law.middle().units().length;
-            weight * of.separation().map_or(0.0, |separation| law.middle().widening(separation) * length)
+            let widening = |separation| law.middle().widening(separation) * law.middle().units().length;
+            weight * of.separation().map_or(0.0, widening)
         };
         self.laws.iter().zip(at).enumerate().map(of_law).sum()
     }
@@ -702,9 +702,8 @@ impl Estimate {
     /// The law that a solver gets: the mean size effect and pressure coefficient, the most probable law and work of adhesion, and the
     /// strength that gives the median at the load of the reference.
     fn find_curve(&self) -> Result<Curve, Error> {
-        let mean = |of: &dyn Fn(&Node) -> f64| self.nodes.iter().map(|node| node.weight * of(node)).sum::<f64>();
         let mut params = self.described.with_law(self.described.params.clone())?;
-        let size = mean(&|node| node.size);
+        let size = self.mean_of(|node| node.size);
         if self.size.is_none() {
             params.slip.stress_2 = params.slip.stress_1 / exp(size * log(SIZE_RATIO));
         }
@@ -736,7 +735,7 @@ impl Estimate {
         if self.described.pressure_is_free && !self.strength.is_stress && !self.is_of_other_materials() {
             // The same part of the force, also where adhesion presses more or less than in the nodes.
             let hertz = specimens.map_or_else(reference, Ok)?.logs[HERTZ];
-            measured.pressure_coefficient = mean(&|node| node.pressed) * exp(self.strength.log_force() - hertz);
+            measured.pressure_coefficient = self.mean_of(|node| node.pressed) * exp(self.strength.log_force() - hertz);
             params.pressure_coefficient = measured.pressure_coefficient;
         }
         if self.strength.is_stress && !self.described.has_stress {
@@ -781,6 +780,10 @@ impl Estimate {
         params.strengthen(law.middle(), load, force)?;
         params.calibration_error = if let [point] = points { point.error } else { mixture.moments().1.sqrt().min(1.0) };
         Ok(())
+    }
+
+    fn mean_of(&self, of: impl Fn(&Node) -> f64) -> f64 {
+        self.nodes.iter().map(|node| node.weight * of(node)).sum()
     }
 
     /// Nothing was measured on these surfaces: parameters say whether their strength is that of other materials.

@@ -2,7 +2,7 @@
 
 use super::cases::{hardness_factor, slope_factor, work_factor};
 use super::priors::{ALONE, MAYBE_LUBRICATED, USUAL_WORK};
-use super::{Answer, Band, Estimate, Rests, Shares, Whose, LARGE};
+use super::{Answer, Band, Estimate, Rests, Whose, LARGE};
 use crate::error::{CalibrationFailure, Error};
 use crate::materials::names::text;
 use crate::materials::{Bodies, Interface, Material};
@@ -194,18 +194,18 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> Resu
     let banded: Vec<&Answer> = answers.iter().filter(|answer| answer.friction.low < answer.friction.high).collect();
     let width = |answer: &&&Answer| answer.friction.high / answer.friction.low;
     let Some(widest) = banded.iter().max_by(|one, other| width(one).total_cmp(&width(other))) else { return Ok(()) };
-    let of = |share: fn(&Shares) -> f64| share(&widest.shares);
+    let of = &widest.shares;
     let shares = [
-        (of(|shares| shares.strength), "the strength of the interface"),
-        (of(|shares| shares.size), "how the strength depends on the size of contacts"),
-        (of(|shares| shares.pressure), "how the strength grows with pressure"),
-        (of(|shares| shares.adhesion), "adhesion"),
-        (of(|shares| shares.hardness), "whether and how asperities yield"),
-        (of(|shares| shares.slope), "the slope of the surface"),
-        (of(|shares| shares.measurement), "the errors of the measured points"),
-        (of(|shares| shares.model - shares.shape), "how real interfaces leave the law between loads"),
-        (of(|shares| shares.shape), "what is not told of the shape of the heights"),
-        (of(|shares| shares.specimen), "which asperities a specimen happens to have"),
+        (of.strength, "the strength of the interface"),
+        (of.size, "how the strength depends on the size of contacts"),
+        (of.pressure, "how the strength grows with pressure"),
+        (of.adhesion, "adhesion"),
+        (of.hardness, "whether and how asperities yield"),
+        (of.slope, "the slope of the surface"),
+        (of.measurement, "the errors of the measured points"),
+        (of.model - of.shape, "how real interfaces leave the law between loads"),
+        (of.shape, "what is not told of the shape of the heights"),
+        (of.specimen, "which asperities a specimen happens to have"),
     ];
     let (load, unit) = (Figures(widest.load), estimate.unit());
     let order = ascending(&shares.map(|(share, _)| share));
@@ -214,11 +214,8 @@ fn write_next(estimate: &Estimate, answers: &[Answer], out: &mut String) -> Resu
     let mut remedies = Vec::new();
     let loads: Vec<f64> = banded.iter().map(|answer| answer.load).take(MOST_LOOKED_AT).collect();
     if let Some((load, gain)) = estimate.next_point(&loads)? {
-        let count = match estimate.described.points.len() {
-            0 => "one measured friction coefficient",
-            1 => "a second measured point",
-            _ => "one more measured point",
-        };
+        let all = ["one measured friction coefficient", "a second measured point", "one more measured point"];
+        let count = all[estimate.described.points.len().min(2)];
         remedies.push((gain, format!("{count} at {} {}", Figures(load), estimate.unit())));
     }
     let slope = match &estimate.described.machined {
@@ -260,6 +257,11 @@ fn write_outside(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
     if outside.len() > MOST_POINTS_TOLD {
         tell!(out, "check: so are {} more of the measured points", outside.len() - MOST_POINTS_TOLD);
     }
+}
+
+/// The least and the largest of some numbers.
+fn ends(numbers: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+    [numbers.clone().fold(f64::INFINITY, f64::min), numbers.fold(f64::NEG_INFINITY, f64::max)]
 }
 
 fn is_few(answer: &Answer) -> bool {
@@ -313,26 +315,19 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
         };
     }
     let points = &estimate.described.points;
-    begin!(out, "measured here, ");
-    match &points[..] {
-        _ if points.len() > MOST_POINTS_TOLD => {
-            let loads = || points.iter().map(|point| point.load);
-            let ends = [loads().fold(f64::INFINITY, f64::min), loads().fold(f64::NEG_INFINITY, f64::max)];
-            let [lightest, heaviest] = ends.map(Figures);
-            tell!(out, "{} points from {lightest} {unit} to {heaviest} {unit}", points.len());
+    let told = |point: &MeasuredPoint| {
+        let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
+        let error = percent(point.error);
+        match point.load > 0.0 {
+            true => format!("{ratio} at {load} {unit} to {error} %"),
+            false => format!("{force} {unit} at {load} {unit} to {error} %"),
         }
-        some => {
-            for (i, point) in some.iter().enumerate() {
-                let before = if i > 0 { ", " } else { "" };
-                let [load, force, ratio] = [point.load, point.force, point.force / point.load].map(Figures);
-                match point.load > 0.0 {
-                    true => begin!(out, "{before}{ratio} at {load} {unit}"),
-                    false => begin!(out, "{before}{force} {unit} at {load} {unit}"),
-                }
-                begin!(out, " to {} %", percent(point.error));
-            }
-            tell!(out);
-        }
+    };
+    if points.len() > MOST_POINTS_TOLD {
+        let [lightest, heaviest] = ends(points.iter().map(|point| point.load)).map(Figures);
+        tell!(out, "measured here, {} points from {lightest} {unit} to {heaviest} {unit}", points.len());
+    } else {
+        tell!(out, "measured here, {}", points.iter().map(told).collect::<Vec<_>>().join(", "));
     }
     if estimate.leaves_law > 0.5 {
         let off = |(point, answer): (&MeasuredPoint, &Answer)| {
@@ -449,35 +444,27 @@ fn write_assumed(estimate: &Estimate, out: &mut String) {
     let described = &estimate.described;
     let params = &estimate.curve.params;
     let mut parts = Vec::new();
-    match estimate.size {
-        None => {
-            let size: f64 = estimate.nodes.iter().map(|node| node.weight * node.size).sum();
-            parts.push(format!("{} (size effect {})", described.class.called, Figures(size)));
-        }
-        Some(size) => parts.push(format!("{}, size effect {} as given", described.class.called, Figures(size))),
-    }
+    let class = described.class.called;
+    let size = Figures(estimate.size.unwrap_or_else(|| estimate.mean_of(|node| node.size)));
+    parts.push(match estimate.size {
+        None => format!("{class} (size effect {size})"),
+        Some(_) => format!("{class}, size effect {size} as given"),
+    });
     if params.is_of_many() {
         let slope = if described.machined.is_some() { params.rms_slope / 2.0_f64.sqrt() } else { params.rms_slope };
         let factor = Figures(slope_factor(described, described.machined.as_ref()));
-        match slope > 0.0 {
-            true => parts.push(format!("slope {} to a factor of {factor}", Figures(slope))),
-            false => parts.push(format!("slope to a factor of {factor}")),
-        }
+        let slope = if slope > 0.0 { format!(" {}", Figures(slope)) } else { String::new() };
+        parts.push(format!("slope{slope} to a factor of {factor}"));
     }
     if described.yields() && hardness_factor(described) > 1.0 {
         parts.push(format!("hardness to a factor of {}", Figures(hardness_factor(described))));
     }
-    match params.work_of_adhesion > 0.0 {
-        true if work_factor(described) > 1.0 => {
-            parts.push(format!(
-                "adhesion {} J/m^2 to a factor of {}, or none",
-                Figures(params.work_of_adhesion),
-                Figures(work_factor(described))
-            ));
-        }
-        true => parts.push(format!("adhesion {} J/m^2", Figures(params.work_of_adhesion))),
-        false => parts.push("no adhesion".to_owned()),
-    }
+    let [work, factor] = [params.work_of_adhesion, work_factor(described)].map(Figures);
+    parts.push(match params.work_of_adhesion > 0.0 {
+        true if factor.0 > 1.0 => format!("adhesion {work} J/m^2 to a factor of {factor}, or none"),
+        true => format!("adhesion {work} J/m^2"),
+        false => "no adhesion".to_owned(),
+    });
     tell!(out, "assumed: {}", parts.join(", "));
     let is_brittle = |body: &Material| ["glass", "SiO2"].contains(&text(body.name));
     let of_glass = described.bodies.is_some_and(|bodies| is_brittle(bodies.first) || is_brittle(bodies.second));
@@ -496,11 +483,9 @@ fn write_assumed(estimate: &Estimate, out: &mut String) {
 /// Measured points that are hardly of dry friction.
 fn write_points(estimate: &Estimate, out: &mut String) {
     let unit = estimate.unit();
-    let ends = |of: fn(&MeasuredPoint) -> f64| {
-        let values = || estimate.described.points.iter().filter(|point| point.load > 0.0).map(of);
-        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
-    };
-    let ([lightest, heaviest], [least, most]) = (ends(|point| point.load), ends(|point| point.force / point.load));
+    let points = || estimate.described.points.iter().filter(|point| point.load > 0.0);
+    let [lightest, heaviest] = ends(points().map(|point| point.load));
+    let [least, most] = ends(points().map(|point| point.force / point.load));
     let is_like = LIKE_A_COEFFICIENT.contains(&lightest) && LIKE_A_COEFFICIENT.contains(&heaviest);
     if most > LARGE {
         let [ratio, part] = [most, 0.01 * most].map(Figures);
