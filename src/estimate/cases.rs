@@ -77,7 +77,7 @@ pub struct Law {
     /// What changed ones are compared with, where these stand on waves: the same without.
     even: Option<Surfaces>,
     /// The same with an input one standard deviation off, and the sign of that.
-    changed: [Option<(Surfaces, f64)>; INPUTS],
+    changed: Changed<Surfaces>,
     /// How many specimens are drawn, and with how many contacts they are alike.
     specimens: usize,
     pub alike: f64,
@@ -86,6 +86,9 @@ pub struct Law {
     /// What they are drawn from.
     heights: Rc<OnceCell<Heights>>,
 }
+
+/// Of each input that is not known, what it is with that one standard deviation off, and the sign of that.
+type Changed<T> = [Option<(T, f64)>; INPUTS];
 
 /// What one law makes of a load.
 #[derive(Debug, Clone)]
@@ -99,7 +102,7 @@ pub struct OfLaw {
     middle: usize,
     /// What the changed ones are compared with.
     unchanged: Terms,
-    changed: [Option<(Terms, f64)>; INPUTS],
+    changed: Changed<Terms>,
     /// Single specimens of each model, none where many summits touch.
     specimens: Vec<Vec<Terms>>,
 }
@@ -321,10 +324,7 @@ impl Law {
     }
 
     /// What is made of the surfaces that are changed.
-    fn changed_by(
-        &self,
-        mut of: impl FnMut(&Surfaces) -> Result<Terms, Error>,
-    ) -> Result<[Option<(Terms, f64)>; INPUTS], Error> {
+    fn changed_by(&self, mut of: impl FnMut(&Surfaces) -> Result<Terms, Error>) -> Result<Changed<Terms>, Error> {
         let mut changed = [None; INPUTS];
         for (found, other) in changed.iter_mut().zip(&self.changed) {
             *found = other.as_ref().map(|(surfaces, sign)| of(surfaces).map(|terms| (terms, *sign))).transpose()?;
@@ -397,11 +397,8 @@ pub fn slope_factor(described: &Described, machined: Option<&Machined>) -> f64 {
 
 /// To what factor the hardness is known.
 pub fn hardness_factor(described: &Described) -> f64 {
-    described.known_to.hardness.unwrap_or(if described.has_hardness || described.bodies.is_none() {
-        1.0
-    } else {
-        HARDNESS
-    })
+    let is_known = described.has_hardness || described.bodies.is_none();
+    described.known_to.hardness.unwrap_or(if is_known { 1.0 } else { HARDNESS })
 }
 
 /// To what factor the work of adhesion is known, where none is as probable.
@@ -446,10 +443,7 @@ pub fn laws(described: &Described, measured_there: bool) -> Result<Vec<Law>, Err
     let is_other = described.measured_on.as_ref().is_some_and(|there| there.shape.is_some());
     let first = if measured_there && is_other { THERE } else { 0 };
     // The laws of two specimens are the same: those of the one that is asked for.
-    let yielding = match described.law_is_open {
-        true => yields(described.params.plasticity_index()),
-        false => 0.0,
-    };
+    let yielding = if described.law_is_open { yields(described.params.plasticity_index()) } else { 0.0 };
     let area = match (&described.measured_on, measured_there) {
         (_, true) => 0.0,
         (None, _) => described.shape.area,

@@ -34,18 +34,7 @@ const SIZE_OF_FILMS: [f64; 5] = [0.62, 0.16, 0.10, 0.07, 0.05];
 
 /// The first is taken where a text says nothing.
 pub static CLASSES: [Class; 4] = [
-    Class {
-        words: &["film", "oxide", "ball"],
-        called: "film or oxide",
-        size: SIZE_OF_FILMS,
-        // The table of interfaces has 0.001 and 0.14.
-        pressure: 0.1,
-        pressure_is_even: false,
-        drift: 0.04,
-        wander: 0.07,
-        more: MORE,
-        carries_over: true,
-    },
+    Class { words: &["film", "oxide", "ball"], called: "film or oxide", ..FILM },
     Class { words: &["clean", "clean crystal"], called: "clean crystals", size: [0.2; 5], ..FILM },
     Class { words: &["dry metal"], called: "dry metal", drift: 0.15, wander: 0.15, more: BREAKING, ..FILM },
     Class {
@@ -62,6 +51,7 @@ const FILM: Class = Class {
     words: &[],
     called: "",
     size: SIZE_OF_FILMS,
+    // The table of interfaces has 0.001 and 0.14.
     pressure: 0.1,
     pressure_is_even: false,
     drift: 0.04,

@@ -95,19 +95,13 @@ fn a_ball_says_that_it_is_one() {
 /// No input makes a step: also where asperities begin to yield, and where points begin to contradict each other.
 #[test]
 fn values_are_continuous_in_what_is_given() {
+    let (silicon, steel) = (
+        format!("{SILICON}measured = [1e-3, 0.3]\n[roughness]\nSq = 5e-9\nSdq = "),
+        format!("{STEEL}[roughness]\nSq = 1e-7\nSdq = "),
+    );
     let texts: [&dyn Fn(f64) -> String; 4] = [
-        &|t| {
-            format!(
-                "pair = \"Si/Si\"\nnominal_area = 1e-8\nmeasured = [1e-3, 0.3]\n[roughness]\nSq = 5e-9\nSdq = {}\n",
-                0.1 * (1.0 + 4.0 * t)
-            )
-        },
-        &|t| {
-            format!(
-                "pair = \"steel/steel\"\nnominal_area = 1e-4\n[roughness]\nSq = 1e-7\nSdq = {}\n",
-                0.03 * (1.0 + 3.0 * t)
-            )
-        },
+        &|t| format!("{silicon}{}\n", 0.1 * (1.0 + 4.0 * t)),
+        &|t| format!("{steel}{}\n", 0.03 * (1.0 + 3.0 * t)),
         &|t| format!("{STEEL}measured = [[1000, 0.16], [1000, {}]]\n{ROUGH}", 0.16 * (1.0 + t)),
         &|t| format!("{STEEL}measured = [[1000, 0.16], [{}, 0.2]]\n{ROUGH}", 500.0 * (1.0 + t)),
     ];

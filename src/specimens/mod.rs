@@ -236,13 +236,7 @@ impl Standing {
 
 impl Held {
     fn apart(pull_off_force: f64) -> Self {
-        Self {
-            friction_force: 0.0,
-            tangential_stiffness: 0.0,
-            normal_stiffness: 0.0,
-            gap: f64::NAN,
-            contacts: 0.0,
-            pull_off_force,
-        }
+        let [friction_force, tangential_stiffness, normal_stiffness, contacts] = [0.0; 4];
+        Self { friction_force, tangential_stiffness, normal_stiffness, gap: f64::NAN, contacts, pull_off_force }
     }
 }

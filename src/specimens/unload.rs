@@ -64,8 +64,8 @@ pub struct Specimen<'a> {
     /// Loads of its summits, where it takes a solution of equations to have them: to look for a state.
     table: Option<&'a LoadTable>,
     heights: &'a Heights,
-    seed: u64,
-    index: u64,
+    /// The seed, and which of the specimens it is.
+    random: (u64, u64),
     count: f64,
     sphere: Option<Sphere>,
     alike: f64,
@@ -87,21 +87,9 @@ impl<'a> Specimen<'a> {
     ) -> Self {
         let one_more = uniform(bits(seed, index, u64::MAX)) < count - count.floor();
         let count = if sphere.is_some() { f64::INFINITY } else { count.floor() + f64::from(u8::from(one_more)) };
-        let (hazard, tallest, summits) = (0.0, 0.0, Vec::new());
-        let mut specimen = Self {
-            population,
-            table,
-            heights,
-            seed,
-            index,
-            count,
-            sphere,
-            alike,
-            most_drawn,
-            hazard,
-            tallest,
-            summits,
-        };
+        let (random, hazard, tallest, summits) = ((seed, index), 0.0, 0.0, Vec::new());
+        let mut specimen =
+            Self { population, table, heights, random, count, sphere, alike, most_drawn, hazard, tallest, summits };
         specimen.draw();
         specimen
     }
@@ -123,7 +111,8 @@ impl<'a> Specimen<'a> {
     /// Draws the next summit.
     fn draw(&mut self) {
         let j = self.summits.len();
-        let step = exponential(self.seed, self.index, j);
+        let (seed, index) = self.random;
+        let step = exponential(seed, index, j);
         let (above, z, sharper) = match self.sphere {
             None => {
                 self.hazard += step / (self.count - j as f64);
@@ -132,7 +121,7 @@ impl<'a> Specimen<'a> {
             }
             Some(Sphere { number, sharper }) => {
                 self.hazard += step / number;
-                let share = uniform(bits(!self.seed, self.index, j as u64));
+                let share = uniform(bits(!seed, index, j as u64));
                 let (above, z) = self.heights.on_sphere(self.hazard, share);
                 (above, z, sharper)
             }
