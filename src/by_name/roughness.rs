@@ -263,10 +263,8 @@ impl GivenRoughness<'_> {
                 let meant = meant.map(|(unit, _)| unit).collect::<Vec<_>>().join(" or ");
                 let asked = if meant.is_empty() { String::new() } else { format!("; is it in {meant}?") };
                 let value = Value::Number(value);
-                return Err(Problem::new(
-                    self.at(name).unwrap_or(self.begin),
-                    format_args!("{}{name} = {value}: must be in m, and at most {most:e}{asked}", self.table),
-                ));
+                let says = format_args!("{}{name} = {value}: must be in m, and at most {most:e}{asked}", self.table);
+                return Err(Problem::new(self.at(name).unwrap_or(self.begin), says));
             }
         }
         Ok(())
@@ -408,9 +406,8 @@ impl GivenRoughness<'_> {
         let mut given = ["lay", "Rdq_along", "RSm_along"].into_iter().filter(|name| self.at(name).is_some());
         let Some(name) = given.next() else { return Ok(None) };
         if let Some(other) = given.next() {
-            return Err(
-                self.refused(other, format_args!("must not be given together with {name}, which says the same"))
-            );
+            let says = format_args!("must not be given together with {name}, which says the same");
+            return Err(self.refused(other, says));
         }
         let number = self.need(name, 0)?;
         let lay = match name {

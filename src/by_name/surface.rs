@@ -241,6 +241,12 @@ impl Entries<'_> {
         let params = draft.clone().into_params().map_err(|error| self.problem(error, None))?;
         let has_law = given(&["contact_law"]) || (has_adhesion && params.work_of_adhesion > 0.0);
         let points = self.points(&numbers, params.error_of_point())?;
+        let is_error = |number| (0.0..=100.0).contains(&number);
+        let of_part = |number| match number {
+            1.0..100.0 => "between 0 and 1: is it in per cent?",
+            _ => "between 0 and 1",
+        };
+        let is_part = |number| number > 0.0 && number < 1.0;
         let described = Described {
             measured_on: self.measured_on(before, numbers.clone(), &points)?,
             specimens: self.specimens(&params)?,
@@ -252,24 +258,9 @@ impl Entries<'_> {
             shape: shape(self, Table::Roughness, &params, machined.as_ref()),
             known_to: self.known_to()?,
             model_error: self
-                .allowed(
-                    Table::Top,
-                    "model_error",
-                    |number| (0.0..=100.0).contains(&number),
-                    |_| "from 0, none, to 100; 1 is what is usual",
-                )?
+                .allowed(Table::Top, "model_error", is_error, |_| "from 0, none, to 100; 1 is what is usual")?
                 .unwrap_or(1.0),
-            coverage: self
-                .allowed(
-                    Table::Top,
-                    "coverage",
-                    |number| number > 0.0 && number < 1.0,
-                    |number| match (1.0..100.0).contains(&number) {
-                        true => "between 0 and 1: is it in per cent?",
-                        false => "between 0 and 1",
-                    },
-                )?
-                .unwrap_or(DEFAULT_COVERAGE),
+            coverage: self.allowed(Table::Top, "coverage", is_part, of_part)?.unwrap_or(DEFAULT_COVERAGE),
             bodies: numbers.bodies,
             has_moduli: self.of(Table::Materials).any(|entry| matches!(entry.value, Value::Number(_))),
             has_hardness: given(&["hardness"]),
