@@ -19,9 +19,9 @@ namespace {
 const double tolerance = 1e-3, onward_tolerance = 0.01, far_away = 10;
 const int most_calls = 40;
 
-double size_of(const double *v) { return std::sqrt(v[0] * v[0] + v[1] * v[1]); }
-
 double product(const double *v, const double *w) { return v[0] * w[0] + v[1] * w[1]; }
+
+double square(const double *v) { return product(v, v); }
 
 // The solution of a symmetric system, (xx xy, xy yy) x = (b0, b1).
 void solve(double xx, double xy, double yy, const double *b, double *x) {
@@ -44,9 +44,10 @@ Frame frame_of(const Contact &c, bool remembers) {
     for (int attempt = 0; attempt < 2; attempt++) {
         const double off = dot(f.one, n);
         for (int a = 0; a < 3; a++) f.one[a] -= off * n[a];
-        const double size = std::sqrt(dot(f.one, f.one));
-        if (size > 0.1) {
-            for (double &component : f.one) component /= size;
+        const double size = dot(f.one, f.one);
+        if (size > 0.01) {
+            const double inverse = 1 / std::sqrt(size);
+            for (double &component : f.one) component *= inverse;
             break;
         }
         // None yet, or one that has become the normal: the axis that is farthest from it.
@@ -76,7 +77,7 @@ struct Step {
     double asked[2];                    // what it is asked about
     double earlier[2], force[2];        // T before and now
     double tangent[3];                  // dT/dd: xx, xy, yy
-    double correction[2], left_over;    // of the iteration before
+    double correction[2], left_over;    // of the iteration before, and the square of what it missed
 };
 
 // The displacement of the step, and a first guess of the summits' part of it.
@@ -129,7 +130,7 @@ bool balanced(double grain, double summits, double limit, bool first, Step &step
     double missing[2];
     for (int axis = 0; axis < 2; axis++)
         missing[axis] = step.earlier[axis] + grain * (step.moved[axis] - step.part[axis]) - step.force[axis];
-    const double size = size_of(missing);
+    const double size = square(missing);
     if (!first && size >= step.left_over) {    // too far, over several pieces: half as far
         for (int axis = 0; axis < 2; axis++) step.part[axis] -= step.correction[axis] *= 0.5;
         return false;
@@ -138,17 +139,17 @@ bool balanced(double grain, double summits, double limit, bool first, Step &step
     solve(grain + step.tangent[0], step.tangent[1], grain + step.tangent[2], missing, step.correction);
     for (int axis = 0; axis < 2; axis++) step.part[axis] += step.correction[axis];
     const double allowed = product(step.correction, step.asked) < 0 ? tolerance : onward_tolerance;
-    return summits * size_of(step.correction) <= allowed * limit;
+    return summits * summits * square(step.correction) <= allowed * limit * allowed * limit;
 }
 
 // True for a contact that slides so far that its force, and all that its summits remember, is that of sliding.
 bool slides(double grain, double summits, double limit, Step &step) {
     double trial[2];
     for (int axis = 0; axis < 2; axis++) trial[axis] = step.earlier[axis] + grain * step.moved[axis];
-    const double size = size_of(trial);
-    if (!((size - limit) * summits > far_away * limit * grain)) return false;
+    const double size = square(trial), far = limit * (summits + far_away * grain);
+    if (!(size * summits * summits > far * far)) return false;
     for (int axis = 0; axis < 2; axis++) {
-        step.kept[axis] = step.part[axis] = trial[axis] * (1 - limit / size) / grain;
+        step.kept[axis] = step.part[axis] = trial[axis] * (1 - limit / std::sqrt(size)) / grain;
         step.tangent[axis] = step.tangent[axis + 1] = 0;
     }
     return true;
@@ -157,14 +158,15 @@ bool slides(double grain, double summits, double limit, Step &step) {
 // The force is that of the grain's spring.
 void carry(double grain, double limit, Step &step) {
     for (int axis = 0; axis < 2; axis++) step.force[axis] = step.earlier[axis] + grain * (step.moved[axis] - step.part[axis]);
-    const double size = size_of(step.force);
-    for (double &force : step.force) force *= size > limit ? limit / size : 1;
+    const double size = square(step.force);
+    if (size > limit * limit)
+        for (double &force : step.force) force *= limit / std::sqrt(size);
 }
 
 void finish(const Contact &c, const Step &step, double dt, Forces &r) {
     const double *force = step.force;
     for (int a = 0; a < 3; a++) r.spring[a] = force[0] * step.frame.one[a] + force[1] * step.frame.other[a];
-    r.slips = size_of(force) >= r.limit * (1 - 1e-9) || slipped_before(c.history, dt);
+    r.slips = square(force) >= r.limit * r.limit * (1 - 2e-9) || slipped_before(c.history, dt);
     r.friction_work = 0;
     for (int axis = 0; axis < 2; axis++) {
         const double had = c.history[STIFFNESS] == 0 ? 0 : c.history[FORCE + axis];
@@ -204,8 +206,8 @@ void Law::microslip(int count, const Contact *contact, double dt, const Bodies &
         if (kept > 0) copy_state(c.history + SUMMITS, numbers, 1 / area[k], before + k * numbers);
         else std::fill_n(before + k * numbers, numbers, 0.0);
         // What turns back after all that was kept, or after sliding, has a turn in its path.
-        const double had_kept = summits[k] * size_of(s.kept);
-        if (had_kept > limit || (had_kept > tolerance * limit && product(s.kept, s.part) < 0)) waiting[open++] = k;
+        const double had_kept = summits[k] * summits[k] * square(s.kept), whole = limit * limit;
+        if (had_kept > whole || (had_kept > tolerance * tolerance * whole && product(s.kept, s.part) < 0)) waiting[open++] = k;
         std::copy_n(s.kept, 2, s.asked);
     }
     if (open > 0) ask(open, waiting, before);
