@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.]*\d)"
 # Versions, costs by hosts/costs.sh and hosts/lammps/scaling.sh, what follows from a formula, and the step of a program.
 ELSEWHERE = {
-    "abaqus": "2024 12.2", "adams": "2023.1", "bullet": "3.24", "exudyn": "1.13", "mujoco": "5.3 1.11 0.96 1.19 2.41 2.02 3.50", "ode": "1.41",
+    "abaqus": "2024 12.2", "adams": "2023.1", "bullet": "3.24", "fenicsx": "0.995", "exudyn": "1.13", "mujoco": "5.3 1.11 0.96 1.19 2.41 2.02 3.50", "ode": "1.41",
     "lammps": "0.472 1.63 95 4.3 1.5 0.8 2.5 8.7 2.3 5.6 1.05 1.12", "mujoco_warp": "1e-7", "simbody": "3.7", "solvers": "120",
 }  # fmt: skip
 

@@ -1,5 +1,6 @@
 """The ball of hosts/ball.py in three worlds of MuJoCo XLA, and what is said of a plugin that a back end drops."""
 
+import functools
 import subprocess
 import sys
 from pathlib import Path
@@ -17,36 +18,41 @@ import ball  # noqa: E402
 from surface import SURFACE  # noqa: E402
 
 
+COMPILED = {}  # the steps of a law, of which models are arguments: compiling takes most of a run
+
+
 class Worlds:
     def __init__(self, model, laws, time_constant, passes):
-        self.count = len(ball.FALL)
-        self.m = mjx.put_model(model)
+        self.m = jax.device_put(mjx.put_model(model), jax.devices()[0])
         self.start = mjx.put_data(model, mujoco.MjData(model))
-        self.friction = asperity.mjx.attach(model, self.m, self.start, laws, time_constant, passes)
-        self.one_step = jax.jit(jax.vmap(self.friction.step, (None, 0, 0)))
-        self.loads = self.friction.loads(self.count)
+        friction = asperity.mjx.attach(model, self.m, self.start, laws, time_constant, passes)
+        made_of = str({geoms: law.params._as_text() for geoms, law in laws.items()}), time_constant, passes
+        self.some_steps = COMPILED.setdefault(made_of, jax.jit(functools.partial(some_steps, friction)))
+        self.loads = jax.device_put(friction.loads(len(ball.FALL)), jax.devices()[0])
 
     def throw(self, *velocity):
         """The loads of the run before are kept: time begins again."""
-        self.d = jax.tree.map(lambda x: jnp.broadcast_to(x, (self.count, *x.shape)) if isinstance(x, jax.Array) else x, self.start)
+        self.d = jax.tree.map(lambda x: jnp.broadcast_to(x, (len(ball.FALL), *jnp.shape(x))), self.start)
         self.d = self.d.replace(qvel=jnp.asarray(np.column_stack(velocity), self.start.qvel.dtype))
+        self.d = jax.device_put(self.d, jax.devices()[0])
 
-    def press(self, force):
-        """Upwards, from now on."""
-        self.pressed = force
+    def steps(self, forces):
+        """The normal force in each world after each step, and the velocities, under forces upwards."""
+        found = []
+        for some in np.float32(forces).reshape(-1, ball.AT_ONCE):
+            (self.d, self.loads), each = self.some_steps(self.m, self.d, self.loads, some)
+            found.append(each)
+        return [np.concatenate([np.asarray(each, float) for each in one]) for one in zip(*found)]
 
-    def step(self):
-        """The normal force in each world."""
-        self.d = self.d.replace(qfrc_applied=self.d.qfrc_applied.at[:, 1].set(self.pressed))
-        self.d, self.loads = self.one_step(self.m, self.d, self.loads)
-        impl = self.d._impl
-        return np.asarray(impl.efc_force)[:, np.asarray(impl.contact.efc_address)].sum(axis=1).astype(float)
 
-    def velocities(self):
-        return np.asarray(self.d.qvel, float)
+def some_steps(friction, m, d, loads, forces):
+    def step(worlds, force):
+        d, loads = worlds
+        d = d.replace(qfrc_applied=d.qfrc_applied.at[:, 1].set(force))
+        d, loads = jax.vmap(friction.step, (None, 0, 0))(m, d, loads)
+        return (d, loads), (d._impl.efc_force[:, np.asarray(d._impl.contact.efc_address)].sum(axis=1), d.qvel)
 
-    def time(self):
-        return float(self.d.time[0])
+    return jax.lax.scan(step, (d, loads), forces)
 
 
 DROPPED = """

@@ -22,29 +22,20 @@ class Worlds:
         asperity.mujoco_warp.attach(model, self.m, self.d, laws, time_constant, passes)
 
     def throw(self, *velocity):
-        pressed = self.d.qfrc_applied.numpy()
         mujoco_warp.reset_data(self.m, self.d)
-        self.d.qfrc_applied.assign(pressed)
         self.d.qvel.assign(np.column_stack(velocity).astype(np.float32))
 
-    def press(self, force):
-        """Upwards, from now on."""
-        self.d.qfrc_applied.assign(np.tile(np.float32([0, force]), (self.count, 1)))
-
-    def step(self):
-        """The normal force in each world."""
-        mujoco_warp.step(self.m, self.d)
-        d, found = self.d, np.zeros(self.count)
-        force, contacts = d.efc.force.numpy(), int(d.nacon.numpy()[0])
-        for world, address in zip(d.contact.worldid.numpy()[:contacts], d.contact.efc_address.numpy()[:contacts, 0]):
-            found[world] += force[world, address] if address >= 0 else 0
-        return found
-
-    def velocities(self):
-        return self.d.qvel.numpy().astype(float)
-
-    def time(self):
-        return self.d.time.numpy()[0]
+    def steps(self, forces):
+        """The normal force in each world after each step, and the velocities, under forces upwards."""
+        d, loads, velocities = self.d, np.zeros((len(forces), self.count)), []
+        for step, force in enumerate(forces):
+            d.qfrc_applied.assign(np.tile(np.float32([0, force]), (self.count, 1)))
+            mujoco_warp.step(self.m, d)
+            normal, contacts = d.efc.force.numpy(), int(d.nacon.numpy()[0])
+            for world, address in zip(d.contact.worldid.numpy()[:contacts], d.contact.efc_address.numpy()[:contacts, 0]):
+                loads[step, world] += normal[world, address] if address >= 0 else 0
+            velocities.append(d.qvel.numpy().astype(float))
+        return loads, np.array(velocities)
 
 
 if __name__ == "__main__":

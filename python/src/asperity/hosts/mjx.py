@@ -11,6 +11,7 @@ from ..errors import Error
 from ..model import Model
 
 try:
+    import jax
     import jax.numpy as jnp
     import mujoco
     from mujoco import mjx
@@ -18,9 +19,11 @@ except ImportError as error:
     raise ImportError(f"asperity.mjx needs MuJoCo XLA ({error}): pip install mujoco-mjx") from None
 
 from .jax import friction
-from .mujoco_pairs import Attached, Geoms
+from .mujoco_pairs import Attached, Geoms, lag_rule
 
 __all__ = ["Friction", "Loads", "attach"]
+
+_lag_rule = lag_rule(jnp.where, jnp.minimum, jnp.maximum)
 
 
 class Loads(NamedTuple):
@@ -70,23 +73,17 @@ class Friction(Attached):
         return (mjx.euler if euler else mjx.implicit)(m, d), loads
 
     def _solve(self, m: Any, d: Any, loads: Loads) -> tuple[Any, Loads]:
-        """The law at the mean load of pairs that have touched for long, and of others at the load of the step itself."""
-        step = m.opt.timestep
+        step, load = m.opt.timestep, loads.mean
         constant = jnp.maximum(0.05, 40 * step) if self.time_constant is None else self.time_constant
-        # A run that begins again, and a pair that was open for long, have no past.
-        age = jnp.where((d.time <= loads.time) | (loads.apart > 2 * constant), 0, loads.age)
-        old, load = age > constant, jnp.where(age > 0, loads.mean, 0)
-        for _ in range(self.passes):
-            d = mjx.solve(m, self._with_friction(d, load))
-            d = d.replace(qacc_warmstart=d.qacc)
-            load = jnp.where(old, load, self._load(d))
+
+        def solved(_: int, worlds: tuple[Any, Any]) -> tuple[Any, Any]:
+            d = mjx.solve(m, self._with_friction(*worlds))
+            return d.replace(qacc_warmstart=d.qacc), self._load(d)
+
+        d, load = jax.lax.fori_loop(0, self.passes, solved, (d, load))  # compiled once for all passes
+        load, *kept = _lag_rule(d.time, loads.time, step, constant, load, loads.mean, loads.age, loads.apart)
         d = mjx.solve(m, self._with_friction(d, load))
-        load = self._load(d)
-        apart = jnp.where(load > 0, 0, loads.apart + step)
-        share = step / jnp.clip(age + step, step, jnp.maximum(step, constant))
-        mean = jnp.where(age > 0, loads.mean, 0)
-        mean = mean + (load - mean) * share
-        return d, Loads(*(jnp.asarray(value, self._dtype) for value in (d.time, mean, age + step, apart)))
+        return d, Loads(*(jnp.asarray(value, self._dtype) for value in (d.time, *kept)))
 
     def _pair_of(self, contact: Any) -> Any:
         """The number of the pair of each contact; one more than the last for none."""

@@ -16,12 +16,13 @@ try:
     import mujoco_warp
     import warp as wp
 
-    from .mujoco_pairs import Attached, Geoms
+    from .mujoco_pairs import Attached, Geoms, lag_rule
 except ImportError as error:
     raise ImportError(f"asperity.mujoco_warp needs MuJoCo Warp ({error}): pip install mujoco-warp") from None
 
 __all__ = ["Friction", "attach"]
 
+_lag_rule = wp.func(lag_rule(wp.where, wp.min, wp.max))
 _vec5 = wp.types.vector(length=5, dtype=wp.float32)
 
 
@@ -48,19 +49,13 @@ def _take_loads(
     constant = time_constant
     if constant < 0.0:
         constant = wp.max(0.05, 40.0 * step)
-    if time[world] <= before[world] or apart[world, pair] > 2.0 * constant:  # reset, or open for long: a new contact
-        age[world, pair] = 0.0
-        mean[world, pair] = 0.0
-    if load[world, pair] > 0.0:
-        apart[world, pair] = 0.0
-    else:
-        apart[world, pair] += step
-    old = age[world, pair] > constant
-    age[world, pair] += step
-    share = step / wp.clamp(age[world, pair], step, wp.max(step, constant))
-    mean[world, pair] += (load[world, pair] - mean[world, pair]) * share
-    if old:
-        load[world, pair] = mean[world, pair]
+    taken, average, had, since = _lag_rule(
+        time[world], before[world], step, constant, load[world, pair], mean[world, pair], age[world, pair], apart[world, pair]
+    )
+    load[world, pair] = taken
+    mean[world, pair] = average
+    age[world, pair] = had
+    apart[world, pair] = since
 
 
 @wp.kernel
