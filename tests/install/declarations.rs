@@ -73,7 +73,7 @@ fn a_parameter_and_a_function_that_are_added_reach_every_language_and_the_pages(
             &["\n    added_modulus: float = ", "zeta [stress], 1 to 7", "\"whole\", \"added\"]"],
         ),
         ("js/src/header.js", &["name: \"added_modulus\", type: \"double\"", "[added_modulus] zeta", "\"added\": 2"]),
-        ("docs/solvers.md", &["| `added_modulus` | Pa | 1 to 7 |"]),
+        ("docs/keys.md", &["| `added_modulus` | Pa | 1 to 7 |"]),
     ] {
         let text = std::fs::read_to_string(tree.join(file)).expect(file);
         for said in said {
