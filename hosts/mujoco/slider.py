@@ -142,14 +142,9 @@ def check_refusals():
     """Each slip of a user's, and what must stand in the message."""
     for changes, words in (
         ({'cone="elliptic"': 'cone="pyramidal"'}, ['cone="elliptic"', "carbon, 1 cm2"]),
-        ({'cone="elliptic"': ""}, ['cone="elliptic"']),
         ({"hardness": "hardnes"}, ["carbon, 1 cm2", "line 6", "hardnes", "the nearest is hardness"]),
-        ({"= 0.06": "= 60 mJ"}, ["carbon, 1 cm2", "line 3"]),
         ({"work_of_adhesion = 0.06": ""}, ["carbon, 1 cm2", "work_of_adhesion: must be set"]),
-        ({SUMMITS: "", "hardness": f"{SIZE}\nhardness"}, ["carbon, 1 cm2", "asperity_count: must be set"]),
-        ({"hardness": "slip_radius_1 = 10.75e-9\nhardness"}, ["line 6", "slip_radius_1", "is it a length?"]),
         ({"hardness": measured(100, "calibration_friction_coefficient", 25)}, ["line 7", "coefficient = 25", "is it a force?"]),
-        ({"hardness": "calibration_load = 100\nhardness"}, ["line 6", "calibration_load: must be given together"]),
         ({SUMMITS: "", "hardness": f"{SIZE}\nasperity_count = 1e3\nhardness", "= 1e-4": "= 100"}, ["nominal_area in mm^2"]),
         ({TEXT: f'<config key="surface" value="missing.toml"/>{TEXT}'}, ["carbon, 1 cm2", "missing.toml"]),
         ({TEXT: f'<config key="pairs" value="ball floor"/>{TEXT}'}, ["carbon, 1 cm2", "'floor'", "geom1 geom2"]),
@@ -342,7 +337,8 @@ def main():
     settled = np.maximum(solved, solved_servo)
     if not settled <= SOLVED_LIMIT:
         raise RuntimeError(f"solved, |F/N - mu(N)|/mu = {settled:.1e} (limit {SOLVED_LIMIT:.0e})")
-    check_state(mujoco.MjModel.from_xml_string(XML))
+    for xml in (XML, microslip):
+        check_state(mujoco.MjModel.from_xml_string(xml))
     check_named_pair(laws)
     check_refusals()
     check_surface_file()
