@@ -3,7 +3,7 @@
 //! The levels of stiffness and their limits are those of `memory`; strength and stiffness are the compiled friction force and
 //! tangential stiffness.
 
-use super::borne::Borne;
+use super::after::After;
 use super::Model;
 use crate::error::{Error, LOAD};
 use crate::law::Quantity;
@@ -54,12 +54,12 @@ impl Model {
     #[inline(never)]
     fn step_of_any(
         &self,
-        borne: Option<&Borne>,
+        after: Option<&After>,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        self.step_by::<Portable, true>(borne, load, increment, state, &mut None)
+        self.step_by::<Portable, true>(after, load, increment, state, &mut None)
     }
 
     /// Whether a contact has borne more, on a model that knows what that does.
@@ -77,15 +77,15 @@ impl Model {
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Option<Result<MicroslipStep, Error>> {
-        let borne = self.after(state[LARGEST])?;
-        Some(self.step_of_any(Some(&borne), load, increment, state))
+        let after = self.after(state[LARGEST])?;
+        Some(self.step_of_any(Some(&after), load, increment, state))
     }
 
     /// A step by the law of this model, or of contacts after a larger load.
     #[inline(always)]
     fn step_by<V: Four, const DETAILS: bool>(
         &self,
-        borne: Option<&Borne>,
+        after: Option<&After>,
         load: f64,
         increment: [f64; 2],
         state: &mut [f64; STATE],
@@ -93,8 +93,8 @@ impl Model {
     ) -> Result<MicroslipStep, Error> {
         let (reach, last, largest) = (state[REACH], state[LAST], state[LARGEST]);
         let is_given = finite(load) && finite(increment[0]) && finite(increment[1]);
-        let all = match borne {
-            Some(borne) => borne.sloped(load),
+        let all = match after {
+            Some(after) => after.sloped(load),
             None => Quantity::ALL.map(|quantity| self.sloped::<DETAILS>(quantity, load)),
         };
         let [strength, stiffness] = all.map(|all| all.value);
@@ -106,7 +106,7 @@ impl Model {
         let excess = if is_given { load - self.law.table(Quantity::Friction).pull_off } else { 0.0 };
         let (mut shares, mut slopes) = (NO_LEVEL, NO_LEVEL);
         if is_as_before && excess >= 0.0 {
-            self.limits::<V, DETAILS>(borne, load, None, &mut shares, &mut slopes);
+            self.limits::<V, DETAILS>(after, load, None, &mut shares, &mut slopes);
             if let Some(step) = stuck::<V>(all, &shares, increment, state) {
                 return Ok(step);
             }
@@ -130,7 +130,7 @@ impl Model {
         let levels = room.get_or_insert_with(Levels::default);
         [levels.strength, levels.stiffness] = all;
         if !resists {
-            self.limits::<V, false>(borne, load, None, &mut levels.shares, &mut slopes);
+            self.limits::<V, false>(after, load, None, &mut levels.shares, &mut slopes);
             return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
@@ -141,7 +141,7 @@ impl Model {
         if is_as_before {
             (levels.shares, levels.share_slopes) = (shares, slopes);
         } else {
-            self.limits::<V, DETAILS>(borne, load, cut.of_limits, &mut levels.shares, &mut levels.share_slopes);
+            self.limits::<V, DETAILS>(after, load, cut.of_limits, &mut levels.shares, &mut levels.share_slopes);
         }
         state[LARGEST] = if load > largest { load } else { largest };
         Ok(levels.step::<V, DETAILS>(increment, cut, state))
@@ -151,14 +151,14 @@ impl Model {
     #[inline(always)]
     fn limits<V: Four, const SLOPES: bool>(
         &self,
-        borne: Option<&Borne>,
+        after: Option<&After>,
         load: f64,
         cut: Option<[f64; 2]>,
         shares: &mut PerLevel,
         slopes: &mut PerLevel,
     ) {
-        match borne {
-            Some(borne) => borne.limits(load, cut, shares, slopes),
+        match after {
+            Some(after) => after.limits(load, cut, shares, slopes),
             None => {
                 let excess = load - self.law.table(Quantity::Friction).pull_off;
                 self.law.limits().at_excess::<V, SLOPES>(excess, cut, shares, slopes);

@@ -2,7 +2,7 @@
 //!
 //! `exact` answers all else that a caller can ask, by sums over the summits.
 
-mod borne;
+mod after;
 pub(crate) mod calibration;
 mod exact;
 mod gap;
@@ -19,7 +19,7 @@ use crate::numerics::float_bits::{finite, finite_up_to, tame, TAMEST};
 use crate::numerics::neighbours::Neighbours;
 use crate::params::Params;
 use crate::population::Population;
-use borne::Unloaded;
+use after::Unloaded;
 pub(crate) use exact::Borne;
 pub use exact::State;
 pub(crate) use gap::by_gap;

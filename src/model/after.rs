@@ -29,7 +29,7 @@ struct Top {
 
 /// The law of contacts after a largest load.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Borne<'a> {
+pub(super) struct After<'a> {
     largest: f64,
     values: [f64; Quantity::COUNT],
     /// Models after other largest loads, with their weights.
@@ -61,7 +61,7 @@ impl Model {
     /// The law after a largest load, where that is not the law of this model.
     #[cold]
     #[inline(never)]
-    pub(super) fn after(&self, largest: f64) -> Option<Borne<'_>> {
+    pub(super) fn after(&self, largest: f64) -> Option<After<'_>> {
         let unloaded = self.unloaded.as_ref()?;
         if largest <= self.largest_load || largest > self.heaviest {
             return None;
@@ -77,11 +77,11 @@ impl Model {
         let above = if upper.1 > lower.1 { log(largest / lower.1) / log(upper.1 / lower.1) } else { 0.0 };
         let above = above.clamp(0.0, 1.0);
         let near = [(lower.0, lower.1, lower.2, 1.0 - above), (upper.0, upper.1, upper.2, above)];
-        Some(Borne { largest, values: values(largest), near })
+        Some(After { largest, values: values(largest), near })
     }
 }
 
-impl Borne<'_> {
+impl After<'_> {
     /// Force and stiffness with their slopes at a load below the largest.
     pub fn sloped(&self, load: f64) -> [Sloped; Quantity::COUNT] {
         Quantity::ALL.map(|quantity| self.of(quantity, load))
