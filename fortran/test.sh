@@ -104,7 +104,9 @@ awk -v out="$build/start" '
 compile "$build/start.f90" "$build/asperity.o" $link -o "$build/start"
 for surface in "$build"/start-[1-4].toml; do
     answer=${surface%toml}txt
-    "$build/start" "$surface" "$(sed -n 's/^mu(\([^ ]*\) N).*/\1/p' "$answer")" | diff "$answer" -
+    "$build/start" "$surface" "$(sed -n 's/^mu(\([^ ]*\) N).*/\1/p' "$answer")" >"$build/answer.txt"
+    # A page may have the first lines alone, and `...`.
+    diff <(sed '/^\.\.\.$/d' "$answer") <(head -n "$(grep -vcx '\.\.\.' "$answer")" "$build/answer.txt")
 done
 refuses() {
     local said status=0

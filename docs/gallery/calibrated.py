@@ -241,8 +241,8 @@ COMPARISONS = (
         "MoS₂ in dry air, 1 to 50 N, μ = S₀/P_H + α over more than 600 points, S₀ = 24.8 ± 0.5 MPa, α = 0.001 ± 0.001",
         "Singer and others 1990",
         True,
-        "The prediction is within the errors of the regression at all loads. Its exponent is −1/3, the measured one −0.32, because the "
-        "strength of the film grows a little with pressure",
+        "Within the errors of the regression at all loads. The exponent is −1/3, the measured one −0.32: the strength of the film grows a "
+        "little with pressure",
     ),
     Comparison(
         "lubricated pair",
@@ -257,8 +257,7 @@ COMPARISONS = (
         "AverageFrictionCoefficientData.csv; seven lubricants at two speeds, each at 10 N and at 20 N",
         "P. Egberts' laboratory 2024",
         True,
-        "The prediction is within two standard errors of the mean. This is a weak test: single tests scatter by 18 %. One smooth ball "
-        "would give 0.79, which is five standard errors away",
+        "A weak test: single tests scatter by 18 %. One smooth ball would give 0.79, five standard errors away",
     ),
     Comparison(
         "heat through metal joints",
@@ -273,8 +272,7 @@ COMPARISONS = (
         "conductance proportional to load^0.73 over 350 points from the literature",
         "Thomas and Probert 1972",
         False,
-        "The model overestimates how conductance grows. Joints that are not flat touch in a part of their area, and that part grows "
-        "with load; the model assumes flat surfaces",
+        "Joints that are not flat touch in a part of their area that grows with load; the model assumes flat surfaces",
     ),
     Comparison(
         "diamond tip on silicon oxide",
@@ -288,8 +286,8 @@ COMPARISONS = (
         "authors and journal not known: in air, μ inversely proportional to load below 0.4 µN, about 0.1 above",
         "authors not known",
         False,
-        "Measured friction is constant below 0.4 µN and proportional to load above; the model has one exponent in between. Above "
-        "0.4 µN a pressure coefficient of 0.1 agrees with the measurement",
+        "Measured friction is constant below 0.4 µN and proportional to load above, as of a pressure coefficient of 0.1; the model has one "
+        "exponent in between",
     ),
     Comparison(
         "antimony particles on graphite",
@@ -303,8 +301,8 @@ COMPARISONS = (
         "particles have friction at all",
         "Dietzel and others 2008",
         False,
-        "The strength of these particles does not depend on their size. Set slip_stress_1 = slip_stress_2 for an interface with a "
-        "film; Hurtado and Kim's decrease belongs to clean crystals",
+        "The strength of these particles does not depend on their size, as that of films; Hurtado and Kim's decrease belongs to clean "
+        "crystals",
     ),
     Comparison(
         "amorphous antimony particles on graphite",
@@ -317,8 +315,7 @@ COMPARISONS = (
         "D. Dietzel and others, Phys. Rev. Lett. 111 (2013) 235502, abstract: F proportional to the square root of the area",
         "Dietzel and others 2013",
         False,
-        "Lattices that do not match cancel each other's forces (structural lubricity), more so the larger the contact. The model has "
-        "no such term",
+        "Lattices that do not match cancel each other's forces (structural lubricity), a term that the model lacks",
     ),
 )
 

@@ -202,14 +202,9 @@ def table() -> str:
     return "\n".join(rows)
 
 
-def verdicts() -> str:
-    """Predicted over measured, and why, as a list of Markdown."""
-    return "\n".join(f"- **{row.name}**, {_band(row.ratio())}: {row.reason}." for row in MEASUREMENTS)
-
-
 def inputs() -> str:
-    """What was varied for each prediction, and the source of the measured value, as a list of Markdown."""
-    return "\n".join(f"- **{row.name}**: {row.open_inputs}. Source: {row.source}." for row in MEASUREMENTS)
+    """Why the prediction is off, what was varied for it, and the source of the measured value, as a list of Markdown."""
+    return "\n".join(f"- **{row.name}**, {_band(row.ratio())}: {row.reason}. Inputs: {row.open_inputs}. Source: {row.source}." for row in MEASUREMENTS)
 
 
 def _band(band: Band) -> str:

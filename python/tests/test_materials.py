@@ -198,17 +198,16 @@ def material_row(material: Material) -> str:
 
 
 def pair_row(pair: Pair) -> str:
-    hamaker = "" if pair.hamaker is None else f"{pair.hamaker / 1e-20:.4g}"
-    work = scaled(pair.work_of_adhesion, pair.work_of_adhesion_range, 1e-3)
-    strength = "" if pair.slip_stress_1 is None else f"{pair.slip_stress_1:g}"
-    return f"| {pair.name} | {work} | {hamaker} | {strength} |"
+    return f"| {pair.name} | {scaled(pair.work_of_adhesion, pair.work_of_adhesion_range, 1e-3)} |"
 
 
 def interface_row(interface: Interface) -> str:
-    numbers = (interface.shear_strength, interface.pressure_coefficient, interface.friction_coefficient, interface.load)
-    cells = ["" if value is None else f"{value / unit:.4g}" for value, unit in zip(numbers, (1e6, 1.0, 1.0, 1.0))]
-    conditions = interface.conditions.replace("; load not given", "").replace("; load and roughness not given", "")
-    return f"| {' | '.join([interface.name, *cells, conditions])} |"
+    strength, kappa, load = interface.shear_strength, interface.pressure_coefficient, interface.load
+    if strength is None:
+        measured = f"μ = {interface.friction_coefficient:.4g}" + ("" if load is None else f" at {load:.4g} N")
+    else:
+        measured = f"{strength / 1e6:.4g} MPa" + ("" if kappa is None else f", κ = {kappa:.4g}")
+    return f"| {interface.name} | {measured} |"
 
 
 def test_the_page_has_the_numbers_of_the_data(root: Path) -> None:

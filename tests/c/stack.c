@@ -1,5 +1,5 @@
 /* Calls run on threads with small stacks, as fibres, embedded systems and some solvers have them: every function of the header
- * stays within what docs/c.md says of its kind. A thread's stack is filled with a pattern; what is overwritten was used. */
+ * stays within what docs/dev/reliability.md says of its kind. A thread's stack is filled with a pattern; what is overwritten was used. */
 
 #define _GNU_SOURCE
 #include <asperity.h>

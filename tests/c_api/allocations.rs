@@ -129,9 +129,9 @@ fn pages_say_what_the_table_says() {
         size => format!("| {} | {size} KiB |\n", names(|call| call.needs.stack == size)),
     };
     let rows: String = sizes.iter().rev().map(row).collect();
-    compare_page("docs/c.md", "stack", &format!("| Calls | Stack |\n|---|---|\n{rows}"));
+    compare_page("docs/dev/reliability.md", "stack", &format!("| Calls | Stack |\n|---|---|\n{rows}"));
     let memory = format!("These calls allocate memory: {}.\n", names(|call| call.needs.allocates));
-    compare_page("docs/c.md", "memory", &memory);
+    compare_page("docs/dev/reliability.md", "memory", &memory);
     let files = format!("It opens no file but the one that {} names.\n", names(|call| call.needs.opens_files));
     compare_page("SECURITY.md", "files", &format!("{memory}\n{files}"));
 }

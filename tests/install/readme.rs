@@ -16,7 +16,13 @@ fn prints_of(name: &str, (page_name, text): (&str, &str), program: &str, expecte
     for compiler in Compiler::all(Language::C, "c11") {
         for linking in [Linking::Shared, Linking::Static] {
             let printed = compiler.program(&source, linking).succeeds(arguments);
-            let (printed, expected) = (printed.trim_end(), expected.trim_end());
+            let expected = expected.trim_end();
+            // A page may have the first lines alone.
+            let shown = expected.strip_suffix("\n...").map(|first| {
+                let lines: Vec<&str> = printed.lines().take(first.lines().count()).collect();
+                lines.join("\n") + "\n..."
+            });
+            let printed = shown.as_deref().unwrap_or(printed.trim_end());
             if printed != expected && std::env::var_os(WRITE).is_some() {
                 // As it is now, since another program of the page may have been written.
                 let now = page(page_name);
@@ -59,7 +65,7 @@ fn the_programs_of_contact_stiffness_and_microslip_print_what_stands_below_them(
     }
 }
 
-/// One program reads the surface files of three pages, a second one a surface of a height map.
+/// One program reads the surface files of three pages.
 #[test]
 fn the_programs_of_the_starting_points_print_what_stands_below_them() {
     let start = page("docs/start.md");
@@ -84,9 +90,6 @@ fn the_programs_of_the_starting_points_print_what_stands_below_them() {
         program,
         &[&["none", "10"], &[ground, "ten"], &[ground, "10x"], &[ground, "nan"], &[ground], &[]],
     );
-    let slider = maps.split("```c\n").nth(1).expect("the slider");
-    let (slider, rest) = slider.split_once("```").expect("its end");
-    prints_of("slider.c", ("docs/height-maps.md", &maps), slider, between(rest, "```text\n", "```"), &[&surfaces[4]]);
 }
 
 #[test]

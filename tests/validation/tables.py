@@ -205,7 +205,6 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("validation.md", "estimates"): estimates.table,
     ("dev/validation-data.md", "choices"): estimates.choices,
     ("../README.md", "scores"): scores,
-    ("validation.md", "measurements"): measured.verdicts,
     ("dev/validation-data.md", "errors"): errors,
     ("dev/validation-data.md", "shapes"): shapes.table,
     ("dev/validation-data.md", "shaped"): shaped.table,

@@ -53,7 +53,7 @@ pub struct Call {
     run: fn(&[Word]) -> Told,
 }
 
-/// What a call takes of the system, in its dearest form: `docs/c.md`, `SECURITY.md` and `tests/c/stack.c` have it from here.
+/// What a call takes of the system, in its dearest form: `docs/dev/reliability.md`, `SECURITY.md` and `tests/c/stack.c` have it from here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needs {
     /// Free stack [KiB] of x86-64 Linux.
