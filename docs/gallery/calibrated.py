@@ -251,7 +251,7 @@ COMPARISONS = (
         "10 N",
         _oil_readings(),
         _oil_predicted,
-        "bodies, shape and roughness are not given; predicted for the ground steel of [when-to-use.md](../when-to-use.md) on 1 mm² "
+        "bodies, shape and roughness are not given; predicted for the ground steel of [the map](#contacts-on-the-map) on 1 mm² "
         "and 1 cm², elastic and elastic-plastic",
         "nanotribology laboratory of P. Egberts, Calgary, 2024, data file: github.com/liampond/EgbertsTribometer, "
         "AverageFrictionCoefficientData.csv; seven lubricants at two speeds, each at 10 N and at 20 N",
@@ -266,7 +266,7 @@ COMPARISONS = (
         "a tenth of the load",
         (_exactly("ten times the load", 10**_HEAT_EXPONENT),),
         _heat_predicted,
-        "loads and roughness are not given; predicted for the ground steel of [when-to-use.md](../when-to-use.md), elastic and "
+        "loads and roughness are not given; predicted for the ground steel of [the map](#contacts-on-the-map), elastic and "
         "elastic-plastic, from nominal pressures of 10⁻⁵, 10⁻⁴ and 10⁻³ of the hardness",
         "T. R. Thomas and S. D. Probert, J. Heat Transfer 94 (1972) 276, abstract: aluminium and stainless steel in vacuum, "
         "conductance proportional to load^0.73 over 350 points from the literature",

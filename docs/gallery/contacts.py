@@ -106,7 +106,7 @@ CONTACTS = tuple(
         ("DLC on steel", _rough(_bodies("DLC", "steel", 0.05), 50e-9, 20e-6, 1e-6), (1e-1, 1e2),
          "σ = 50 nm, R = 20 µm, 0.1 to 100 MPa", "near the limit: heed the warnings"),
         ("ground steel", _rough(PAIRS["steel/steel"].contact, 0.4e-6, 20e-6, 1e-4, 0.04), (1.0, 2e3),
-         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa ([metals](materials.md#metals-yield))", "yields: elastic-plastic law"),
+         "σ = 0.4 µm, R = 20 µm, 10 kPa to 20 MPa ([metals](../materials.md#metals-yield))", "yields: elastic-plastic law"),
         ("rubber", _rough(_RUBBER_ON_GLASS, 1e-6, 20e-6, 1e-4), (1e-2, 1e2),
          "E = H = 2 MPa, σ = 1 µm, R = 20 µm, 100 Pa to 1 MPa", "not valid: viscoelastic, crowded"),
     )

@@ -7,6 +7,10 @@ Lines differ in their dashes, not in colour alone.
 
 from __future__ import annotations
 
+import csv
+import re
+from io import StringIO
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Iterable
 
@@ -27,7 +31,7 @@ _WIDTH = 5.0
 
 
 def draw_all(directory: Path) -> list[Path]:
-    """Draws every figure into a directory; returns the files.
+    """Draws every figure into a directory, those of the gallery with their curves as CSV; returns the files.
 
     Raises:
         ImportError: matplotlib is missing.
@@ -37,12 +41,36 @@ def draw_all(directory: Path) -> list[Path]:
         for figure in (*curves.SKEW_FIGURES, *curves.RADIUS_FIGURES):
             pictures[f"figure-{figure.number}"] = _curve_figure(figure)
         pictures |= {"kurtosis": _kurtosis(), "regimes": _regimes(), "yield": _yield(), "microslip": _microslip()}
+        for name, picture in pictures.items():
+            (directory / f"{name}.csv").write_text(_numbers(picture), encoding="utf-8", newline="\n")
         pictures |= {**validity.pictures(), **front.pictures()}
         pictures |= {"joint-damping": damping.picture(), "remembered": _remembered()}
         files = [directory / f"{name}.svg" for name in pictures]
         for picture, file in zip(pictures.values(), files):
             saved(picture, file)
         return files
+
+
+def _numbers(picture: Figure) -> str:
+    """The curves of a picture as CSV: a column each, after that of their abscissa if it is not the one before."""
+    columns: list[list[str]] = []
+    before = np.empty(0)
+    for axes in picture.axes:
+        for line in axes.get_lines():
+            if (line.get_gid() or "").startswith("curve-"):
+                x, y = np.asarray(line.get_xdata()), np.asarray(line.get_ydata())
+                if not np.array_equal(x, before):
+                    columns.append([_plain(axes.get_xlabel() or picture.axes[-1].get_xlabel()), *map("{:.6g}".format, x)])
+                    before = x
+                columns.append([_plain(f"{axes.get_ylabel()}: {str(line.get_label()).lstrip('_')}"), *map("{:.6g}".format, y)])
+    text = StringIO()
+    csv.writer(text, lineterminator="\n").writerows(zip_longest(*columns, fillvalue=""))
+    return text.getvalue()
+
+
+def _plain(label: str) -> str:
+    """Words without the marks of formulas."""
+    return " ".join(re.sub(r"[$\\{}]|\[–\]", "", label.replace(r"\,", " ").replace(r"\pm ", "+-")).split()).replace(" :", ":")
 
 
 def _curve_figure(figure: CurveFigure) -> Figure:
@@ -181,7 +209,9 @@ def _shares(title: str, shares: list[tuple[str, Array]], labels: tuple[str, str,
             low, high = edges[number], edges[number + 1]
             axes.fill_between(curves.REGIME_LOADS, low, high, color=COLOURS[number], alpha=0.45, lw=0, label=label)
         for number in (0, 1):
-            _line(axes, 2 * panel + number, number, curves.REGIME_LOADS, edges[number + 1], "_nolegend_")
+            # Not in the legend, by its first letter.
+            name = f"_{condition}, {' + '.join(labels[: number + 1])}"
+            _line(axes, 2 * panel + number, number, curves.REGIME_LOADS, edges[number + 1], name)
         axes.set_ylabel("fraction [–]")
         if panel < 2:
             axes.tick_params(labelbottom=False)

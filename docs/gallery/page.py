@@ -25,7 +25,7 @@ def text() -> str:
     """The whole page."""
     parts = [_introduction(), _figure_3(), *map(_skew_figure, curves.SKEW_FIGURES)]
     parts += [_radius_figure(figure) for figure in curves.RADIUS_FIGURES]
-    parts += [_kurtosis(), _regimes(), _yield(), _microslip(), _not_compared()]
+    parts += [_kurtosis(), _regimes(), _yield(), _microslip(), _not_compared(), CORRECTIONS]
     return "\n\n".join(parts) + "\n"
 
 
@@ -35,7 +35,7 @@ def _introduction() -> str:
 
 The library reproduces what the text of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact and
 friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, says about its figures 3 to 10; each table below says at which loads. The last
-sections have figures that the paper lacks. From the root of a checkout this command writes page and pictures:
+sections have figures that the paper lacks. From the root of a checkout this command writes page, pictures and CSV:
 
 ```sh
 python docs/gallery
@@ -53,8 +53,19 @@ The paper prints no table of its curves, and its text names no load. So the curv
 compared point by point. The tables compare what the text says of them, at loads from {LIGHTEST:g} to {HEAVIEST:g} that were
 chosen here. Three more inputs had to be chosen: Poisson's ratio (0.3), b/h in the figures (1, which the paper calls
 typical) and the constants of the shear strength (Hurtado and Kim's, see [model.md](../model.md)). The range of loads
-matters: if many summits are high, adhesion alone holds lightly loaded surfaces together, and μ grows without limit as the
+matters: if many asperities are high, adhesion alone holds lightly loaded surfaces together, and μ grows without limit as the
 load goes to zero."""
+
+
+CORRECTIONS = """\
+## Corrections to the printed paper
+
+| Eq. | Printed | Here | Why it is certain |
+|---|---|---|---|
+| (4) | (m² − 1)·atan√(m² − 1) − m + 1 | √(m² − 1)·atan√(m² − 1) − m + 1 | Maugis' paper; only then is the limit of attraction λ = 0.655 = (9/32)^⅓ |
+| (10), (11) | h − u with u the overlap | h + u | u is the gap there; only then does (11) join (5) as a → 0 |
+| (14), (15) | no π | F = π a² τ | the sentence before |
+| (20) | density in z from 0 | z + z_M from 0, z_M = B₁/C | the text has z = 0 at the mean; Table 1 lists z_M as the mean |"""
 
 
 # ---- Figure 3 ----
@@ -72,7 +83,7 @@ def _figure_3() -> str:
             f"λ = {lambdas[1000]:.3f} and {lambdas[500]:.3f}",
         ),
         (
-            "summits out of contact raise μ at a given load, most at the smallest load",
+            "asperities out of contact raise μ at a given load, most at the smallest load",
             f"for β = 1000 the increase {_falls(curves.attraction_effect(1000))}, for β = 500 it "
             f"{_falls(curves.attraction_effect(500))}",
         ),
@@ -84,9 +95,11 @@ def _figure_3() -> str:
         ("no effect for λ > 0.655", _above_the_limit()),
     ]
     return f"""\
-## Figure 3: summits out of contact
+## Figure 3: asperities out of contact
 
-![Friction with and without attraction of summits out of contact](../figures/figure-3.svg)
+![Friction with and without attraction of asperities out of contact](../figures/figure-3.svg)
+
+[The curves as CSV](../figures/figure-3.csv)
 
 {_table(claims)}
 
@@ -145,6 +158,8 @@ def _skew_figure(figure: CurveFigure) -> str:
 ## Figure {figure.number}: skew, α = {alpha:g}, β = {beta:g}, γ = {gamma:g}
 
 ![Friction for skews from -1 to 1](../figures/figure-{figure.number}.svg)
+
+[The curves as CSV](../figures/figure-{figure.number}.csv)
 
 {_table(claims)}
 
@@ -248,6 +263,8 @@ def _radius_figure(figure: CurveFigure) -> str:
 
 ![Friction for radii that grow or shrink with height](../figures/figure-{figure.number}.svg)
 
+[The curves as CSV](../figures/figure-{figure.number}.csv)
+
 {_table(claims)}
 
 | μ at load | {_heads(_SHOWN)} |
@@ -276,7 +293,7 @@ def _kurtosis() -> str:
         ),
         (
             "friction falls with load",
-            f"not so for kurtosis {' and '.join(rising)}: a few summits far above the rest carry the light loads",
+            f"not so for kurtosis {' and '.join(rising)}: a few asperities far above the rest carry the light loads",
         ),
     ]
     shown = curves.KURTOSIS_CURVES
@@ -286,6 +303,8 @@ def _kurtosis() -> str:
 ## Kurtosis at fixed skew: what Weibull heights cannot show
 
 ![Friction for kurtoses from 2 to 6 at skew 0, and over the kurtosis](../figures/kurtosis.svg)
+
+[The curves as CSV](../figures/kurtosis.csv)
 
 {_table(claims)}
 
@@ -332,6 +351,8 @@ def _regimes() -> str:
 
 ![Fractions of the contacts in the regimes of slip, over the load](../figures/regimes.svg)
 
+[The curves as CSV](../figures/regimes.csv)
+
 A contact of radius below a₁ = 28 b slips as a whole, at the largest shear strength; above a₂ = 80000 b the strength is
 30 times smaller; between it falls with the radius. β decides where a surface is, since β b is the radius of a contact
 that overlaps by σ without adhesion. Fractions of the contacts, with α = 0.01 and γ = {curves.REGIME_GAMMA:g}, at loads
@@ -353,8 +374,10 @@ def _yield() -> str:
 
 ![Fractions of elastic, elastic-plastic and flowing contacts, over the load](../figures/yield.svg)
 
-Summits that yield ([model.md](../model.md#asperities-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
-(E*/H)(σ/R)^½. ψ decides, more than the load, until most summits touch: heavier loads bring more contacts of all sizes.
+[The curves as CSV](../figures/yield.csv)
+
+Asperities that yield ([model.md](../model.md#asperities-that-yield-zhao-maietta-and-chang)), for three plasticity indices ψ =
+(E*/H)(σ/R)^½. ψ decides, more than the load, until most asperities touch: heavier loads bring more contacts of all sizes.
 Fractions of the contacts, with α = 0.01 and β = 1000, at loads in N G b² αβ²:
 
 | ψ | Contacts | {heads} |
@@ -379,6 +402,8 @@ def _microslip() -> str:
 
 ![Tangential force over the displacement, and loops of hysteresis](../figures/microslip.svg)
 
+[The curves as CSV](../figures/microslip.csv)
+
 Contacts begin with the stiffness 8 Ĝ a and slip from their rims inwards until their force is their strength: those whose strength
 over radius is least, small ones, slip first ([model.md](../model.md#before-a-contact-slips-stiffness-and-microslip)). T/F at displacements in F/K_t, at load
 {curves.MICROSLIP_LOAD:g}:
@@ -388,9 +413,9 @@ over radius is least, small ones, slip first ([model.md](../model.md#before-a-co
 {chr(10).join(forces)}
 
 The lower panel has loops between the displacements ±A of the first surface. The table compares the work of a cycle, in F²/K_t, with that
-of summits that all slip at the same displacement, 4 (A − 1) for A > 1:
+of asperities that all slip at the same displacement, 4 (A − 1) for A > 1:
 
-| A | Work | Of equal summits that slip as a whole |
+| A | Work | Of equal asperities that slip as a whole |
 |---|---|---|
 {chr(10).join(works)}"""
 

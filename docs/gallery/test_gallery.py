@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import re
 import subprocess
 import sys
@@ -75,7 +76,7 @@ def test_the_page_is_what_the_program_writes(written: Path) -> None:
 
 def test_the_page_shows_every_picture() -> None:
     shown = re.findall(r"\]\(\.\./figures/(.+?)\)", (DOCS / "dev" / "gallery.md").read_text(encoding="utf-8"))
-    assert sorted(shown) == sorted(PICTURES)
+    assert sorted(shown) == sorted(name.replace(".svg", ending) for name in PICTURES for ending in (".svg", ".csv"))
     pages = "".join(page.read_text(encoding="utf-8") for page in DOCS.rglob("*.md"))
     unseen = {file.name for file in (DOCS / "figures").iterdir()} - set(re.findall(r"\]\((?:\.\./)?figures/(.+?)\)", pages))
     assert not unseen, "no page shows these"
@@ -91,6 +92,18 @@ def test_the_pictures_show_the_same_curves(written: Path, name: str) -> None:
         is_bar = name in ("measurements.svg", "comparisons.svg")
         assert len(old) == len(new) >= (2 if is_bar else 20)
         assert np.array(old) == pytest.approx(np.array(new), abs=0.02), curve
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_the_curves_are_there_as_numbers(written: Path, name: str) -> None:
+    """A column for each, and what they are drawn over."""
+    (heads, *rows), (again, *now) = (
+        list(csv.reader((place / "figures" / name.replace(".svg", ".csv")).open(encoding="utf-8"))) for place in (DOCS, written)
+    )
+    assert heads == again and len(set(heads)) > sum(PICTURES[name]) and all(heads) and len(rows) == len(now) >= 20
+    assert sum(": " in head for head in heads) == sum(PICTURES[name])
+    for old, new in zip(rows, now):
+        assert [float(one or 0) for one in old] == pytest.approx([float(one or 0) for one in new], rel=1e-4, abs=1e-6)
 
 
 @pytest.mark.parametrize("name", PICTURES | ELSEWHERE)

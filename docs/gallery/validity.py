@@ -39,14 +39,14 @@ _LABELS = {
 def _contacts() -> Figure:
     picture, axes = _empty((5.0, 5.4), (0.145, 0.15, 0.835, 0.78))
     axes.set_title("Ground steel yields, MEMS and wafers do not", loc="left", x=-0.15, weight="bold", fontsize=11)
-    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot); numbers in docs/when-to-use.md", fontsize=9, color=GREY)
+    picture.text(0.03, 0.02, "from the lightest load to the heaviest (dot)", fontsize=9, color=GREY)
     axes.set(xscale="log", yscale="log", xlim=(3e-4, 4), ylim=(1, 1e6))
     axes.set_xlabel("mean pressure of the contacts / hardness [–]")
     axes.set_ylabel("mean contact radius / Burgers vector [–]")
     axes.axvspan(contacts.YIELD, 4, color=ORANGE, alpha=0.13, lw=0)
     axes.axhspan(1, contacts.CONTINUUM, color=GREY, alpha=0.18, lw=0)
-    _region(axes, 1.26, 4e5, "yielding:\nelastic-plastic\nsummits", ORANGE)
-    _region(axes, 8e-3, 4e5, "elastic summits", BLUE)
+    _region(axes, 1.26, 4e5, "yielding:\nelastic-plastic\nasperities", ORANGE)
+    _region(axes, 8e-3, 4e5, "elastic asperities", BLUE)
     _region(axes, 1.2e-2, 1.7, "few atoms: no continuum", GREY)
     for radius, text in ((28, "$a_1$: larger contacts are weaker"), (8e4, "$a_2$: lowest strength")):
         axes.plot((3e-4, 4), (radius, radius), color=GREY, lw=0.8, dashes=(4, 3))

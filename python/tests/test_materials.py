@@ -183,7 +183,7 @@ def scaled(value: float | None, bounds: Range | None, unit: float) -> str:
     if bounds is None:
         return f"{value / unit:.4g}"
     low, high = (f"{bound / unit:.4g}" for bound in bounds)
-    return f"{value / unit:.4g} ({low} to {high})"
+    return f"{value / unit:.4g} ({low}–{high})"
 
 
 def material_row(material: Material) -> str:

@@ -199,7 +199,7 @@ def scores() -> str:
 # By page and mark.
 TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("model.md", "areas"): areas,
-    ("when-to-use.md", "contacts"): contacts.table,
+    ("dev/validation-data.md", "contacts"): contacts.table,
     ("when-to-use.md", "defaults"): defaults.table,
     ("validation.md", "calibrated"): calibrated.verdicts,
     ("validation.md", "estimates"): estimates.table,
