@@ -11,9 +11,14 @@ make install PREFIX="$build/prefix" >"$build/install.log" 2>&1 || fail "make ins
 (cd "$build" && env -i PATH=/usr/bin:/bin MUJOCO="$MUJOCO" OUTPUT=installed.so "$root/hosts/mujoco/build.sh" prefix) ||
     fail "the plugin does not build against an installed library"
 
+# The page's program and what it prints, in the order of the page.
+python3 -c 'import re, sys; print(*re.findall(r"^```(?:python|text)\n(.*?)^```$", sys.stdin.read(), re.S | re.M), sep="", end="")' \
+    <hosts/mujoco/README.md >"$build/page.txt"
+
 # MuJoCo writes its messages to a file where it runs; the plugin that Python makes is kept with them.
 export XDG_CACHE_HOME=$build
 cd "$build"
+{ cat "$root/hosts/mujoco/gripper.py"; "$environment/bin/python" "$root/hosts/mujoco/gripper.py"; } | diff page.txt - || fail "the page's gripper"
 for program in altered hold slider; do
     run "$environment/bin/python" "$root/hosts/mujoco/$program.py" "$build/libasperity_mujoco.so" "$build/installed.so"
 done
