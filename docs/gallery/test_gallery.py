@@ -98,7 +98,7 @@ def test_the_pictures_show_the_same_curves(written: Path, name: str) -> None:
 def test_the_curves_are_there_as_numbers(written: Path, name: str) -> None:
     """A column for each, and what they are drawn over."""
     (heads, *rows), (again, *now) = (
-        list(csv.reader((place / "figures" / name.replace(".svg", ".csv")).open(encoding="utf-8"))) for place in (DOCS, written)
+        list(csv.reader((place / "figures" / name.replace(".svg", ".csv")).read_text(encoding="utf-8").splitlines())) for place in (DOCS, written)
     )
     assert heads == again and len(set(heads)) > sum(PICTURES[name]) and all(heads) and len(rows) == len(now) >= 20
     assert sum(": " in head for head in heads) == sum(PICTURES[name])

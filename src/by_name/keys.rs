@@ -1,7 +1,7 @@
 //! The keys of a text that describes a surface, where each belongs, and what is said of one that is none.
 
 use super::fields::FIELDS;
-use super::toml::{self, Outcome, Problem, Shown, Value};
+use super::toml::{self, Keys, Outcome, Problem, Shown, Value};
 use crate::materials::names::{expected, Expected, Instead};
 use std::fmt::{Display, Formatter};
 
@@ -173,9 +173,10 @@ impl<'t> Entries<'t> {
             }
         }
     }
+}
 
-    /// The keys that follow are those of a table, or of none.
-    pub fn table(&mut self, name: Option<&str>, at: usize) -> Outcome<()> {
+impl<'t> Keys<'t> for Entries<'t> {
+    fn table(&mut self, name: Option<&str>, at: usize) -> Outcome<()> {
         self.table = Table::Top;
         let Some(name) = name else { return Ok(()) };
         let Some(&table) = TABLES[1..].iter().find(|table| table.name() == name) else {
@@ -191,7 +192,7 @@ impl<'t> Entries<'t> {
         Ok(())
     }
 
-    pub fn key(&mut self, name: &str, at: usize, value: Value<'t>) -> Outcome<()> {
+    fn key(&mut self, name: &str, at: usize, value: Value<'t>) -> Outcome<()> {
         if let (Table::Top, Some(table)) = (self.table, TABLES[1..].iter().find(|table| table.name() == name)) {
             return Err(Problem::new(at, format_args!("{name} = {value}: must be a table, [{}]", table.name())));
         }

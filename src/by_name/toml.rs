@@ -3,7 +3,6 @@
 //! The lexer and the parser are those of the crate `toml_parser`. Whatever the text, the work is in proportion to its length, and
 //! memory is bounded: arrays more than two deep and keys with dots are refused where they begin.
 
-use super::keys::Entries;
 use crate::distribution::tabulated::TABLE_LENGTHS;
 use crate::error::Error;
 use std::borrow::Cow;
@@ -95,6 +94,13 @@ pub fn line(text: &[u8], at: usize) -> usize {
     1 + text[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
 }
 
+/// What takes the tables and the keys of a text in their order.
+pub trait Keys<'t> {
+    /// The keys that follow are those of a table, or of none.
+    fn table(&mut self, name: Option<&str>, at: usize) -> Outcome<()>;
+    fn key(&mut self, name: &str, at: usize, value: Value<'t>) -> Outcome<()>;
+}
+
 /// The text of bytes.
 ///
 /// # Errors
@@ -110,7 +116,7 @@ pub fn text(bytes: &[u8]) -> Result<&str, Error> {
 }
 
 /// Hands all tables and keys of a text on, up to the first that is refused.
-pub fn read<'t>(text: &'t str, keys: &mut Entries<'t>) -> Outcome<()> {
+pub fn read<'t>(text: &'t str, keys: &mut dyn Keys<'t>) -> Outcome<()> {
     let source = Source::new(text);
     let count = source.lex().take(MOST_TOKENS + 1).count();
     if count > MOST_TOKENS {
@@ -155,7 +161,7 @@ fn of_syntax(error: &ParseError, text: &str) -> Box<Problem> {
 /// Keys and values out of the parser's events.
 struct Reader<'t, 'r> {
     source: Source<'t>,
-    keys: &'r mut Entries<'t>,
+    keys: &'r mut dyn Keys<'t>,
     /// The first problem, after which nothing is read.
     first: &'r RefCell<Option<Box<Problem>>>,
     key: Option<(Cow<'t, str>, usize)>,
