@@ -416,7 +416,7 @@ typedef struct asperity_summary {
    * many asperities, far below that of one rough specimen: `asperity_specimens_at_loads`. */
   double pull_off_load;
   /** Friction force at the pull-off load [force]. */ double pull_off_friction_force;
-  /** Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
+  /** Friction force at zero load [force]. For a surface that hardly adheres, where `min_table_load` is above zero, it is a
    * continuation of the law. */
   double zero_load_friction_force;
   /** 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The thermal or
@@ -608,7 +608,7 @@ asperity_status asperity_params_set_units(struct asperity_params *params, double
  * - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
  *   `asperity_params_calibrate`, which comes last
  *
- * Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
+ * Fields are set after materials and before moments. Only choices are checked here: `asperity_create` checks the others.
  *
  * Without `height_distribution`, `kurtosis` chooses Johnson's heights, `weibull_shape` without it Weibull's, and `skew` alone the
  * Weibull heights that have it, from -1.1100 to 2.

@@ -19,6 +19,7 @@ python3 -c 'import re, sys; print(*re.findall(r"^```(?:python|text)\n(.*?)^```$"
 export XDG_CACHE_HOME=$build
 cd "$build"
 { cat "$root/hosts/mujoco/gripper.py"; "$environment/bin/python" "$root/hosts/mujoco/gripper.py"; } | diff page.txt - || fail "the page's gripper"
+tail -n 3 page.txt
 for program in altered hold slider; do
     run "$environment/bin/python" "$root/hosts/mujoco/$program.py" "$build/libasperity_mujoco.so" "$build/installed.so"
 done

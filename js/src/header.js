@@ -382,7 +382,7 @@ export const FUNCTIONS = {
  * @property {number} kurtosis Kurtosis of the asperity heights [-]; 3 for Gaussian.
  * @property {number} pull_off_load Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of the mean over many asperities, far below that of one rough specimen.
  * @property {number} pull_off_friction_force Friction force at the pull-off load [force].
- * @property {number} zero_load_friction_force Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
+ * @property {number} zero_load_friction_force Friction force at zero load [force]. For a surface that hardly adheres, where `min_table_load` is above zero, it is a continuation of the law.
  * @property {number} stiffness_per_radius 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The thermal or electrical conductance is 2 k K_t/stiffness_per_radius.
  * @property {number} min_table_load Lightest load of the compiled table [force]. Below it the law continues with its slope.
  * @property {number} max_table_load Heaviest load of the compiled table [force]. Above it friction continues with its slope: up to 11 % below exact states at ten times the load.

@@ -73,7 +73,7 @@ impl asperity_params {
 /// - `calibration_load` with `calibration_friction_coefficient` or `calibration_friction_force`:
 ///   `asperity_params_calibrate`, which comes last
 ///
-/// Fields are set after materials and before moments. Of them only choices are checked here: `asperity_create` checks the others.
+/// Fields are set after materials and before moments. Only choices are checked here: `asperity_create` checks the others.
 ///
 /// Without `height_distribution`, `kurtosis` chooses Johnson's heights, `weibull_shape` without it Weibull's, and `skew` alone the
 /// Weibull heights that have it, from -1.1100 to 2.

@@ -94,7 +94,7 @@ pub struct asperity_summary {
     pub pull_off_load: f64,
     /// Friction force at the pull-off load [force].
     pub pull_off_friction_force: f64,
-    /// Friction force at zero load [force]. Of a surface that hardly adheres, where `min_table_load` is above zero, it is a
+    /// Friction force at zero load [force]. For a surface that hardly adheres, where `min_table_load` is above zero, it is a
     /// continuation of the law.
     pub zero_load_friction_force: f64,
     /// 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The thermal or

@@ -253,7 +253,7 @@ class Summary(_WithUnits):
         pull_off_load: Pull-off load [force], <= 0: the smallest load at which the surfaces hold together. It is that of
             the mean over many asperities, far below that of one rough specimen.
         pull_off_friction_force: Friction force at the pull-off load [force].
-        zero_load_friction_force: Friction force at zero load [force]. Of a surface that hardly adheres, where
+        zero_load_friction_force: Friction force at zero load [force]. For a surface that hardly adheres, where
             `min_table_load` is above zero, it is a continuation of the law.
         stiffness_per_radius: 8 G^ [stress]: K_t over the sum of the contact radii over chi (see `nominal_area`). The
             thermal or electrical conductance is 2 k K_t/stiffness_per_radius.
