@@ -33,7 +33,7 @@ const NEAREST: f64 = 1e-6;
 /// Slopes differ by no larger factor.
 const LARGEST_SLOPE_RATIO: f64 = 1e4;
 /// Cubics of cubics are summed in panels that are shorter by this.
-const PART_OF_PANEL: f64 = 0.75;
+const PART_OF_PANEL: f64 = 0.6;
 /// Heights between two of the table at which the density is looked at.
 const LOOKS: u32 = 64;
 

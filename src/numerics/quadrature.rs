@@ -49,11 +49,10 @@ pub fn panel(a: f64, b: f64) -> [(f64, f64); POINTS] {
 
 /// As [`nodes`], with fewer points where the panel is but a `part` of one that 16 points are enough for: the error is
 /// about (part/4)^(2 points), and (part/4)^(2 points - k) where what is summed begins as a power k of the distance: 7 for loads of
-/// contacts with the last summits before the highest. Of a part of 0 there are 4.
+/// contacts with the last summits before the highest.
 #[inline]
 pub fn nodes_of_part(part: f64, a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> {
     let half: &[(f64, f64)] = match part {
-        _ if part == 0.0 => &HALF_OF_4,
         _ if part < 0.02 => &HALF_OF_6,
         _ if part < 0.35 => &HALF_OF_10,
         _ => &HALF,

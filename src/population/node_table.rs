@@ -28,8 +28,8 @@ const NEAR_BREAK_AWAY: f64 = 0.002;
 /// to JKR's, and values to 1e-13.
 const MOST_ROOT_GROWTH: f64 = 2.0;
 /// A piece of a polynomial density that is less than this part of a panel needs few nodes.
-const SHORT_PIECE: f64 = 0.2;
-const FEW: usize = 4;
+const SHORT_PIECE: f64 = 0.3;
+const FEW: usize = 6;
 
 /// Panels from break-away upwards, at separation 0.
 #[derive(Debug, Clone)]
