@@ -18,7 +18,7 @@ python3 -c 'import re, sys; print(*re.findall(r"^```(?:python|text)\n(.*?)^```$"
 # MuJoCo writes its messages to a file where it runs; the plugin that Python makes is kept with them.
 export XDG_CACHE_HOME=$build
 cd "$build"
-{ cat "$root/hosts/mujoco/gripper.py"; "$environment/bin/python" "$root/hosts/mujoco/gripper.py"; } | diff page.txt - || fail "the page's gripper"
+{ cat "$root/hosts/mujoco/gripper.py"; run "$environment/bin/python" "$root/hosts/mujoco/gripper.py"; } | diff page.txt - || fail "the page's gripper"
 tail -n 3 page.txt
 for program in altered hold slider; do
     run "$environment/bin/python" "$root/hosts/mujoco/$program.py" "$build/libasperity_mujoco.so" "$build/installed.so"
