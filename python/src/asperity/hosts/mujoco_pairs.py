@@ -61,7 +61,7 @@ class Attached:
         self._pairs = Pairs(model, laws)
 
 
-# Of NumPy; `lag_rule` gives the rule those of a back end.
+# NumPy's, for the rule below; `lag_rule` puts those of a back end in their place.
 where, minimum, maximum = np.where, np.minimum, np.maximum
 
 
