@@ -46,7 +46,7 @@ class Surface:
     """A surface at all its loads.
 
     Attributes:
-        name: as in the file.
+        name: as in the file; of a map, what it is of.
         rows: numbers by column, of each load.
         is_measured: whether it is of a map.
     """
@@ -177,8 +177,8 @@ def frozen() -> tuple[Surface, ...]:
                     continue
                 words = {"name", "kind", "source", "licence"}
                 numbers = {name: float(value) for name, value in row.items() if name not in words}
-                found.setdefault((file, row["name"], row["seed"]), []).append(numbers)
-    return tuple(Surface(name, tuple(rows), file == "measured_maps") for (file, name, _), rows in found.items())
+                found.setdefault((file, row["name"], row["seed"], row.get("kind", row["name"])), []).append(numbers)
+    return tuple(Surface(name, tuple(rows), file == "measured_maps") for (file, *_, name), rows in found.items())
 
 
 def within(surfaces: list[Surface], factor: float, of: Callable[[Surface], list[float]]) -> int:
@@ -231,6 +231,24 @@ def counts() -> str:
             f"that was calibrated has it on {sum(one.is_in_the_band for one in some)}."
         )
     return "\n".join(lines)
+
+
+def misses() -> str:
+    """Where calibrated friction errs by more than a tenth: the errors of area and of strength whose product it is, and the patches
+    of boundary elements."""
+    rows = [
+        "| Surface | Calibrated friction | that of area | that of strength | Patches, light and heavy | Points a patch |",
+        "|---|---|---|---|---|---|",
+    ]
+    for one in frozen():
+        if abs(one.calibrated(one.by_table) - 1) > 0.1:
+            at = {row["x"]: (row, ratio) for row, ratio in zip(one.rows, one.by_table)}
+            (light, ours), (heavy, our_heavy) = at[PREDICTED], at[CALIBRATED]
+            area, friction = ours.area / our_heavy.area, ours.friction / our_heavy.friction
+            points = [f"{row['area'] * one.area / row['patches']:.0f}" for row in (light, heavy)]
+            cells = [one.name, *(f"{ratio:.2f}" for ratio in (friction, area, friction / area))]
+            rows.append(f"| {' | '.join(cells)} | {light['patches']:.0f}, {heavy['patches']:.0f} | {', '.join(points)} |")
+    return "\n".join(rows)
 
 
 def draw(file: str) -> None:

@@ -207,6 +207,7 @@ TABLES: dict[tuple[str, str], Callable[[], str]] = {
     ("../README.md", "scores"): scores,
     ("dev/validation-data.md", "errors"): errors,
     ("dev/validation-data.md", "shapes"): shapes.table,
+    ("dev/validation-data.md", "misses"): shapes.misses,
     ("dev/validation-data.md", "shaped"): shaped.table,
     ("validation.md", "counts"): shapes.counts,
     ("roughness.md", "inputs"): shapes.inputs,
