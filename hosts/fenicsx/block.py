@@ -1,12 +1,10 @@
-"""A block in FEniCSx that is pressed on a rough floor and pushed along it. The floor is a penalty along the normal and regularised Coulomb
-friction across it, of which Newton's method has force and slope from the law at each node. Each input is changed once. Units: mm, N, MPa,
-unless a habit has others.
+"""The pushed block of hosts/pushed.py in FEniCSx. The floor is a penalty along the normal and regularised Coulomb friction across it, of which
+Newton's method has force and slope from the law at each node.
 """
 
 import sys
 from pathlib import Path
 
-import asperity
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
@@ -14,29 +12,15 @@ from mpi4py import MPI
 from petsc4py import PETSc
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-import habits  # of hosts/
-import surface
+import pushed  # of hosts/
 import verdict
-
-LIMIT = 1e-6
-LENGTH, HEIGHT = 40.0, 20.0  # plane strain
-PRESS = 1e-4  # what the top is pushed down by, over the height
-PUSH = (0.3, 1.0, 2.0)  # how far the top has gone sideways after each step, over that
-HABITS = {
-    "m, Pa": dict(length=1.0), "um, N": dict(length=1e-6), "cm, kN": dict(length=1e-2, force=1e3), "Poisson's ratio 0": dict(poisson=0.0),
-    "Poisson's ratio 0.45": dict(poisson=0.45), "aluminium": dict(young=70e9), "half the mesh": dict(elements=(16, 8)),
-    "uneven elements": dict(elements=(48, 8)), "half the load": dict(press=PRESS / 2), "twice the load": dict(press=2 * PRESS),
-    "one step": dict(path=(2.0,)), "to and fro": dict(path=(0.6, 1.2, 0.6, 0.0, -1.2)), "the other way": dict(path=(-0.3, -1.0, -2.0)),
-    "another penalty": dict(penalty=100.0), "a softer onset": dict(onset=1e-2), "another surface": dict(change=dict(work_of_adhesion=2e-5)),
-    "calibrated": dict(measured=(20e6, 0.15)), "pushed apart": dict(press=-PRESS, refused="no node touches"),
-}  # fmt: skip
 
 
 class Block:
     """The elastic block on its floor. `law` is of one unit of area: its loads are pressures."""
 
     def __init__(self, law, young, poisson, size, elements, penalty, onset):
-        corner = np.array([size * LENGTH, size * HEIGHT])
+        corner = np.array([size * pushed.LENGTH, size * pushed.HEIGHT])
         self.law, self.lightest = law, 1e-6 * young
         domain = mesh.create_rectangle(MPI.COMM_SELF, [[0, 0], corner], elements, mesh.CellType.quadrilateral)
         space, scalars = fem.VectorFunctionSpace(domain, ("Lagrange", 1)), fem.FunctionSpace(domain, ("Lagrange", 1))
@@ -113,30 +97,6 @@ class Block:
         return fem.petsc.assemble_vector(self.elastic).array.reshape(-1, 2)[self.top].sum(axis=0)
 
 
-def pushed(young=210e9, poisson=0.3, elements=(32, 16), press=PRESS, path=PUSH, length=1e-3, force=1.0, penalty=10.0, onset=1e-5,
-           change=None, measured=None):  # fmt: skip
-    """The worst error of friction and load of a block whose numbers have other units of length and force, relative to the load."""
-    stress, area = length**2 / force, 1e-6 / length**2  # 1 Pa, and 1 mm2
-    params = surface.surface(area, length, force).replace(**change or {})
-    model = asperity.Model(params.calibrated(measured[0] * stress * area, measured[1]) if measured else params)
-    down = press * HEIGHT * 1e-3 / length
-    law = PerArea(model, area)
-    block = Block(law, young * stress, poisson, 1e-3 / length, elements, penalty, abs(onset * down))
-    errors = []
-    for sideways in (0.0, *path):
-        block.push((sideways * down, -down))
-        pressure, slip = block.pressures(), (block.displacements() - block.before.x.array.reshape(-1, 2))[block.nodes, 0]
-        exact = np.array([model.state_at_load(p * area).friction_force if p > 0 else 0.0 for p in pressure]) / area
-        carried = np.sum(block.area * pressure)
-        friction = np.sum(block.area * exact * slip / np.hypot(slip, block.onset.value))
-        errors.append(np.max(np.abs(block.reaction() - [friction, -carried])) / carried)
-    if not np.min(np.abs(slip)) > 10 * block.onset.value:
-        raise RuntimeError("the block does not slide at the end")
-    touching = pressure[pressure > 0.02 * np.mean(pressure)] * area
-    surface.demand(model, touching.min(), touching.max(), block.area.min() * params.asperity_count / area**0.5)
-    return max(errors)
-
-
 class PerArea:
     """A law of which loads and forces are pressures."""
 
@@ -148,10 +108,13 @@ class PerArea:
         return force / self.area, slopes
 
 
-def main():
-    (error,) = habits.worst(HABITS, pushed)
-    return error <= LIMIT, f"friction and load of the block within {error:.1e} of the law at the nodes (limit {LIMIT:.0e}), {len(HABITS)} habits"
+def steps(model, area, young, poisson, size, elements, penalty, onset, moves):
+    block = Block(PerArea(model, area), young, poisson, size, elements, penalty, onset)
+    for move in moves:
+        block.push(move)
+        slip = (block.displacements() - block.before.x.array.reshape(-1, 2))[block.nodes, 0]
+        yield block.reaction(), block.area, block.pressures(), slip
 
 
 if __name__ == "__main__":
-    verdict.run("fenicsx", main)
+    verdict.run("fenicsx", pushed.main, steps)

@@ -52,8 +52,8 @@ def area_of(model, load, radius):
 class RealContact:
     """Limit and stick stiffness of a contact of softened grains, by the equations of hosts/lammps/README.md and exact states."""
 
-    def __init__(self, model, modulus, radius):
-        self.model, self.modulus, self.radius = model, modulus, radius
+    def __init__(self, model, modulus, radius, poisson=POISSON):
+        self.model, self.modulus, self.radius, self.poisson = model, modulus, radius, poisson
 
     def at(self, load, overlap):
         area = area_of(self.model, load, self.radius)
@@ -64,7 +64,7 @@ class RealContact:
 
     def grains(self, overlap):
         """Mindlin's stiffness."""
-        return 2 * (1 - POISSON) / (2 - POISSON) * 2 * self.modulus * math.sqrt(self.radius * overlap)
+        return 2 * (1 - self.poisson) / (2 - self.poisson) * 2 * self.modulus * math.sqrt(self.radius * overlap)
 
 
 def slide_error(folder, model):

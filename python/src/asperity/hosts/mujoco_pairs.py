@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import types
 from collections.abc import Callable, Mapping
 from typing import Any, Union
 
@@ -61,25 +60,18 @@ class Attached:
         self._pairs = Pairs(model, laws)
 
 
-# NumPy's, for the rule below; `lag_rule` puts those of a back end in their place.
-where, minimum, maximum = np.where, np.minimum, np.maximum
-
-
-def _lag_rule(time: float, before: float, step: float, constant: float, load: float, mean: float, age: float, apart: float):  # type: ignore[no-untyped-def]
-    # A run that begins again, and a pair that was open for long, have no past.
-    had = where(time <= before, 0.0, where(apart > 2.0 * constant, 0.0, age))
-    held = where(had > 0.0, mean, 0.0)
-    average = held + (load - held) * step / minimum(had + step, maximum(step, constant))
-    return where(had > constant, average, load), average, had + step, where(load > 0.0, 0.0, apart + step)
-
-
 def lag_rule(where: Any, minimum: Any, maximum: Any) -> Callable[..., Any]:
     """At which load the friction of a pair is, whose load in this step is known: the mean load of pairs that have touched for long,
     and the load itself of others; then what is remembered: the mean, for how long the pair has touched, and for how long it has been
-    apart. In the words of a back end, of whose arrays or numbers it is computed."""
-    words = {"where": where, "minimum": minimum, "maximum": maximum}
-    rule = types.FunctionType(_lag_rule.__code__, words, "lag_rule")
-    rule.__annotations__ = _lag_rule.__annotations__
+    apart. With the functions of a back end, of whose arrays or numbers it is computed."""
+
+    def rule(time: float, before: float, step: float, constant: float, load: float, mean: float, age: float, apart: float):  # type: ignore[no-untyped-def]
+        # A run that begins again, and a pair that was open for long, have no past.
+        had = where(time <= before, 0.0, where(apart > 2.0 * constant, 0.0, age))
+        held = where(had > 0.0, mean, 0.0)
+        average = held + (load - held) * step / minimum(had + step, maximum(step, constant))
+        return where(had > constant, average, load), average, had + step, where(load > 0.0, 0.0, apart + step)
+
     return rule
 
 
