@@ -108,10 +108,10 @@ private:
               [this, model] { return asperity_friction_force_at_loads(model, kContacts, load_.data(), value_.data(), slope_.data()); });
         batch("load at a gap in a batch", 33,
               [this, model] { return asperity_loads_at_gaps(model, kContacts, gap_.data(), value_.data(), nullptr); });
-        steps("stuck", 1070, 1e-5, 1.0);
-        steps("slipping", 2470, 3.0, 1.0);
-        steps("stuck under changing load", 3150, 1e-5, 1.1);
-        steps("slipping under changing load", 3930, 0.1, 1.1);
+        steps("stuck", 830, 1e-5, 1.0);
+        steps("slipping", 2390, 3.0, 1.0);
+        steps("stuck under changing load", 2650, 1e-5, 1.1);
+        steps("slipping under changing load", 3340, 0.1, 1.1);
         // The first of a model finds out more.
         for (const char *name : {"the first exact state of a model", "an exact state"}) {
             add(name, name[0] == 't' ? 0.65 : 0.071, "million", 1, [model] {

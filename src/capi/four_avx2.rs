@@ -49,6 +49,11 @@ impl Four for Avx2 {
     }
 
     #[inline(always)]
+    fn any_greater(self, other: Self) -> bool {
+        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(self.0, other.0)) != 0 }
+    }
+
+    #[inline(always)]
     fn root(self) -> Self {
         Self(unsafe { _mm256_sqrt_pd(self.0) })
     }

@@ -1,5 +1,6 @@
 //! A contact that remembers: one step of one contact or of many, with the state in the caller's arrays.
 
+use super::batch::{self, Arrays, Asked};
 use super::boundary::{self, not_null, Failure};
 #[cfg(target_arch = "x86_64")]
 use super::four_avx2::Avx2;
@@ -7,10 +8,12 @@ use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::memory::{self, MicroslipStep, STATE};
+use crate::memory::{self, Cells, MicroslipStep, PerEdge, Sloped, STATE};
 use crate::model::Model;
 use crate::numerics::float_bits::nan;
-use crate::numerics::four::{Four, Portable};
+use crate::numerics::four::Portable;
+use std::mem::MaybeUninit;
+use std::ptr;
 
 /// What resists a displacement of the surfaces along each other.
 #[repr(C)]
@@ -74,13 +77,14 @@ pub unsafe extern "C" fn asperity_microslip_step(
         let model = model::of(model)?;
         not_null(increment, "increment")?;
         not_null(before, "before")?;
-        let mut state = read(before);
         let mut separated = None;
         fill(out, "out", || {
-            let step = match one(model, load, read(increment), &mut state) {
+            let step = match one(model, load, read(increment), before, after) {
                 Err(error @ Error::Separated { .. }) => {
                     separated = Some(error);
-                    MicroslipStep { dissipated: memory::energy(&read(before)), ..MicroslipStep::default() }
+                    let dissipated = memory::energy(&read(before));
+                    write_all(after, 0, &[0.0; STATE]);
+                    MicroslipStep { dissipated, ..MicroslipStep::default() }
                 }
                 other => other?,
             };
@@ -88,7 +92,6 @@ pub unsafe extern "C" fn asperity_microslip_step(
                 force stiffness dforce_dload dissipated slipping
             })
         })?;
-        write_all(after, 0, &state);
         separated.map_or(Ok(()), |error| Err(error.into()))
     })
 }
@@ -144,14 +147,25 @@ pub unsafe extern "C" fn asperity_microslip_turn(state: *mut f64, cosine: f64, s
     })
 }
 
-/// One step by the instructions that this processor has.
-fn one(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) -> Result<MicroslipStep, Error> {
+/// One step by the instructions that this processor has; the state after it is written where there is one.
+///
+/// # Safety
+/// The states have the elements that the entry point asks for.
+unsafe fn one(
+    model: &Model,
+    load: f64,
+    increment: [f64; 2],
+    before: *const f64,
+    after: *mut f64,
+) -> Result<MicroslipStep, Error> {
     #[cfg(target_arch = "x86_64")]
     if is_x86_feature_detected!("avx2") {
-        // SAFETY: the processor has the instructions.
-        return unsafe { one_avx2(model, load, increment, state) };
+        return one_avx2(model, load, increment, before, after);
     }
-    model.microslip_step(load, increment, state)
+    let mut state = read(before);
+    let step = model.microslip_step(load, increment, &mut state)?;
+    write_all(after, 0, &state);
+    Ok(step)
 }
 
 /// The caller's arrays of many contacts.
@@ -180,13 +194,26 @@ unsafe fn many(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
 }
 
 #[inline(always)]
-unsafe fn steps<V: Four>(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
+unsafe fn steps<V: Cells>(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
+    const SOME: usize = 64;
     let mut first_invalid = None;
     let (mut levels, mut state) = (None, [0.0; STATE]);
+    let (mut loads, mut strengths, mut stiffnesses) = ([0.0; SOME], [0.0; SOME], [0.0; SOME]);
     for i in 0..arrays.n {
+        let k = i % SOME;
+        if k == 0 {
+            // Force and stiffness of many contacts at once.
+            let n = SOME.min(arrays.n - i);
+            ptr::copy_nonoverlapping(arrays.load.add(i).cast::<u8>(), loads.as_mut_ptr().cast(), n * size_of::<f64>());
+            for (quantity, values) in [(Asked::Force, &mut strengths), (Asked::Stiffness, &mut stiffnesses)] {
+                let value = values.as_mut_ptr();
+                batch::fill(model, quantity, Arrays { n, load: loads.as_ptr(), value, slope: ptr::null_mut() });
+            }
+        }
         copy(arrays.before.add(STATE * i), state.as_mut_ptr(), STATE);
-        let (load, increment) = (arrays.load.add(i).read_unaligned(), read(arrays.increment.add(2 * i)));
-        let step = match model.step::<V, false>(load, increment, &mut state, &mut levels) {
+        let (load, increment) = (loads[k], read(arrays.increment.add(2 * i)));
+        let all = [strengths[k], stiffnesses[k]].map(|value| Sloped { value, slope: 0.0 });
+        let step = match model.step::<V, false>(load, all, increment, &mut state, &mut levels) {
             Ok(step) => step,
             Err(error) => {
                 let step = of_error(&error);
@@ -218,15 +245,36 @@ unsafe fn one_avx2(
     model: &Model,
     load: f64,
     increment: [f64; 2],
-    state: &mut [f64; STATE],
+    before: *const f64,
+    after: *mut f64,
 ) -> Result<MicroslipStep, Error> {
-    model.step::<Avx2, true>(load, increment, state, &mut None)
+    let mut state = MaybeUninit::<[f64; STATE]>::uninit();
+    copy(before, state.as_mut_ptr().cast(), STATE);
+    let state = state.assume_init_mut();
+    let step = model.step::<Avx2, true>(load, model.strength_and_stiffness(load), increment, state, &mut None)?;
+    write_all(after, 0, state);
+    Ok(step)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
 unsafe fn many_avx2(model: &Model, arrays: StepArrays) -> Option<(usize, Error)> {
     steps::<Avx2>(model, arrays)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+unsafe fn lay_avx2(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]) {
+    memory::lay::<Avx2>(reach, is_linear, state, edges);
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Cells for Avx2 {
+    #[inline(always)]
+    fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]) {
+        // SAFETY: where there is one, the processor has the instructions.
+        unsafe { lay_avx2(reach, is_linear, state, edges) }
+    }
 }
 
 /// Numbers of the caller, which need not be aligned. By fours, as the step reads them: what is read otherwise than it was just
@@ -259,6 +307,11 @@ unsafe fn copy(from: *const f64, to: *mut f64, count: usize) {
 mod tests {
     use super::*;
     use crate::params::Params;
+
+    fn one(model: &Model, load: f64, by: [f64; 2], state: &mut [f64; STATE]) -> Result<MicroslipStep, Error> {
+        // SAFETY: a state.
+        unsafe { super::one(model, load, by, state.as_ptr(), state.as_mut_ptr()) }
+    }
 
     /// A contact that sticks is told before its state is looked at whole.
     #[test]

@@ -2,7 +2,7 @@
 
 use super::{energy_by, within_cell, PerEdge, PerLevel, EDGES, LAST, LEVELS, NO_EDGE, NO_LEVEL, REACH, STATE};
 use crate::numerics::float_bits::finite;
-use crate::numerics::four::Four;
+use crate::numerics::four::{Four, Portable};
 
 /// The cells are laid anew where the stiffness is less than this part of their reach.
 pub const LEAST_OF_REACH: f64 = 0.4;
@@ -20,7 +20,7 @@ pub fn lay<V: Four>(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges
     let before = *state;
     let place = before[LAST] / before[REACH];
     let stretch = reach / before[REACH];
-    let (centers, slopes) = if is_linear { slopes(&before, place) } else { (NO_LEVEL, [NO_LEVEL; 2]) };
+    let (centers, slopes) = if is_linear { slopes::<V>(&before, place) } else { (NO_EDGE, [NO_LEVEL; 2]) };
     let mut bend = [NO_EDGE; 2];
     let mut bends = [NO_LEVEL; 2];
     let (mut cell, mut at) = (0, 0.0);
@@ -82,11 +82,23 @@ pub fn lay<V: Four>(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges
     state[REACH] = reach;
 }
 
-/// Takes away what lies above a place; the displacement there.
+/// Numbers side by side by whose instructions [`lay`] is compiled once.
+pub trait Cells: Four {
+    fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]);
+}
+
+impl Cells for Portable {
+    #[inline(never)]
+    fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]) {
+        lay::<Self>(reach, is_linear, state, edges);
+    }
+}
+
+/// Takes away what lies above a place; the displacement there, and the energy that goes with it.
 ///
 /// The lower part of the cell that is cut keeps its own mean, as far as no energy comes with it.
 #[inline(always)]
-pub fn fall([from, place]: [f64; 2], state: &mut [f64; STATE]) -> [f64; 2] {
+pub fn fall([from, place]: [f64; 2], state: &mut [f64; STATE]) -> ([f64; 2], f64) {
     let cut = EDGES[..LEVELS].iter().filter(|&&edge| edge < place).count().max(1) - 1;
     // Where cells are laid anew, all are constant.
     let slope = if place < LEAST_OF_REACH { [0.0; 2] } else { slope(state, from, cut) };
@@ -103,15 +115,19 @@ pub fn fall([from, place]: [f64; 2], state: &mut [f64; STATE]) -> [f64; 2] {
     }
     let is_allowed = after <= before;
     let mut at_cut = [0.0; 2];
+    let mut gone = if is_allowed { before - after } else { before * (1.0 - lower / width) };
     for axis in 0..2 {
         let x = &mut state[axis * LEVELS + cut];
         *x = if is_allowed { moved[axis] } else { *x };
         at_cut[axis] = if is_allowed { *x + slope[axis] * 0.5 * lower } else { *x };
-        for x in &mut state[axis * LEVELS + cut + 1..(axis + 1) * LEVELS] {
-            *x = 0.0;
+        let above = &mut state[axis * LEVELS + cut + 1..(axis + 1) * LEVELS];
+        for (j, x) in (cut + 1..LEVELS).zip(&*above).take_while(|&(j, _)| EDGES[j] < from) {
+            gone += within_cell(j, from) * x * x;
         }
+        above.fill(0.0);
     }
-    at_cut
+    let energy = 0.5 * state[REACH] * gone;
+    (at_cut, if finite(energy) { energy.max(0.0) } else { f64::MAX })
 }
 
 /// The middle of what touches of a cell, over their reach.
@@ -157,15 +173,32 @@ fn slope(state: &[f64; STATE], place: f64, j: usize) -> [f64; 2] {
 
 /// The middles of what touches of cells, and how displacements change within them.
 #[inline(always)]
-fn slopes(state: &[f64; STATE], place: f64) -> (PerLevel, [PerLevel; 2]) {
-    let (mut centers, mut slopes) = (NO_LEVEL, [NO_LEVEL; 2]);
-    for j in 0..LEVELS {
-        if EDGES[j] >= place {
-            break;
+fn slopes<V: Four>(state: &[f64; STATE], place: f64) -> (PerEdge, [PerLevel; 2]) {
+    let (mut centers, mut slopes) = (NO_EDGE, [NO_LEVEL; 2]);
+    let (none, half, place) = (V::splat(0.0), V::splat(0.5), V::splat(place));
+    for j in (0..LEVELS).step_by(4) {
+        let end = V::read(&EDGES, j + 1);
+        (half * (V::read(&EDGES, j) + end.if_greater(place, place, end))).write(&mut centers, j);
+    }
+    // How fast they change from the cell before to each cell; from none to the first.
+    let mut changes = [NO_EDGE; 2];
+    for j in (0..LEVELS).step_by(4) {
+        let distance = V::splat(1.0) / (V::read(&centers, j + 1) - V::read(&centers, j));
+        for (at, changes) in [j, LEVELS + j].into_iter().zip(&mut changes) {
+            ((V::read(state, at + 1) - V::read(state, at)) * distance).write(changes, j + 1);
         }
-        centers[j] = center(j, place);
-        let slope = slope(state, place, j);
-        (slopes[0][j], slopes[1][j]) = (slope[0], slope[1]);
+    }
+    for j in (0..LEVELS).step_by(4) {
+        let (start, end) = (V::read(&EDGES, j), V::read(&EDGES, j + 1));
+        let (x, x_above) = (V::read(&changes[0], j), V::read(&changes[0], j + 1));
+        let (y, y_above) = (V::read(&changes[1], j), V::read(&changes[1], j + 1));
+        let (product, sum_x, sum_y) = (x_above * x + y_above * y, x_above + x, y_above + y);
+        let part = V::splat(2.0) * (product / (sum_x * sum_x + sum_y * sum_y));
+        let part = product.if_greater(none, V::splat(f64::INFINITY).if_greater(part, part, none), none);
+        for (axis, below, sum) in [(0, x, sum_x), (1, y, sum_y)] {
+            let slope = place.if_greater(end, part * sum, below);
+            place.if_greater(start, slope, none).write(&mut slopes[axis], j);
+        }
     }
     (centers, slopes)
 }
@@ -174,7 +207,6 @@ fn slopes(state: &[f64; STATE], place: f64) -> (PerLevel, [PerLevel; 2]) {
 mod tests {
     use super::super::energy;
     use super::*;
-    use crate::numerics::four::Portable;
     use crate::numerics::random::Random;
 
     /// The cells keep the integral of displacements over levels.

@@ -1,7 +1,7 @@
 //! Levels of stiffness under one load: those that go and come with the load, and a step of displacement of all.
 
-use super::cells::{fall, lay, LEAST_OF_REACH};
-use super::{at_most, energy, energy_by, within, within_cells, MicroslipStep, PerEdge, PerLevel};
+use super::cells::{fall, Cells, LEAST_OF_REACH};
+use super::{at_most, energy, energy_by, within, within_cells, Blend, MicroslipStep, PerEdge, PerLevel};
 use super::{CELL_WIDTHS, EDGES, LARGEST_WITH_SQUARE, LAST, LEVELS, NO_LEVEL, REACH, ROOTS, STATE};
 use crate::numerics::elementary::hypot;
 use crate::numerics::float_bits::finite;
@@ -64,7 +64,7 @@ impl Levels {
     /// Lets levels go and come, from the stiffness of the last step to this one. The state becomes what it is before the
     /// increment; a step of this increment is to follow, with the limits for this cut.
     #[inline(always)] // so that it is compiled for the instructions that its caller has
-    pub fn cut<V: Four, const DETAILS: bool>(&mut self, increment: [f64; 2], state: &mut [f64; STATE]) -> Cut {
+    pub fn cut<V: Cells, const DETAILS: bool>(&mut self, increment: [f64; 2], state: &mut [f64; STATE]) -> Cut {
         let now = self.stiffness.value;
         let is_first = state[LAST] <= 0.0;
         if is_first {
@@ -76,15 +76,18 @@ impl Levels {
         let is_laid_anew = now > reach || now < LEAST_OF_REACH * reach;
         let mut cut =
             Cut { reaches_farther: is_laid_anew || (last == now && reach == now), falls, grown: 1.0, ..Cut::default() };
-        let loses = DETAILS && (falls || is_laid_anew);
-        let before = if loses { energy_by::<V>(state) } else { 0.0 };
         if falls {
-            let [x, y] = fall([last / reach, now / reach], state);
+            let ([x, y], gone) = fall([last / reach, now / reach], state);
+            cut.lost = gone;
             cut.displacement = [x + increment[0], y + increment[1]];
             state[LAST] = now;
         }
         if is_laid_anew {
-            lay::<V>(now, !falls, state, &mut self.edges);
+            let before = if DETAILS { energy_by::<V>(state) } else { 0.0 };
+            V::lay(now, !falls, state, &mut self.edges);
+            if DETAILS {
+                cut.lost += (before - energy_by::<V>(state)).max(0.0);
+            }
         } else if DETAILS && cut.reaches_farther {
             for axis in 0..2 {
                 for j in (0..LEVELS).step_by(4) {
@@ -93,9 +96,6 @@ impl Levels {
                 // Beyond the last nothing has come yet.
                 V::splat(0.0).write(&mut self.edges[axis], LEVELS);
             }
-        }
-        if loses {
-            cut.lost = (before - energy_by::<V>(state)).max(0.0);
         }
         let reach = state[REACH];
         // A root of it is to be more than 0.
@@ -204,7 +204,8 @@ impl Levels {
         let (none, one) = (V::splat(0.0), V::splat(1.0));
         // The squares of the forces before where the limit may be less than they.
         let mut had = NO_LEVEL;
-        let [mut fx, mut fy, mut xx, mut farthest, mut mixed] = [none; 5];
+        let [mut fx, mut fy, mut xx, mut mixed] = [none; 4];
+        let mut all_stick = true;
         for j in (0..LEVELS).step_by(4) {
             let (followed, width) = (V::read(&self.followed, j), V::read(&self.width, j) * scale);
             let (mut x, mut y) = (V::read(state, j), V::read(state, LEVELS + j));
@@ -216,16 +217,14 @@ impl Levels {
             x.write(state, j);
             y.write(state, LEVELS + j);
             let (tx, ty, limit) = (x * width, y * width, V::read(&self.shares, j) * strength);
-            let beyond = tx * tx + ty * ty - limit * limit;
-            farthest = beyond.if_greater(farthest, beyond, farthest);
+            all_stick &= !(tx * tx + ty * ty).any_greater(limit * limit);
             (fx, fy, xx) = (fx + tx, fy + ty, xx + width * followed);
             if DETAILS {
                 mixed = mixed + V::read(&self.mixed, j);
             }
         }
         let mut step = MicroslipStep::default();
-        if farthest.sum() <= 0.0 {
-            // All stick.
+        if all_stick {
             step.force = [fx.sum() * unit, fy.sum() * unit];
             step.stiffness = [xx.sum() * unit, 0.0, 0.0, xx.sum() * unit];
             if DETAILS {
@@ -251,6 +250,21 @@ impl Levels {
             let (x, y) = (V::read(state, j), V::read(state, LEVELS + j));
             let (tx, ty) = (x * width, y * width);
             let (square, limit_square) = (tx * tx + ty * ty, limit * limit);
+            let slips = square.any_greater(limit_square);
+            let (mut gained_x, mut gained_y) = (none, none);
+            if DETAILS {
+                let came_x = self.gain::<V>(j + 1, 0, increment, &cut) - self.gain::<V>(j, 0, increment, &cut);
+                let came_y = self.gain::<V>(j + 1, 1, increment, &cut) - self.gain::<V>(j, 1, increment, &cut);
+                gained_x = (came_x * stiffness_slope).clamp(none - most, most);
+                gained_y = (came_y * stiffness_slope).clamp(none - most, most);
+            }
+            if !slips {
+                (fx, fy, xx, yy) = (fx + tx, fy + ty, xx + width * followed, yy + width * followed);
+                if DETAILS {
+                    (by_x, by_y, mixed) = (by_x + gained_x, by_y + gained_y, mixed + V::read(&self.mixed, j));
+                }
+                continue;
+            }
             // The direction of the force of one that slips, and what part of its displacement its limit leaves.
             let size = square.if_greater(limit_square, square, one).root();
             let root = one / size;
@@ -266,10 +280,6 @@ impl Levels {
             xy = xy + turning * (ux * uy);
             yy = yy + turning * (one - uy * uy);
             if DETAILS {
-                let came_x = self.gain::<V>(j + 1, 0, increment, &cut) - self.gain::<V>(j, 0, increment, &cut);
-                let came_y = self.gain::<V>(j + 1, 1, increment, &cut) - self.gain::<V>(j, 1, increment, &cut);
-                let gained_x = (came_x * stiffness_slope).clamp(none - most, most);
-                let gained_y = (came_y * stiffness_slope).clamp(none - most, most);
                 let limit_slope = share * strength_slope + V::read(&self.share_slopes, j) * strength;
                 let limit_slope = limit_slope.clamp(none - most, most);
                 let across = (uy * gained_x - ux * gained_y) * part;
@@ -329,7 +339,7 @@ fn power_of_two_below(x: f64) -> f64 {
 #[inline(always)]
 pub fn stuck<V: Four>(
     [strength, stiffness]: [Sloped; 2],
-    shares: &PerLevel,
+    blend: &Blend,
     increment: [f64; 2],
     state: &mut [f64; STATE],
 ) -> Option<MicroslipStep> {
@@ -337,22 +347,20 @@ pub fn stuck<V: Four>(
     let scale = V::splat(1.0 / unit);
     let (reach, strength) = (V::splat(stiffness.value), V::splat(strength.value) * scale);
     let (dx, dy, none) = (V::splat(increment[0]), V::splat(increment[1]), V::splat(0.0));
-    let [mut fx, mut fy, mut xx, mut farthest] = [none; 4];
+    let [mut fx, mut fy, mut xx] = [none; 3];
     for j in (0..LEVELS).step_by(4).rev() {
         let width = V::read(&CELL_WIDTHS, j) * reach * scale;
         let (x, y) = (V::read(state, j) + dx, V::read(state, LEVELS + j) + dy);
-        let (tx, ty, limit) = (x * width, y * width, V::read(shares, j) * strength);
-        let beyond = tx * tx + ty * ty - limit * limit;
-        farthest = beyond.if_greater(farthest, beyond, farthest);
-        (fx, fy, xx) = (fx + tx, fy + ty, xx + width);
+        let (tx, ty, limit) = (x * width, y * width, blend.shares::<V>(j).0 * strength);
         // The narrow ones at the top slip first.
-        if j + 4 == LEVELS && farthest.sum() > 0.0 {
+        if (tx * tx + ty * ty).any_greater(limit * limit) {
             return None;
         }
+        (fx, fy, xx) = (fx + tx, fy + ty, xx + width);
     }
     // What is not finite has no finite force.
     let force = [fx.sum() * unit, fy.sum() * unit];
-    if farthest.sum() > 0.0 || !(finite(force[0]) && finite(force[1])) {
+    if !(finite(force[0]) && finite(force[1])) {
         return None;
     }
     for j in (0..LEVELS).step_by(4) {
@@ -361,8 +369,10 @@ pub fn stuck<V: Four>(
     }
     // Half of the increment is followed by levels that come with more load.
     let by_load = at_most(stiffness.slope / unit, LARGEST_SLOPE);
-    let dforce_dload =
-        [0, 1].map(|axis| at_most(at_most(0.5 * increment[axis] * by_load, LARGEST_SLOPE) * unit, f64::MAX));
+    let mut dforce_dload = increment;
+    for slope in &mut dforce_dload {
+        *slope = at_most(at_most(0.5 * *slope * by_load, LARGEST_SLOPE) * unit, f64::MAX);
+    }
     let stiffness = xx.sum() * unit;
     Some(MicroslipStep { force, stiffness: [stiffness, 0.0, 0.0, stiffness], dforce_dload, ..MicroslipStep::default() })
 }

@@ -12,6 +12,26 @@ const MOST_BINADES: usize = 16;
 /// rows, from either.
 const ROW_TOLERANCE: f32 = 1e-3;
 
+/// The strength of the levels at a load, between two loads.
+#[derive(Debug, Clone, Copy)]
+pub struct Blend<'a> {
+    before: &'a Strengths,
+    after: &'a Strengths,
+    /// What part of the way it is from one to the other, and its slope by load.
+    part: f64,
+    part_slope: f64,
+}
+
+impl Blend<'_> {
+    /// The shares of four cells where all levels touch, and what has to be added by load.
+    #[inline(always)]
+    pub fn shares<V: Four>(&self, j: usize) -> (V, V) {
+        let from = V::read_single(&self.before.shares, j);
+        let change = V::read_single(&self.after.shares, j) - from;
+        (from + V::splat(self.part) * change, change)
+    }
+}
+
 /// The strength of the levels at loads that are powers of two above pull-off.
 #[derive(Debug, Clone)]
 pub struct Limits {
@@ -58,12 +78,12 @@ impl Limits {
         shares: &mut PerLevel,
         slopes: &mut PerLevel,
     ) {
-        let (before, after, part, part_slope) = self.around(x);
+        let blend = self.around(x);
+        let Blend { before, after, part, part_slope } = blend;
         let Some(cut) = cut else {
             for j in (0..LEVELS).step_by(4) {
-                let from = V::read_single(&before.shares, j);
-                let change = V::read_single(&after.shares, j) - from;
-                (from + V::splat(part) * change).write(shares, j);
+                let (share, change) = blend.shares::<V>(j);
+                share.write(shares, j);
                 if SLOPES {
                     (V::splat(part_slope) * change).write(slopes, j);
                 }
@@ -85,26 +105,26 @@ impl Limits {
     /// By how much less than contacts that stick those at load - pull-off resist a displacement, over strength by stiffness: the force
     /// over the strength, and the part of the stiffness.
     pub fn lost(&self, x: f64, displacement: f64) -> [f64; 2] {
-        let (before, after, part, _) = self.around(x);
+        let Blend { before, after, part, .. } = self.around(x);
         let (from, to) = (before.lost(displacement), after.lost(displacement));
         [0, 1].map(|i| from[i] + part * (to[i] - from[i]))
     }
 
-    /// The rows around load - pull-off, what part of the way it is from one to the next, and its slope.
+    /// The strength at load - pull-off.
     #[inline(always)]
-    fn around(&self, x: f64) -> (&Strengths, &Strengths, f64, f64) {
+    pub fn around(&self, x: f64) -> Blend<'_> {
         let end = self.rows.len() - 1;
         let binades = (x.max(0.0).to_bits() >> MANTISSA_BITS).saturating_sub(self.first);
         let row = binades as usize;
         if row >= end || x < power_of_two(self.first) {
             let row = &self.rows[row.min(end)];
-            return (row, row, 0.0, 0.0);
+            return Blend { before: row, after: row, part: 0.0, part_slope: 0.0 };
         }
         let unit = power_of_two(self.first + binades);
         // Close to log2(x), with a slope that does not jump where binades meet.
         let t = x / unit - 1.0;
-        let (place, place_slope) = (t * (4.0 - t) / 3.0, (4.0 - 2.0 * t) / (3.0 * unit));
-        (&self.rows[row], &self.rows[row + 1], place, place_slope)
+        let (part, part_slope) = (t * (4.0 - t) / 3.0, (4.0 - 2.0 * t) / (3.0 * unit));
+        Blend { before: &self.rows[row], after: &self.rows[row + 1], part, part_slope }
     }
 }
 

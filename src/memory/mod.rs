@@ -14,8 +14,9 @@ mod levels;
 mod limits;
 mod strengths;
 
+pub use cells::{lay, Cells};
 pub use levels::{stuck, Levels, Sloped, MOST_SLIP_LENGTHS};
-pub use limits::Limits;
+pub use limits::{Blend, Limits};
 
 use crate::error::Error;
 use crate::numerics::elementary::hypot;
@@ -70,7 +71,7 @@ const LARGEST_WITH_SQUARE: f64 = 1e150;
 /// A number for each cell.
 pub type PerLevel = [f64; LEVELS];
 /// A number for each edge of a cell, and three more: edges are read by fours.
-type PerEdge = [f64; LEVELS + 4];
+pub type PerEdge = [f64; LEVELS + 4];
 pub const NO_LEVEL: PerLevel = [0.0; LEVELS];
 const NO_EDGE: PerEdge = [0.0; LEVELS + 4];
 

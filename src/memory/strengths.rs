@@ -188,7 +188,8 @@ fn at_edges<V: Four, const SLOPES: bool>(
     slopes: &mut PerEdge,
 ) {
     let (none, inverse, by_load) = (V::splat(0.0), V::splat(1.0 / place), V::splat(place_slope / place));
-    for j in (1..=LEVELS).step_by(4) {
+    // Above the place there is nothing.
+    for j in (1..LEVELS).step_by(4).take_while(|&j| EDGES[j] < place) {
         let (s, v) = (V::read(&EDGES, j) * inverse, V::splat(place) * V::read(&INVERSE_EDGES, j) - V::splat(1.0));
         let [value, limit] = interpolated(nodes, s, v);
         v.if_greater(none, value, none).write(above, j);

@@ -7,8 +7,8 @@ use super::after::After;
 use super::Model;
 use crate::error::{Error, LOAD};
 use crate::law::Quantity;
-use crate::memory::{stuck, within, Levels, MicroslipStep, PerLevel, Sloped};
-use crate::memory::{LARGEST, LAST, MOST_SLIP_LENGTHS, NO_LEVEL, REACH, STATE};
+use crate::memory::{stuck, within, Cells, Levels, MicroslipStep, PerLevel, Sloped};
+use crate::memory::{LARGEST, LAST, MOST_SLIP_LENGTHS, REACH, STATE};
 use crate::numerics::float_bits::{finite, infinite};
 use crate::numerics::four::{Four, Portable};
 use crate::numerics::neighbours::Neighbours;
@@ -30,14 +30,16 @@ impl Model {
                 return step;
             }
         }
-        self.step_of_any(None, load, increment, state)
+        self.step_of_any(None, load, self.strength_and_stiffness(load), increment, state)
     }
 
-    /// The same; without `DETAILS` only force and stiffness are told. `room` is for the levels at the load, made where they are needed.
+    /// The same with both at the load; without `DETAILS` only force and stiffness are told. `room` is for the levels at the load, made
+    /// where they are needed.
     #[inline(always)] // so that it is compiled for the instructions that its caller has
-    pub(crate) fn step<V: Four, const DETAILS: bool>(
+    pub(crate) fn step<V: Cells, const DETAILS: bool>(
         &self,
         load: f64,
+        all: [Sloped; 2],
         increment: [f64; 2],
         state: &mut [f64; STATE],
         room: &mut Option<Levels>,
@@ -47,7 +49,7 @@ impl Model {
                 return step;
             }
         }
-        self.step_by::<V, DETAILS>(None, load, increment, state, room)
+        self.step_by::<V, DETAILS>(None, load, all, increment, state, room)
     }
 
     /// The same for any processor, once for all that are after a larger load.
@@ -56,10 +58,11 @@ impl Model {
         &self,
         after: Option<&After>,
         load: f64,
+        all: [Sloped; 2],
         increment: [f64; 2],
         state: &mut [f64; STATE],
     ) -> Result<MicroslipStep, Error> {
-        self.step_by::<Portable, true>(after, load, increment, state, &mut None)
+        self.step_by::<Portable, true>(after, load, all, increment, state, &mut None)
     }
 
     /// Whether a contact has borne more, on a model that knows what that does.
@@ -78,36 +81,31 @@ impl Model {
         state: &mut [f64; STATE],
     ) -> Option<Result<MicroslipStep, Error>> {
         let after = self.after(state[LARGEST])?;
-        Some(self.step_of_any(Some(&after), load, increment, state))
+        Some(self.step_of_any(Some(&after), load, after.sloped(load), increment, state))
     }
 
     /// A step by the law of this model, or of contacts after a larger load.
     #[inline(always)]
-    fn step_by<V: Four, const DETAILS: bool>(
+    fn step_by<V: Cells, const DETAILS: bool>(
         &self,
         after: Option<&After>,
         load: f64,
+        all: [Sloped; 2],
         increment: [f64; 2],
         state: &mut [f64; STATE],
         room: &mut Option<Levels>,
     ) -> Result<MicroslipStep, Error> {
         let (reach, last, largest) = (state[REACH], state[LAST], state[LARGEST]);
         let is_given = finite(load) && finite(increment[0]) && finite(increment[1]);
-        let all = match after {
-            Some(after) => after.sloped(load),
-            None => Quantity::ALL.map(|quantity| self.sloped::<DETAILS>(quantity, load)),
-        };
         let [strength, stiffness] = all.map(|all| all.value);
         let farthest = MOST_SLIP_LENGTHS * (strength / stiffness);
         let resists = strength > 0.0 && finite(farthest);
+        let excess = if is_given { load - self.law.table(Quantity::Friction).pull_off } else { 0.0 };
         // At the load of the step before most contacts stick in all their levels, and need nothing else.
         let is_as_before = is_given && resists && last == stiffness && reach == stiffness;
         let is_as_before = is_as_before && (load == largest || (load < largest && finite(largest)));
-        let excess = if is_given { load - self.law.table(Quantity::Friction).pull_off } else { 0.0 };
-        let (mut shares, mut slopes) = (NO_LEVEL, NO_LEVEL);
-        if is_as_before && excess >= 0.0 {
-            self.limits::<V, DETAILS>(after, load, None, &mut shares, &mut slopes);
-            if let Some(step) = stuck::<V>(all, &shares, increment, state) {
+        if is_as_before && excess >= 0.0 && after.is_none() {
+            if let Some(step) = stuck::<V>(all, &self.law.limits().around(excess), increment, state) {
                 return Ok(step);
             }
         }
@@ -130,7 +128,7 @@ impl Model {
         let levels = room.get_or_insert_with(Levels::default);
         [levels.strength, levels.stiffness] = all;
         if !resists {
-            self.limits::<V, false>(after, load, None, &mut levels.shares, &mut slopes);
+            self.limits::<V, false>(after, load, None, &mut levels.shares, &mut levels.share_slopes);
             return Ok(levels.step_of_none(increment, state));
         }
         let increment = within(increment, farthest);
@@ -138,11 +136,7 @@ impl Model {
             state[..REACH].iter_mut().for_each(|x| *x = x.clamp(-farthest, farthest));
         }
         let cut = levels.cut::<V, DETAILS>(increment, state);
-        if is_as_before {
-            (levels.shares, levels.share_slopes) = (shares, slopes);
-        } else {
-            self.limits::<V, DETAILS>(after, load, cut.of_limits, &mut levels.shares, &mut levels.share_slopes);
-        }
+        self.limits::<V, DETAILS>(after, load, cut.of_limits, &mut levels.shares, &mut levels.share_slopes);
         state[LARGEST] = if load > largest { load } else { largest };
         Ok(levels.step::<V, DETAILS>(increment, cut, state))
     }
@@ -166,11 +160,19 @@ impl Model {
         }
     }
 
-    /// A quantity, with `SLOPE` also its slope; at the pull-off load, where that is infinite, the slope at the next load.
+    /// Friction force and tangential stiffness.
     #[inline(always)]
-    fn sloped<const SLOPE: bool>(&self, quantity: Quantity, load: f64) -> Sloped {
+    pub(crate) fn strength_and_stiffness(&self, load: f64) -> [Sloped; 2] {
+        [self.sloped(Quantity::Friction, load), self.sloped(Quantity::Radius, load)]
+    }
+
+    /// A quantity and its slope; at the pull-off load, where that is infinite, the slope at the next load.
+    #[inline(always)]
+    fn sloped(&self, quantity: Quantity, load: f64) -> Sloped {
+        if let Some((value, slope)) = self.tabulated(quantity, load) {
+            return Sloped { value, slope };
+        }
         let (value, slope) = self.value_and_slope(quantity, load);
-        let slope = if SLOPE { slope } else { 0.0 };
         let slope = if infinite(slope) { self.value_and_slope(quantity, load.above()).1.min(f64::MAX) } else { slope };
         Sloped { value, slope }
     }
@@ -215,4 +217,63 @@ fn validate(load: f64, increment: [f64; 2], state: &[f64; STATE], heaviest: f64)
         value: last,
         allowed: "must be from 0 to the number before it",
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::random::Random;
+    use crate::params::Params;
+
+    /// A step by all that it may need.
+    fn the_long_way(model: &Model, load: f64, increment: [f64; 2], state: &mut [f64; STATE]) -> MicroslipStep {
+        let mut levels = Levels::default();
+        [levels.strength, levels.stiffness] = model.strength_and_stiffness(load);
+        let cut = levels.cut::<Portable, true>(increment, state);
+        model.limits::<Portable, true>(None, load, cut.of_limits, &mut levels.shares, &mut levels.share_slopes);
+        state[LARGEST] = state[LARGEST].max(load);
+        levels.step::<Portable, true>(increment, cut, state)
+    }
+
+    #[test]
+    fn contacts_that_stick_slip_and_stick_again_are_stepped_the_short_way_as_the_long_way() {
+        let mut random = Random(7);
+        for params in [Params::paper(), Params { work_of_adhesion: 0.0, ..Params::paper() }] {
+            let model = Model::new(&params).expect("a model");
+            let (mut load, mut size, mut factor) = (10.0, 0.0, 1.0);
+            let (mut state, mut other) = ([0.0; STATE], [0.0; STATE]);
+            let [mut stuck_as_before, mut slipped, mut fallen, mut farther] = [0; 4];
+            for i in 0..4000 {
+                let [strength, stiffness] = model.strength_and_stiffness(load);
+                let length = strength.value / stiffness.value;
+                if i % 8 == 0 {
+                    size = length * 10_f64.powf(random.between(-7.0, 0.5));
+                    factor = [1.0, 1.0, 1.2, 0.8][random.between(0.0, 4.0) as usize];
+                }
+                load = (load * factor).clamp(1e-2, 1e3);
+                let increment = [random.between(-1.0, 1.0) * size, random.between(-1.0, 1.0) * size];
+                let before = state;
+                let found = model.microslip_step(load, increment, &mut state).expect("a step");
+                let expected = the_long_way(&model, load, increment, &mut other);
+                let near = |a: f64, b: f64, unit: f64| (a - b).abs() <= 1e-13 * unit;
+                let (force, work) = (model.friction_force_at_load(load), model.friction_force_at_load(load) * length);
+                for axis in 0..2 {
+                    assert!(near(found.force[axis], expected.force[axis], force), "{i}: {found:?}, not {expected:?}");
+                    assert!(near(found.dforce_dload[axis] * load, expected.dforce_dload[axis] * load, force), "{i}");
+                    assert!(near(found.stiffness[3 * axis], expected.stiffness[3 * axis], force / length), "{i}");
+                }
+                assert!(near(found.dissipated, expected.dissipated, work), "{i}: {found:?}, not {expected:?}");
+                assert!(near(found.slipping, expected.slipping, 1.0), "{i}");
+                assert!((0..REACH).all(|j| near(state[j], other[j], size.max(length))), "{i}");
+                assert_eq!(state[REACH..], other[REACH..], "{i}");
+                let is_as_before = before[LAST] == state[LAST] && before[REACH] == state[REACH];
+                stuck_as_before += u32::from(is_as_before && found.slipping == 0.0);
+                slipped += u32::from(found.slipping > 0.0);
+                fallen += u32::from(state[LAST] < before[LAST]);
+                farther += u32::from(state[REACH] > before[REACH]);
+            }
+            let counts = [stuck_as_before, slipped, fallen, farther];
+            assert!(counts.iter().all(|&count| count > 200), "{counts:?}");
+        }
+    }
 }

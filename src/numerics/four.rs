@@ -12,6 +12,8 @@ pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn write(self, to: &mut [f64], index: usize);
     /// `yes` where it is greater than the other, else `no`.
     fn if_greater(self, other: Self, yes: Self, no: Self) -> Self;
+    /// Whether one of them is greater than the other's.
+    fn any_greater(self, other: Self) -> bool;
     fn root(self) -> Self;
     /// The four numbers from each of these indices on: the first of all, the second of all, ...
     fn read_across(from: &[f64], indices: [usize; 4]) -> [Self; 4];
@@ -86,6 +88,11 @@ impl Four for Portable {
     #[inline(always)]
     fn if_greater(self, other: Self, yes: Self, no: Self) -> Self {
         Self::each(|i| if self.0[i] > other.0[i] { yes.0[i] } else { no.0[i] })
+    }
+
+    #[inline(always)]
+    fn any_greater(self, other: Self) -> bool {
+        (0..4).any(|i| self.0[i] > other.0[i])
     }
 
     #[inline(always)]
