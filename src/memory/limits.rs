@@ -141,7 +141,8 @@ fn fill_between(
     let mean = rows[from].mean(&rows[to]);
     rows[middle] = at(middle, &mean).unwrap_or(mean);
     let none = |_: usize, _: &Strengths| None;
-    let is_near = |other: &Strengths| rows[middle].distance(other) < ROW_TOLERANCE;
+    // The means of halves are a quarter as far off.
+    let is_near = |other: &Strengths| rows[middle].distance(other) < 4.0 * ROW_TOLERANCE;
     let is_known = is_near(&mean) && (2 * (to - from) <= MOST_BINADES || is_near(&rows[from]) && is_near(&rows[to]));
     let at = if is_known { &none } else { at };
     fill_between(rows, (from, middle), at);

@@ -112,19 +112,16 @@ pub fn of_contacts(branch: &Branch, separation: f64, unit: f64, near: &Strengths
     let mut samples = Vec::with_capacity(2 * SAMPLES);
     let alike = near.places().map(|place| place * unit);
     let limits = asked(&mut samples, alike)?;
-    let is_alike = samples[samples.len() - 1][2] >= 1.0 - NODES_AT[LEVEL_NODES - 1]
-        && alike
-            .iter()
-            .zip(limits)
-            .all(|(place, limit)| *place < DISPLACEMENT_RATIO * limit && limit < DISPLACEMENT_RATIO * place);
-    if !is_alike {
-        samples.clear();
+    let is_alike = |(a, b): (f64, f64)| a < DISPLACEMENT_RATIO * b && b < DISPLACEMENT_RATIO * a;
+    if samples[samples.len() - 1][2] < 1.0 - NODES_AT[LEVEL_NODES - 1] {
+        // They were not displaced far enough.
         let mut place = unit * LEAST_DISPLACEMENT;
-        let first = [(); SAMPLES].map(|()| {
+        let evenly = alike.map(|_| {
             place *= DISPLACEMENT_RATIO;
             place
         });
-        let limits = asked(&mut samples, first)?;
+        asked(&mut samples, evenly)?;
+    } else if !alike.into_iter().zip(limits).all(is_alike) {
         asked(&mut samples, limits)?;
     }
     let is_sound = samples.iter().all(|&[x, lost, _]| (x - 1.0 - 1e-6..=x).contains(&lost));
