@@ -36,7 +36,9 @@ pub const MOST_PANELS_OF_SUM: usize = 6000;
 /// How far above z one panel of 16 Gauss points may reach, never past the next breakpoint.
 pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
     let length = next_breakpoint(heights, z) - z;
-    match heights.is_piecewise_polynomial() || length < f64::INFINITY && is_smooth(heights, z, z + length, 1.0) {
+    match heights.is_piecewise_polynomial()
+        || length < f64::INFINITY && is_smooth(heights, z, smoothness(heights, z), z + length, 1.0)
+    {
         true => length,
         false => length.min(smooth_reach(heights, z)),
     }
@@ -68,7 +70,9 @@ pub fn is_one_panel(heights: &dyn HeightDistribution, from: f64, to: f64, longer
     if to > next_breakpoint(heights, from) + slack(to) {
         return false;
     }
-    heights.is_piecewise_polynomial() || to - from <= SHORTEST_PANEL || is_smooth(heights, from, to, longer)
+    heights.is_piecewise_polynomial()
+        || to - from <= SHORTEST_PANEL
+        || is_smooth(heights, from, smoothness(heights, from), to, longer)
 }
 
 /// Below this height, what is left of the density is less than exp(-41) of its largest value: sums begin there. It is the
@@ -177,37 +181,38 @@ fn outwards(z: f64, direction: f64, holds: impl Fn(f64) -> bool) -> f64 {
 
 /// How far above z one panel may reach, breakpoints apart.
 fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
+    let begin @ [distance, slope] = smoothness(heights, z);
     // Far from the mode densities change over lengths like the distance from there.
-    let mut length = (z - heights.last_mode())
-        .abs()
-        .max(4.0)
-        .min(OVER_DISTANCE * heights.distance_to_singularity(z))
-        .min(MOST_DENSITY_E_FOLDS / heights.log_density_slope(z).abs())
-        .max(SHORTEST_PANEL);
-    while length > SHORTEST_PANEL && !is_smooth(heights, z, z + length, 1.0) {
+    let far = (z - heights.last_mode()).abs().max(4.0);
+    let longest = far.min(OVER_DISTANCE * distance).min(MOST_DENSITY_E_FOLDS / slope.abs());
+    let mut length = (heights.part_of_panel() * longest).max(SHORTEST_PANEL);
+    while length > SHORTEST_PANEL && !is_smooth(heights, z, begin, z + length, 1.0) {
         length *= 0.75;
     }
     length
 }
 
-fn is_smooth(heights: &dyn HeightDistribution, from: f64, to: f64, longer: f64) -> bool {
+/// How far a height is from where the density is singular, and the slope of ln phi there.
+fn smoothness(heights: &dyn HeightDistribution, z: f64) -> [f64; 2] {
+    [heights.distance_to_singularity(z), heights.log_density_slope(z)]
+}
+
+fn is_smooth(heights: &dyn HeightDistribution, from: f64, begin: [f64; 2], to: f64, longer: f64) -> bool {
     let length = (to - from) / (longer * heights.part_of_panel());
-    let places = [from, 0.5 * (from + to), to];
-    if places.iter().any(|&z| length > OVER_DISTANCE * heights.distance_to_singularity(z)) {
-        return false;
-    }
-    let slope = |i: usize| heights.log_density_slope(places[i]);
-    let is_gentle = |slope: f64| length * slope.abs() <= MOST_DENSITY_E_FOLDS;
-    let is_straight = |from: f64, to: f64| length * (to - from).abs() <= MOST_DENSITY_BEND;
-    let (begin, end) = (slope(0), slope(2));
-    if !(is_gentle(begin) && is_gentle(end)) {
-        return false;
-    }
+    let is_gentle = |&[distance, slope]: &[f64; 2]| {
+        length <= OVER_DISTANCE * distance && length * slope.abs() <= MOST_DENSITY_E_FOLDS
+    };
+    let is_straight = |from: [f64; 2], to: [f64; 2]| length * (to[1] - from[1]).abs() <= MOST_DENSITY_BEND;
+    let gentle = |z: f64| Some(smoothness(heights, z)).filter(is_gentle);
+    let ends = || {
+        let end = is_gentle(&begin).then(|| gentle(to))??;
+        let middle = gentle(0.5 * (from + to))?;
+        Some((middle, end))
+    };
     // A slope that only falls changes over either half by no more than over both.
-    heights.is_log_concave() && is_straight(begin, end) || {
-        let middle = slope(1);
-        is_gentle(middle) && is_straight(begin, middle) && is_straight(middle, end)
-    }
+    ends().is_some_and(|(middle, end)| {
+        heights.is_log_concave() && is_straight(begin, end) || is_straight(begin, middle) && is_straight(middle, end)
+    })
 }
 
 fn next_breakpoint(heights: &dyn HeightDistribution, z: f64) -> f64 {

@@ -46,6 +46,7 @@ struct DensityPiece {
 
 impl DensityPiece {
     /// The density so far below the next height and so far above the last.
+    #[inline]
     fn at(&self, below: f64, above: f64) -> f64 {
         let t = above / (above + below);
         let rest = below / (above + below);
@@ -149,11 +150,18 @@ impl HeightDistribution for Tabulated {
         self.pieces[piece].slope(self.knots[piece + 1] - z, z - self.knots[piece]) / density
     }
 
+    /// Nodes beyond those that are needed repeat one.
     fn densities(&self, z: [f64; POINTS]) -> [f64; POINTS] {
         // As a rule all nodes of a panel lie on one piece.
         let piece = self.piece_of(z[POINTS / 2]);
         let within = self.knots[piece]..=self.knots[piece + 1];
-        z.map(|z| if within.contains(&z) { self.density_on(piece, z) } else { self.density(z) })
+        let mut last = (f64::NAN, 0.0);
+        z.map(|z| {
+            if z != last.0 {
+                last = (z, if within.contains(&z) { self.density_on(piece, z) } else { self.density(z) });
+            }
+            last.1
+        })
     }
 
     /// Its singularities are its breakpoints.

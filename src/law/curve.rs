@@ -21,8 +21,6 @@ const LONGEST: f64 = 5.0;
 /// Once so many exact states are spent, and some for each kink, panels are kept as they are.
 const MOST_STATES: usize = 2500;
 const MOST_STATES_PER_KINK: usize = 50;
-/// The eighths of a panel at which it is compared between its nodes.
-const CHECKS: [usize; 2] = [1, 7];
 
 /// The curve, from heavy to light load.
 #[derive(Debug, Clone)]
@@ -49,8 +47,14 @@ struct Attempt {
 }
 
 impl Attempt {
-    fn new(states: &mut States, stretch: &mut Stretch, reach: &Reach) -> Result<Self, Unfollowed> {
-        let nodes = states.nodes(stretch)?;
+    /// With N nodes, compared at eighths.
+    fn new<const N: usize>(
+        states: &mut States,
+        stretch: &mut Stretch,
+        reach: &Reach,
+        checks: [usize; 2],
+    ) -> Result<Self, Unfollowed> {
+        let nodes = states.nodes::<N>(stretch)?;
         let panel = CurvePanel::new(&nodes);
         let crowding = states.branch.population().crowding();
         let gap = crowding.map(|crowding| {
@@ -60,7 +64,7 @@ impl Attempt {
         // Between the lightest load and pull-off nothing but gaps is asked for.
         let is_asked = stretch.from.log_excess > reach.log_lightest;
         let is_compared = is_asked || attempt.gap.is_some();
-        for eighth in CHECKS.into_iter().filter(|_| is_compared) {
+        for eighth in checks.into_iter().filter(|_| is_compared) {
             let state = states.eighth(stretch, eighth)?;
             attempt.compare(&state, is_asked, (SHORT / stretch.length()).max(1.0).sqrt());
         }
@@ -99,7 +103,11 @@ impl Curve {
         while !open.is_empty() {
             let mut halves = Vec::new();
             for mut stretch in open.into_iter().filter(|stretch| stretch.to.log_excess < reach.log_heaviest) {
-                let attempt = Attempt::new(&mut states, &mut stretch, reach)?;
+                // Half-way to the nodes of few slopes are farther off elsewhere, by up to 3 times.
+                let mut attempt = Attempt::new::<3>(&mut states, &mut stretch, reach, [2, 6])?;
+                if stretch.length() > LONGEST || 3.0 * attempt.worst > 1.0 {
+                    attempt = Attempt::new::<5>(&mut states, &mut stretch, reach, [1, 7])?;
+                }
                 let is_missed = stretch.length() > LONGEST || attempt.worst > 1.0;
                 if is_missed && stretch.length() > 2.0 * SHORTEST && states.count < most_states {
                     halves.extend(stretch.halves().into_iter().flatten());

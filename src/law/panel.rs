@@ -5,8 +5,8 @@ use super::tolerance::{self, larger};
 use super::Quantity;
 use crate::numerics::root;
 
-/// Exact states per panel, at equal distances of position, its ends among them.
-pub const PANEL_NODES: usize = 5;
+/// Exact states per panel at most, at equal distances of position, its ends among them.
+const PANEL_NODES: usize = 5;
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * PANEL_NODES;
 
@@ -55,7 +55,7 @@ pub struct CurvePanel {
 
 impl CurvePanel {
     /// Through the states at its nodes.
-    pub fn new(nodes: &[Sample; PANEL_NODES]) -> Self {
+    pub fn new<const N: usize>(nodes: &[Sample; N]) -> Self {
         let of = |number: fn(&Sample) -> f64| nodes.each_ref().map(number);
         let (position, s) = (of(|node| node.position), of(|node| node.s));
         let log_value = std::array::from_fn(|quantity| {
@@ -65,7 +65,7 @@ impl CurvePanel {
             ];
             Hermite::new(s, values, slopes)
         });
-        let (from, to) = (&nodes[0], &nodes[PANEL_NODES - 1]);
+        let (from, to) = (&nodes[0], &nodes[N - 1]);
         let s = Hermite::new(position, s, of(|node| node.s_by_position));
         Self { lowest: to.s, highest: from.s, begin: from.position, end: to.position, log_value, s }
     }
@@ -118,24 +118,26 @@ impl CurvePanel {
 #[derive(Debug, Clone)]
 pub struct Hermite {
     nodes: [f64; PANEL_NODES],
-    /// The coefficients of Newton's form, each node twice.
+    /// The coefficients of Newton's form, each node twice; 0 of nodes that it has not.
     coefficients: [f64; CONDITIONS],
 }
 
 impl Hermite {
     /// With these values and slopes. A slope at the last node that is no number is left to the polynomial, of a degree less.
-    pub fn new(nodes: [f64; PANEL_NODES], values: [f64; PANEL_NODES], slopes: [f64; PANEL_NODES]) -> Self {
+    pub fn new<const N: usize>(nodes: [f64; N], values: [f64; N], slopes: [f64; N]) -> Self {
         let with = |last: f64| {
             let mut slopes = slopes;
-            slopes[PANEL_NODES - 1] = last;
+            slopes[N - 1] = last;
             divided_differences(&nodes, &values, &slopes)
         };
-        let last = slopes[PANEL_NODES - 1];
-        if !last.is_nan() {
-            return Self { nodes, coefficients: with(last) };
-        }
-        let [without, unit] = [0.0, 1.0].map(|last| with(last)[CONDITIONS - 1]);
-        Self { nodes, coefficients: with(without / (without - unit)) }
+        let last = slopes[N - 1];
+        let coefficients = if last.is_nan() {
+            let [without, unit] = [0.0, 1.0].map(|last| with(last)[2 * N - 1]);
+            with(without / (without - unit))
+        } else {
+            with(last)
+        };
+        Self { nodes: std::array::from_fn(|i| nodes[i.min(N - 1)]), coefficients }
     }
 
     /// The value and the slope.
@@ -154,14 +156,10 @@ impl Hermite {
 }
 
 /// Those of Newton's form; between the two copies of a node they are the slope.
-fn divided_differences(
-    nodes: &[f64; PANEL_NODES],
-    values: &[f64; PANEL_NODES],
-    slopes: &[f64; PANEL_NODES],
-) -> [f64; CONDITIONS] {
-    let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values[i / 2]);
-    for order in 1..CONDITIONS {
-        for i in (order..CONDITIONS).rev() {
+fn divided_differences<const N: usize>(nodes: &[f64; N], values: &[f64; N], slopes: &[f64; N]) -> [f64; CONDITIONS] {
+    let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values.get(i / 2).map_or(0.0, |value| *value));
+    for order in 1..2 * N {
+        for i in (order..2 * N).rev() {
             let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
             coefficients[i] = match order == 1 && i % 2 == 1 {
                 true => slopes[i / 2],

@@ -1,10 +1,23 @@
-//! The integrals of a density times the polynomials through Gauss points, from its integrals times Legendre polynomials.
+//! The integrals of a density times the polynomials through Gauss points, from its integrals times Legendre polynomials p_k, scaled
+//! so that x^k has the factor 1: then p_(k+1) = x p_k - k^2/(4 k^2 - 1) p_(k-1).
 
 use super::quadrature::{HALF, POINTS};
 
-/// For each k, (k + 1/2) P_k at the Gauss points times their weights: there the polynomial through the points that is 1 at one of
-/// them and 0 at the others is the sum of these times P_k.
+/// For each k, p_k at the Gauss points times their weights, over the integral of its square: there the polynomial through the points
+/// that is 1 at one of them and 0 at the others is the sum of these times p_k.
 const AT_POINTS: [[f64; POINTS]; POINTS] = at_points();
+
+/// k^2/(4 k^2 - 1)
+const FACTORS: [f64; POINTS] = {
+    let mut factors = [0.0; POINTS];
+    let mut k = 1;
+    while k < POINTS {
+        let square = (k * k) as f64;
+        factors[k] = square / (4.0 * square - 1.0);
+        k += 1;
+    }
+    factors
+};
 
 const fn at_points() -> [[f64; POINTS]; POINTS] {
     let mut rows = [[0.0; POINTS]; POINTS];
@@ -13,19 +26,19 @@ const fn at_points() -> [[f64; POINTS]; POINTS] {
         let is_above = i >= POINTS / 2;
         let (x, weight) = HALF[if is_above { i - POINTS / 2 } else { POINTS / 2 - 1 - i }];
         let x = if is_above { x } else { -x };
-        let (mut before, mut here, mut k) = (0.0, 1.0, 0);
+        let (mut before, mut here, mut square, mut k) = (0.0, 1.0, 2.0, 0);
         while k < POINTS {
-            let order = k as f64;
-            rows[k][i] = weight * (order + 0.5) * here;
-            let next = ((2.0 * order + 1.0) * x * here - order * before) / (order + 1.0);
-            (before, here, k) = (here, next, k + 1);
+            rows[k][i] = weight * here / square;
+            (before, here) = (here, x * here - FACTORS[k] * before);
+            k += 1;
+            square *= if k < POINTS { FACTORS[k] } else { 0.0 };
         }
         i += 1;
     }
     rows
 }
 
-/// The integrals of a density times P_0, P_1 and so on, as sums over places from -1 to 1.
+/// The integrals of a density times p_0, p_1 and so on, as sums over places from -1 to 1.
 #[derive(Default)]
 pub struct Moments([[f64; 2]; POINTS]);
 
@@ -34,14 +47,12 @@ impl Moments {
     #[inline]
     pub fn add<const N: usize>(&mut self, places: &[f64; N], fractions: &[f64; N]) {
         let (mut before, mut here) = ([0.0; N], *fractions);
-        for (k, moment) in self.0.iter_mut().enumerate() {
+        for (moment, factor) in self.0.iter_mut().zip(FACTORS) {
             for i in 0..N {
                 moment[i % 2] += here[i];
             }
-            let order = k as f64;
-            let (a, b) = ((2.0 * order + 1.0) / (order + 1.0), order / (order + 1.0));
             for i in 0..N {
-                (before[i], here[i]) = (here[i], a * places[i] * here[i] - b * before[i]);
+                (before[i], here[i]) = (here[i], places[i] * here[i] - factor * before[i]);
             }
         }
     }

@@ -19,29 +19,28 @@ type Looks = [(f64, f64, f64); LOOKS_FOR_TURNS];
 impl Population {
     /// The same panel, or its first part up to a kink. Where radii vary with height it ends at an extremum of the contact
     /// radius too, so that each radius within shows at its ends.
-    pub(super) fn cut_at_kink(&self, separation: f64, panel: SummitPanel, start_kink: Option<usize>) -> SummitPanel {
-        let mut panel = self.cut_at_kink_of_contact(separation, panel, start_kink);
-        if self.radius.may_fall() && (self.ends_at_extrema || self.is_near_kink(&panel)) {
-            let is_cut = self.cut_where(separation, &mut panel, Point::radius_change, None);
-            let turn = if is_cut { None } else { self.between_extrema(separation, &panel) };
+    pub(super) fn cut_at_kink(&self, separation: f64, panel: &mut SummitPanel, start_kink: Option<usize>) {
+        self.cut_at_kink_of_contact(separation, panel, start_kink);
+        if self.radius.may_fall() && (self.ends_at_extrema || self.is_near_kink(panel)) {
+            let is_cut = self.cut_where(separation, panel, Point::radius_change, None);
+            let turn = if is_cut { None } else { self.between_extrema(separation, panel) };
             if let Some(turn) = turn {
-                panel.to = self.on_panel(separation, &panel, turn, &panel.guess());
+                panel.to = self.on_panel(separation, panel, turn, &panel.guess());
                 panel.kink = None;
-                self.cut_where(separation, &mut panel, Point::radius_change, None);
+                self.cut_where(separation, panel, Point::radius_change, None);
             }
         }
         for (index, kink) in self.radius_kinks.into_iter().enumerate().filter(|&(index, _)| start_kink != Some(index)) {
-            self.cut_where(separation, &mut panel, |point| point.contact.radius - kink, Some(index));
+            self.cut_where(separation, panel, |point| point.contact.radius - kink, Some(index));
         }
         if let Some(ratio) = self.onset_ratio {
             if !self.slip.is_of_radius() {
-                self.cut_at_friction_over_radius(separation, &mut panel, ratio, start_kink);
+                self.cut_at_friction_over_radius(separation, panel, ratio, start_kink);
             }
             if self.has_onset() && !self.is_onset(start_kink) {
-                self.cut_near_onset(separation, &mut panel, ratio);
+                self.cut_near_onset(separation, panel, ratio);
             }
         }
-        panel
     }
 
     /// Whether the contact radius may be one at which friction has a kink, by how it is and changes at the ends.
@@ -122,26 +121,20 @@ impl Population {
 
     /// The same for the kinks of the law of contact, which move with the radius: where a summit is nearest to or farthest
     /// from one a panel ends too. There is no more than one such place as far as radii change ever faster or ever slower.
-    fn cut_at_kink_of_contact(
-        &self,
-        separation: f64,
-        mut panel: SummitPanel,
-        start_kink: Option<usize>,
-    ) -> SummitPanel {
+    fn cut_at_kink_of_contact(&self, separation: f64, panel: &mut SummitPanel, start_kink: Option<usize>) {
         let has_kinks = self.kinks_of_contact[0].is_finite();
-        let looks = self.radius.scores.as_ref().filter(|_| has_kinks).map(|_| self.looks(&panel));
+        let looks = self.radius.scores.as_ref().filter(|_| has_kinks).map(|_| self.looks(panel));
         for (index, kink) in self.kinks_of_contact.into_iter().enumerate().filter(|(_, kink)| kink.is_finite()) {
             if let Some(looks) = &looks {
-                self.cut_at_turn(separation, &mut panel, kink, looks);
+                self.cut_at_turn(separation, panel, kink, looks);
             } else if !self.radius.is_constant() {
-                self.cut_where(separation, &mut panel, |point| 1.0 - kink * point.g_rate, None);
+                self.cut_where(separation, panel, |point| 1.0 - kink * point.g_rate, None);
             }
             if start_kink != Some(RADII + index) {
                 let residual = |point: &Point| point.contact.overlap + self.lost - kink * self.radius.factor(point.z);
-                self.cut_where(separation, &mut panel, residual, Some(RADII + index));
+                self.cut_where(separation, panel, residual, Some(RADII + index));
             }
         }
-        panel
     }
 
     /// The same where there may be more of them, since radii are cubics: at the first that shows between looks, each at a height with

@@ -99,7 +99,7 @@ pub struct Population {
 const NEWTONS_STEPS: u32 = 10;
 
 /// A summit in contact, at its height.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Point {
     pub(crate) z: f64,
     /// Slope of the radius over the mean radius.
@@ -347,7 +347,12 @@ impl Population {
     /// The summit of a height, from a guess of its parameter.
     #[inline]
     fn at_height(&self, separation: f64, z: f64, guess: f64) -> Point {
-        let (g, g_rate) = self.radius.at(z);
+        self.of_radius(separation, z, self.radius.at(z), guess)
+    }
+
+    /// The same where its radius is known, with its slope.
+    #[inline]
+    fn of_radius(&self, separation: f64, z: f64, (g, g_rate): (f64, f64), guess: f64) -> Point {
         Point { z, g_rate, contact: self.law.at_overlap(z - separation, g, guess) }
     }
 

@@ -5,7 +5,7 @@
 //! the integrals of the density times Legendre polynomials say what each node weighs, and no contact is solved. So it is far below the
 //! heights too, where one panel holds them all.
 
-use super::panels::{Axis, SummitPanel};
+use super::panels::{Axis, Nodes, SummitPanel};
 use super::sums::{out_of_panels, Summit};
 use super::walk::{Progress, Visitor, Walk, PART_AT_LOWER_END};
 use super::{Point, Population};
@@ -27,9 +27,8 @@ const NEAR_BREAK_AWAY: f64 = 0.002;
 /// It grows by no more than this factor: a polynomial through the nodes then follows slopes to 1e-11 from weak adhesion
 /// to JKR's, and values to 1e-13.
 const MOST_ROOT_GROWTH: f64 = 2.0;
-/// A piece of a polynomial density that is less than this part of a panel needs few nodes.
-const SHORT_PIECE: f64 = 0.3;
-const FEW: usize = 6;
+/// A piece of a polynomial density that is less than these parts of a panel needs 4 nodes, and 6.
+const SHORT_PIECES: [f64; 2] = [0.1, 0.3];
 
 /// Panels from break-away upwards, at separation 0.
 #[derive(Debug, Clone)]
@@ -67,27 +66,27 @@ impl NodeTable {
             f64::INFINITY
         };
         let mut table = NodeTable { edge, panels: Vec::new(), end: edge };
-        let mut kink = None;
+        let (mut kink, mut nodes) = (None, Nodes::default());
         while table.end.z < edge.z + FARTHEST_NODE * (1.0 + edge.z.abs()) {
             let clearance = table.end.z - edge.z;
             let is_short = clearance < LONG_FROM && table.panels.len() < MOST_SHORT;
             let reach = if is_short { reach } else { f64::MAX };
             let is_near = is_short && table.end.z < near;
             let panel = match is_near {
-                true => population.panel(0.0, table.end, kink, clearance, reach, near),
+                true => population.panel(0.0, table.end, kink, clearance, [reach, f64::INFINITY], near),
                 false => population.panel_in_roots(table.end, kink, clearance, reach),
             };
             let root = |end: Point| (end.z - edge.z).sqrt();
             let roots = (!is_near).then(|| (root(panel.from), root(panel.to)));
-            let nodes = match roots {
-                None => population.nodes(0.0, &panel),
+            match roots {
+                None => population.nodes(0.0, &panel, &mut nodes),
                 Some((from, to)) => {
                     let guess = panel.guess();
-                    quadrature::panel(from, to).map(|(root, weight)| {
+                    nodes = quadrature::panel(from, to).map(|(root, weight)| {
                         (2.0 * root * weight, population.on_panel(0.0, &panel, edge.z + root * root, &guess))
-                    })
+                    });
                 }
-            };
+            }
             let summit = |point: Point| Summit::new(&point.contact, population.slip.friction(&point.contact));
             table.panels.push(TablePanel {
                 to: panel.to,
@@ -110,8 +109,9 @@ impl Population {
         let part = part_in_roots((clearance.sqrt(), (clearance + rise).sqrt()));
         let rise = longest.min(part * reach).max(SHORTEST_PANEL);
         let to = self.at_height(0.0, here.z + rise, here.contact.parameter);
-        let panel = SummitPanel { axis: Axis::Height, from: here, to, kink: None, part: 1.0, is_eased: false };
-        self.cut_at_kink(0.0, panel, kink)
+        let mut panel = SummitPanel { axis: Axis::Height, from: here, to, kink: None, part: 1.0, is_eased: false };
+        self.cut_at_kink(0.0, &mut panel, kink);
+        panel
     }
 
     /// Hands summits in contact to a visitor from the table.
@@ -191,28 +191,28 @@ impl Population {
             let roots = (part.root(z), part.root(end));
             // The difference of the roots, with the digits of heights far above break-away.
             let width = (end - z) / (roots.0 + roots.1);
-            match is_polynomial && width < SHORT_PIECE * (to - from) {
-                true => self.add_heights::<FEW>(part, (z, roots.0), (width, 0.0), &mut moments, progress),
-                false => self.add_heights::<POINTS>(part, (z, roots.0), (width, 1.0), &mut moments, progress),
-            }
+            let add = match SHORT_PIECES.map(|piece| is_polynomial && width < piece * (to - from)) {
+                [true, _] => Self::add_heights::<4>,
+                [_, true] => Self::add_heights::<6>,
+                _ => Self::add_heights::<POINTS>,
+            };
+            add(self, part, (z, roots.0), width, &mut moments, progress);
             z = end;
         }
         Err(out_of_panels(part.separation))
     }
 
-    /// Adds what heights from one up contribute to moments, over a stretch in roots, by the rule for this part of a long panel.
-    #[inline]
+    /// Adds what heights from one up contribute to moments, over a stretch in roots.
     fn add_heights<const N: usize>(
         &self,
         part: &Part,
         (from, root): (f64, f64),
-        (width, of_long): (f64, f64),
+        width: f64,
         moments: &mut Moments,
         progress: &mut Progress,
     ) {
-        let mut nodes = quadrature::nodes_of_part(of_long, 0.0, width);
-        let nodes: [(f64, f64); N] = std::array::from_fn(|_| nodes.next().unwrap_or_default());
-        let nodes = nodes.map(|(wider, weight)| (from + wider * (2.0 * root + wider), root + wider, weight));
+        let nodes = quadrature::points::<N>(0.0, width)
+            .map(|(wider, weight)| (from + wider * (2.0 * root + wider), root + wider, weight));
         let heights: [f64; POINTS] = std::array::from_fn(|i| nodes[i.min(N - 1)].0);
         let overlaps: [f64; POINTS] = std::array::from_fn(|i| {
             let overlap = part.break_away + nodes[i.min(N - 1)].1.powi(2);

@@ -37,6 +37,9 @@ const LENGTH_SLACK: f64 = 1.05;
 /// Less than this part of a panel is not left for another.
 const REMNANT: f64 = 1e-3;
 
+/// Summits with their weights in height.
+pub type Nodes = [(f64, Point); POINTS];
+
 /// The variable in which a panel is laid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Axis {
@@ -71,14 +74,15 @@ impl Population {
         self.radius.turn().filter(|&turn| turn > z).map_or(next, |turn| next.min(turn))
     }
 
-    /// The panel from a summit, `clearance` above break-away, no longer than `reach` and not beyond the height `stop`.
+    /// The panel from a summit, `clearance` above break-away, no longer than the first `reach` and not beyond the height `stop`; radii
+    /// are smooth as far as the second.
     pub(super) fn panel(
         &self,
         separation: f64,
         here: Point,
         kink: Option<usize>,
         clearance: f64,
-        reach: f64,
+        [reach, radii]: [f64; 2],
         stop: f64,
     ) -> SummitPanel {
         // Where radii fall so steeply that the parameter turns back, panels in it would become ever shorter; not so at break-away.
@@ -101,15 +105,15 @@ impl Population {
                 (Axis::Height, self.at_height(separation, z, here.contact.parameter))
             }
         };
-        let panel = SummitPanel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
-        let panel = self.cut_at_kink(separation, panel, kink);
+        let mut panel = SummitPanel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
+        self.cut_at_kink(separation, &mut panel, kink);
         // Between breakpoints a density is smoother than they are near.
         let smooth = || match self.heights.breakpoints() {
             [] => reach,
-            _ => panel::smooth_reach(&*self.heights, here.z).min(self.radius.panel_length(here.z)),
+            _ => panel::smooth_reach(&*self.heights, here.z).min(radii),
         };
         // What contacts about to slip resist asks for all points.
-        let part = match (self.has_onset(), &self.radius.scores) {
+        panel.part = match (self.has_onset(), &self.radius.scores) {
             (true, _) => 1.0,
             (false, None) => self.part(&panel, clearance, smooth()),
             // The heights of a table at scores do not end, so that nothing begins as a power between them.
@@ -119,7 +123,8 @@ impl Population {
                 _ => 1.0,
             },
         };
-        SummitPanel { part, is_eased: self.is_onset(kink) || self.is_onset(panel.kink), ..panel }
+        panel.is_eased = self.is_onset(kink) || self.is_onset(panel.kink);
+        panel
     }
 
     /// How long a panel in height may be, in distances to break-away.
@@ -213,24 +218,42 @@ impl Population {
     }
 
     /// The summits at the nodes of a panel, with their weights in height; those beyond the number of points have none.
-    pub(super) fn nodes(&self, separation: f64, panel: &SummitPanel) -> [(f64, Point); POINTS] {
-        let guess = panel.guess();
-        let mut nodes = [(0.0, panel.from); POINTS];
-        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        let mut count = 0;
-        for (x, weight) in quadrature::nodes_of_part(panel.part, from, to) {
-            let (x, weight) = if panel.is_eased { eased(x, weight, from, to) } else { (x, weight) };
-            let point = self.at_place(separation, panel.axis, x, guess.at(x));
-            nodes[count] = match panel.axis {
-                Axis::Parameter => (weight * point.z_rate(), point),
-                Axis::Height => (weight, point),
-                Axis::Root(_) => (2.0 * x * weight, point),
-            };
-            count += 1;
+    pub(super) fn nodes(&self, separation: f64, panel: &SummitPanel, nodes: &mut Nodes) {
+        match quadrature::points_of_part(panel.part) {
+            POINTS => self.nodes_of::<POINTS>(separation, panel, nodes),
+            10 => self.nodes_of::<10>(separation, panel, nodes),
+            _ => self.nodes_of::<6>(separation, panel, nodes),
         }
-        let middle = nodes[count / 2].1;
-        nodes[count..].fill((0.0, middle));
-        nodes
+    }
+
+    fn nodes_of<const N: usize>(&self, separation: f64, panel: &SummitPanel, nodes: &mut Nodes) {
+        let guess = panel.guess();
+        let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
+        let places = quadrature::points::<N>(from, to).map(|(x, weight)| match panel.is_eased {
+            true => eased(x, weight, from, to),
+            false => (x, weight),
+        });
+        match panel.axis {
+            Axis::Parameter => {
+                for (node, (x, weight)) in nodes.iter_mut().zip(places) {
+                    node.1 = self.on_branch(separation, x, guess.at(x));
+                    node.0 = weight * node.1.z_rate();
+                }
+            }
+            Axis::Height => {
+                let radii = self.radius.at_each(places.map(|(z, _)| z));
+                for (node, ((z, weight), g)) in nodes.iter_mut().zip(places.into_iter().zip(radii)) {
+                    *node = (weight, self.of_radius(separation, z, g, guess.at(z)));
+                }
+            }
+            Axis::Root(edge) => {
+                for (node, (x, weight)) in nodes.iter_mut().zip(places) {
+                    *node = (2.0 * x * weight, self.at_height(separation, edge + x * x, guess.at(x)));
+                }
+            }
+        }
+        let middle = nodes[N / 2].1;
+        nodes[N..].fill((0.0, middle));
     }
 
     /// The summit at a value of the variable of a panel, from its guess of the other.

@@ -1,7 +1,7 @@
 //! Radius of curvature of a summit as a function of its height, eq (3), or of its normal score and the surface there.
 
 use crate::distribution::at_scores::AtScores;
-use crate::numerics::elementary::{exp, hypot};
+use crate::numerics::elementary::{exp_each, hypot};
 use std::sync::Arc;
 
 /// g(z) = 1 + epsilon tanh(rho z), the local radius over the mean one; of a table of the surface at normal scores
@@ -55,13 +55,23 @@ impl RadiusProfile {
     /// g and dg/dz at height z, without cancellation where g goes to 0 (|epsilon| = 1).
     #[inline]
     pub fn at(&self, z: f64) -> (f64, f64) {
+        self.at_each([z])[0]
+    }
+
+    /// The same at each of several heights, side by side.
+    #[inline]
+    pub fn at_each<const N: usize>(&self, z: [f64; N]) -> [(f64, f64); N] {
         match &self.scores {
-            None if self.amplitude == 0.0 => (1.0, 0.0),
-            None => Self::bounded(self.of_height(z + self.origin)),
+            None if self.amplitude == 0.0 => [(1.0, 0.0); N],
+            None => self.of_heights(z.map(|z| z + self.origin)).map(Self::bounded),
             Some(scores) => {
-                let place = scores.place(z);
-                let (ratio, (g, slope)) = (exp(place.log_ratio), self.of_height(place.score));
-                Self::bounded((g * ratio, (slope * place.rate + g * place.log_ratio_rate) * ratio))
+                let places = z.map(|z| scores.place(z));
+                let (ratios, factors) =
+                    (exp_each(places.map(|place| place.log_ratio)), self.of_heights(places.map(|place| place.score)));
+                std::array::from_fn(|i| {
+                    let (place, (g, slope)) = (places[i], factors[i]);
+                    Self::bounded((g * ratios[i], (slope * place.rate + g * place.log_ratio_rate) * ratios[i]))
+                })
             }
         }
     }
@@ -76,16 +86,15 @@ impl RadiusProfile {
 
     /// Eq (3) and its slope.
     #[inline]
-    fn of_height(&self, z: f64) -> (f64, f64) {
-        let size = self.amplitude.abs();
-        let y = self.rate * z * self.amplitude.signum();
-        let decay = exp(-2.0 * y.abs());
-        let g = if y >= 0.0 {
-            1.0 + size * (1.0 - decay) / (1.0 + decay)
-        } else {
-            (1.0 - size) + size * 2.0 * decay / (1.0 + decay)
-        };
-        (g, self.amplitude * self.rate * 4.0 * decay / ((1.0 + decay) * (1.0 + decay)))
+    fn of_heights<const N: usize>(&self, z: [f64; N]) -> [(f64, f64); N] {
+        let (size, rate) = (self.amplitude.abs(), self.rate * self.amplitude.signum());
+        let y = z.map(|z| rate * z);
+        let decay = exp_each(y.map(|y| -2.0 * y.abs()));
+        std::array::from_fn(|i| {
+            let (share, rest) = (decay[i] / (1.0 + decay[i]), 1.0 / (1.0 + decay[i]));
+            let g = if y[i] >= 0.0 { 1.0 + size * (rest - share) } else { (1.0 - size) + size * 2.0 * share };
+            (g, size * rate * 4.0 * share * rest)
+        })
     }
 
     /// g at height z.
@@ -101,10 +110,8 @@ impl RadiusProfile {
         }
         let pole = std::f64::consts::FRAC_PI_2 / self.rate;
         let (g, slope) = self.at(z);
-        let (place, rate) = match &self.scores {
-            Some(scores) => (scores.place(z).score, scores.place(z).rate),
-            None => (z + self.origin, 1.0),
-        };
+        let place = self.scores.as_ref().map(|scores| scores.place(z));
+        let (place, rate) = place.map_or((z + self.origin, 1.0), |place| (place.score, place.rate));
         let smooth = if place < 0.0 { (0.65 * -place).max(1.1 * pole) } else { 1.1 * hypot(place, pole) } / rate;
         smooth.min(MOST_RADIUS_E_FOLDS * g / slope.abs())
     }

@@ -1,6 +1,6 @@
 //! Goes over the summits in contact at a separation, from the lowest up to where the rest is negligible, and hands each to whoever sums.
 
-use super::panels::{Axis, SummitPanel};
+use super::panels::{Axis, Nodes, SummitPanel};
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population};
 use crate::asperity::slip::Slip;
@@ -94,7 +94,7 @@ impl Population {
     ) -> Result<(), Error> {
         let &Walk { separation, start, edge_height, end } = walk;
         let mut here = self.above_lower_end(walk, progress, visitor);
-        let mut kink = None;
+        let (mut kink, mut nodes) = (None, Nodes::default());
         let end = end.min(self.highest);
         let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
         for _ in 0..MOST_PANELS_OF_SUM {
@@ -111,16 +111,18 @@ impl Population {
                 return Ok(());
             }
             let reach = panel::panel_length(&*self.heights, here.z) * self.panel_factor(largest, here.z, log_density);
-            let mut reach = reach.min(self.radius.panel_length(here.z));
-            let lay = |reach: f64| {
-                let panel = self.panel(separation, here, kink, here.z - edge_height, reach, stop);
-                (panel, self.nodes(separation, &panel))
+            let radii = self.radius.panel_length(here.z);
+            let mut reach = reach.min(radii);
+            let mut lay = |reach: f64| {
+                let panel = self.panel(separation, here, kink, here.z - edge_height, [reach, radii], stop);
+                self.nodes(separation, &panel, &mut nodes);
+                (nodes.iter().all(|(_, point)| panel.follows(point)), panel)
             };
-            let (mut panel, mut nodes) = lay(reach);
+            let (mut follows, mut panel) = lay(reach);
             // Where radii change so fast that the height does not follow from the parameter, a shorter panel serves.
-            while !nodes.iter().all(|(_, point)| panel.follows(point)) && reach > SHORTEST_PANEL {
+            while !follows && reach > SHORTEST_PANEL {
                 reach *= 0.25;
-                (panel, nodes) = lay(reach);
+                (follows, panel) = lay(reach);
             }
             let heights = std::array::from_fn(|i| nodes[i].1.z);
             let overlaps = std::array::from_fn(|i| nodes[i].1.contact.overlap);
@@ -180,7 +182,7 @@ impl Population {
         let slope = 2.0 * r * (1.0 + r * r * (1.0 / 3.0 + r * r * (1.0 / 5.0 + r * r / 7.0))) / (z[j] - z[i]);
         // Next to the end of the heights it is no number, or so large that a rounding error is no small change; little lies so near.
         let slope = if slope.abs() < STEEPEST_DENSITY { slope } else { 0.0 };
-        for i in 0..POINTS {
+        for i in 0..N {
             let rounding = overlaps[i] - (z[i] - separation);
             densities[i] += densities[i] * (slope * rounding);
         }
@@ -197,8 +199,8 @@ impl Population {
         let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
         // A kink of the slip law within so short a panel ends it.
         let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
-        let whole = SummitPanel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
-        let cut = self.cut_at_kink(separation, whole, None);
+        let mut cut = SummitPanel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
+        self.cut_at_kink(separation, &mut cut, None);
         // Its nodes do not gather at its end: where contacts are about to slip is left to another.
         let length = if self.is_onset(cut.kink) { 0.5 } else { 1.0 } * (cut.to.z - lower_end);
         let panel = panel.shortened(length);
