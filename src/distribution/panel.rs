@@ -185,7 +185,7 @@ fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
     // Far from the mode densities change over lengths like the distance from there.
     let far = (z - heights.last_mode()).abs().max(4.0);
     let longest = far.min(OVER_DISTANCE * distance).min(MOST_DENSITY_E_FOLDS / slope.abs());
-    let mut length = (heights.part_of_panel() * longest).max(SHORTEST_PANEL);
+    let mut length = longest.max(SHORTEST_PANEL);
     while length > SHORTEST_PANEL && !is_smooth(heights, z, begin, z + length, 1.0) {
         length *= 0.75;
     }
