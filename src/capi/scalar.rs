@@ -8,7 +8,7 @@ use super::batch::Asked;
 use super::boundary::{self, write};
 use crate::law::{polynomial, Row, Table};
 use crate::model::{by_gap, Model};
-use crate::numerics::float_bits::{nan, tame};
+use crate::numerics::float_bits::tame;
 
 /// A quantity at a load, or at minus a gap.
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
@@ -59,11 +59,16 @@ const PORTABLE_SLOPES: [SlopeCall; 4] =
 /// # Safety
 /// There is room for the slope, or it is NULL; the functions of other processors ask for their instructions.
 unsafe extern "C" fn with_slope<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
-    tabulated_with_slope::<QUANTITY>(model, load, slope)
+    tabulated_with_slope::<QUANTITY>(model, load, slope, |row, t| polynomial(&row.0, t))
 }
 
 #[inline(always)]
-unsafe fn tabulated_with_slope<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
+unsafe fn tabulated_with_slope<const QUANTITY: u8>(
+    model: &Model,
+    load: f64,
+    slope: *mut f64,
+    force: impl FnOnce(&Row, f64) -> (f64, f64),
+) -> f64 {
     let table = quantity(QUANTITY).table(model);
     if !tame(load) {
         return beside_rows::<QUANTITY>(model, load, slope);
@@ -72,8 +77,8 @@ unsafe fn tabulated_with_slope<const QUANTITY: u8>(model: &Model, load: f64, slo
     let Some(index) = table.index_of(x) else {
         return beside_rows::<QUANTITY>(model, load, slope);
     };
-    let (force, rate) = polynomial(&table.rows.get_unchecked(index).0, table.within(x));
-    if nan(force) {
+    let (force, rate) = force(table.rows.get_unchecked(index), table.within(x));
+    if force.is_nan() {
         return beside_rows::<QUANTITY>(model, load, slope);
     }
     let found = (force, rate * Table::per_mantissa(x));
@@ -171,20 +176,43 @@ mod avx2 {
     /// The processor has the instructions, and there is room for the slope.
     #[target_feature(enable = "avx2,bmi2")]
     pub unsafe extern "C" fn with_slope<const QUANTITY: u8>(model: &Model, load: f64, slope: *mut f64) -> f64 {
-        super::tabulated_with_slope::<QUANTITY>(model, load, slope)
+        super::tabulated_with_slope::<QUANTITY>(model, load, slope, |row, t| polynomial_and_slope(row, t))
     }
 
     /// [`crate::law::polynomial`], its four lines side by side: the same operations in the same order.
     #[inline(always)]
     unsafe fn polynomial(row: &Row, t: f64) -> f64 {
-        let (low, high) = (_mm256_load_pd(row.0.as_ptr()), _mm256_load_pd(row.0.as_ptr().add(4)));
-        let (constant, linear) = (_mm256_unpacklo_pd(low, high), _mm256_unpackhi_pd(low, high));
+        let (even, odd) = coefficients(row);
         // c0 + c1 t, c4 + c5 t, c2 + c3 t, c6 + c7 t
-        let lines = _mm256_add_pd(constant, _mm256_mul_pd(linear, _mm256_set1_pd(t)));
+        let lines = _mm256_add_pd(even, _mm256_mul_pd(odd, _mm256_set1_pd(t)));
         let t2 = t * t;
         let cubics =
             _mm_add_pd(_mm256_castpd256_pd128(lines), _mm_mul_pd(_mm256_extractf128_pd::<1>(lines), _mm_set1_pd(t2)));
         _mm_cvtsd_f64(cubics) + _mm_cvtsd_f64(_mm_unpackhi_pd(cubics, cubics)) * (t2 * t2)
+    }
+
+    /// The same with its derivative, of which the lines are c1 + 2 c2 t, 5 c5 + 6 c6 t, 3 c3 + 4 c4 t and 7 c7.
+    #[inline(always)]
+    unsafe fn polynomial_and_slope(row: &Row, t: f64) -> (f64, f64) {
+        let (even, odd) = coefficients(row);
+        let (wide, t2) = (_mm256_set1_pd(t), t * t);
+        let lines = _mm256_add_pd(even, _mm256_mul_pd(odd, wide));
+        let constant = _mm256_mul_pd(odd, _mm256_setr_pd(1.0, 5.0, 3.0, 7.0));
+        let linear = _mm256_mul_pd(_mm256_permute4x64_pd::<0b00_01_11_10>(even), _mm256_setr_pd(2.0, 6.0, 4.0, 0.0));
+        let slopes = _mm256_add_pd(constant, _mm256_mul_pd(linear, wide));
+        let low = _mm256_permute2f128_pd::<0x20>(lines, slopes);
+        let high = _mm256_permute2f128_pd::<0x31>(lines, slopes);
+        let cubics = _mm256_add_pd(low, _mm256_mul_pd(high, _mm256_set1_pd(t2)));
+        let beyond = _mm256_mul_pd(_mm256_unpackhi_pd(cubics, cubics), _mm256_set1_pd(t2 * t2));
+        let both = _mm256_add_pd(cubics, beyond);
+        (_mm256_cvtsd_f64(both), _mm_cvtsd_f64(_mm256_extractf128_pd::<1>(both)))
+    }
+
+    /// c0, c4, c2, c6, and c1, c5, c3, c7.
+    #[inline(always)]
+    unsafe fn coefficients(row: &Row) -> (__m256d, __m256d) {
+        let (low, high) = (_mm256_load_pd(row.0.as_ptr()), _mm256_load_pd(row.0.as_ptr().add(4)));
+        (_mm256_unpacklo_pd(low, high), _mm256_unpackhi_pd(low, high))
     }
 }
 
