@@ -1,8 +1,9 @@
 //! The branch of load control as a smooth curve through few exact states, from which the table is filled.
 //!
 //! In the coordinate s of `coordinate` ln F is smooth between the kinks of the branch, and so is the logarithm of the
-//! stiffness. A panel is a polynomial through five exact states with their slopes (`panel`), compared with two more between its
-//! outermost nodes, where it is farthest off. If it misses one, its halves are tried, of which all seven are nodes or compared again.
+//! stiffness. A panel is a polynomial through three exact states with their slopes (`panel`), compared with two more between these,
+//! where it is farthest off. If it misses one, all five are its nodes, compared with two more; and then its halves are tried, of which all
+//! seven are nodes or compared again.
 
 use super::coordinate::Coordinate;
 use super::panel::{CurvePanel, PerQuantity, Sample};
@@ -103,7 +104,7 @@ impl Curve {
         while !open.is_empty() {
             let mut halves = Vec::new();
             for mut stretch in open.into_iter().filter(|stretch| stretch.to.log_excess < reach.log_heaviest) {
-                // Half-way to the nodes of few slopes are farther off elsewhere, by up to 3 times.
+                // Slopes of a panel with few nodes are farther off than half-way between these by up to 3 times.
                 let mut attempt = Attempt::new::<3>(&mut states, &mut stretch, reach, [2, 6])?;
                 if stretch.length() > LONGEST || 3.0 * attempt.worst > 1.0 {
                     attempt = Attempt::new::<5>(&mut states, &mut stretch, reach, [1, 7])?;

@@ -264,7 +264,7 @@ impl Part {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{of, surface, table, yielding, FOLD, HERTZ, WEAK};
+    use super::super::tests::{bins, of, surface, table, yielding, FOLD, HERTZ, WEAK};
     use crate::params::HeightFamily;
 
     /// Where the lower end and breakpoints lie within panels, from the last contacts to far below, and where all heights pass the
@@ -284,6 +284,9 @@ mod tests {
             johnson(-1.0, 3.6),
             johnson(0.0, 9.0),
             table(),
+            bins(12),
+            bins(100),
+            bins(250),
         ];
         for heights in &families {
             let mut surfaces = vec![yielding([0.05, 100.0, 0.0, 1.0], heights.clone(), [0.0, 1.0])];

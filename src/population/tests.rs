@@ -30,6 +30,13 @@ pub fn table() -> HeightFamily {
     HeightFamily::Tabulated { height: height.into(), density: density.into() }
 }
 
+/// So many bins over 7 standard deviations, of uneven counts.
+pub fn bins(count: u32) -> HeightFamily {
+    let height: Vec<f64> = (0..=count).map(|i| -3.5 + 7.0 * f64::from(i) / f64::from(count)).collect();
+    let density = height.iter().map(|z| (-0.5 * z * z).exp() * (1.0 + 0.3 * (7.0 * z * z * z).sin())).collect();
+    HeightFamily::Tabulated { height: height.into(), density }
+}
+
 pub const WEAK: [f64; 4] = [0.01, 1000.0, 1e-3, 0.2];
 pub const FOLD: [f64; 4] = [0.01, 1000.0, 0.02, 1.0];
 pub const HERTZ: [f64; 4] = [0.01, 1000.0, 0.0, 1.0];
