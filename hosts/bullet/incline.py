@@ -12,12 +12,13 @@ from asperity.loads import PairLoads
 sys.path.insert(0, str(Path(__file__).parents[1]))
 import incline  # noqa: E402
 
-STEP = 1 / 120  # [s]; in shorter ones the box comes to lie still on its points
+STEP = 1 / 240  # [s], PyBullet's default
+MEAN = 10  # steps over which the mean of the loads is taken
 
 
 def bodies():
     pybullet.resetSimulation()
-    pybullet.setTimeStep(STEP)
+    pybullet.setTimeStep(incline.SHARE * STEP)
     pybullet.setGravity(incline.DOWNHILL, 0, -incline.NORMAL)
     floor = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[50, 10, 1])
     shape = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=incline.HALF_LENGTHS)
@@ -44,7 +45,7 @@ def slide(law, time_constant):
             loads.add(plane, box, point[9])
         last = sum(point[9] for point in pybullet.getContactPoints(plane, box))
         loads.end_step(now)
-        now += STEP
+        now += incline.SHARE * STEP
         times.append(now)
         speeds.append(pybullet.getBaseVelocity(box)[0][0])
     return incline.acceleration(times, speeds)
@@ -52,4 +53,4 @@ def slide(law, time_constant):
 
 if __name__ == "__main__":
     pybullet.connect(pybullet.DIRECT)
-    incline.run("bullet", lambda law: slide(law, incline.TIME_CONSTANT), lagged=lambda law: slide(law, None), limit=0.03)
+    incline.run("bullet", lambda law: slide(law, MEAN * incline.SHARE * STEP), lagged=lambda law: slide(law, None), limit=0.01, share=4)

@@ -37,7 +37,7 @@ def body(world, name, half_lengths, free, height):
 def slide(law):
     world = dartpy.simulation.World()
     world.setGravity([incline.DOWNHILL, 0, -incline.NORMAL])
-    world.setTimeStep(STEP)
+    world.setTimeStep(incline.SHARE * STEP)
     _, floor = body(world, "floor", (50, 5, 1), False, -1)
     box, friction = body(world, "box", incline.HALF_LENGTHS, True, incline.HALF_LENGTHS[2])
     floor.setFrictionCoeff(STICKY)  # of the coefficients of two shapes DART takes the smaller one

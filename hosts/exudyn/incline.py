@@ -53,8 +53,8 @@ def slide(law):
     mbs.Assemble()
     settings = exudyn.SimulationSettings()
     settings.solution.file.write = False
-    settings.solution.sensors.writePeriod = STEP
-    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = END, round(END / STEP)
+    settings.solution.sensors.writePeriod = step = incline.SHARE * STEP
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = END, round(END / step)
     settings.timeIntegration.verboseMode = 0
     if not mbs.SolveDynamic(settings):
         raise RuntimeError("Exudyn has not solved the motion")

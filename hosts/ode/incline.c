@@ -8,7 +8,7 @@ static double slide(const asperity_model *model) {
     const dWorldID world = dWorldCreate();
     const dSpaceID space = dHashSpaceCreate(0);
     const dBodyID box = dBodyCreate(world);
-    const double dt = 1e-3;
+    const double dt = share * 1e-3;
     law_stepper stepper;
     dMass inertia;
     dWorldSetGravity(world, downhill, 0, -normal);

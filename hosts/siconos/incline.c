@@ -22,7 +22,7 @@ static void solve(FrictionContactProblem *problem, SolverOptions *options, const
 }
 
 static double slide(const asperity_model *model) {
-    const double dt = 1e-3;
+    const double dt = share * 1e-3;
     double W[9] = {1 / box_mass, 0, 0, 0, 1 / box_mass, 0, 0, 0, 1 / box_mass}, q[3], mu[1] = {0.3};
     double r[3] = {0}, u[3] = {0}, speed = 0, begin = 0;
     FrictionContactProblem *problem = frictionContactProblem_new();

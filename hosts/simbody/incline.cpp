@@ -47,7 +47,7 @@ double slide(const asperity_model *model) {
     State state = system.realizeTopology();
     block.setOneQ(state, 2, -box_mass * normal / stiffness);
     RungeKuttaMersonIntegrator integrator(system);
-    integrator.setAccuracy(1e-9);
+    integrator.setAccuracy(share * 1e-9);
     TimeStepper stepper(system, integrator);
     stepper.initialize(state);
     stepper.stepTo(0.1);

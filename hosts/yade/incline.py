@@ -52,7 +52,7 @@ def slide(of_surface):
         PyRunner(command="take_loads()", iterPeriod=1),
         NewtonIntegrator(damping=0, gravity=(incline.DOWNHILL, 0, -incline.NORMAL)),
     ]
-    O.dt = STEP
+    O.dt = incline.SHARE * STEP
     times, speeds = [], []
     while O.time < 1:
         O.step()
