@@ -6,6 +6,8 @@ loads drawn would be printed with the loads where it does.
 
 from __future__ import annotations
 
+import contextlib
+import io
 import math
 from typing import Callable, Sequence
 
@@ -29,20 +31,34 @@ def text() -> str:
     return "\n\n".join(parts) + "\n"
 
 
+_PROGRAM = """\
+from asperity import Model, Params
+
+for beta in (1000, 500):
+    model = Model(Params.dimensionless(alpha=0.01, beta=beta, gamma=0.001))     # Gaussian heights: figures 4 and 6
+    print(beta, *(f"{model.friction_at_load(load):.3f}" for load in (1, 100, 10000)))
+"""
+
+
 def _introduction() -> str:
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(_PROGRAM, {})
     return f"""\
 # The paper's figures: friction coefficient against load
 
 The library reproduces what the text of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact and
-friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, says about its figures 3 to 10; each table below says at which loads. The last
-sections have figures that the paper lacks. From the root of a checkout this command writes page, pictures and CSV:
+friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, says about its figures 3 to 10. Loads P are in N G b²; the friction
+coefficient is μ = F/P. Three loads of two curves, after `pip install './python[plot]'` in a checkout:
 
-```sh
-python docs/gallery
-```
+```python
+{_PROGRAM}```
 
-`docs/gallery/test_gallery.py` fails if a number or a curve here is not what the library computes. Loads P are in N G b²;
-the friction coefficient is μ = F/P."""
+```text
+{printed.getvalue()}```
+
+Weibull heights: `skew=-1`; radii that grow with height: `radius_amplitude=0.5`. `python docs/gallery` writes this page,
+its pictures and the curves as CSV, and a test fails if a number here is not what the library computes."""
 
 
 def _not_compared() -> str:

@@ -1,4 +1,4 @@
-// The chart: friction coefficient against load, with bands, and grounds that tell where the model does not hold.
+// The chart: friction coefficient against load, with bands, and grounds that tell which assumptions fail.
 import uPlot from "uplot";
 import { isPartial } from "./curves.js";
 import { measuredOf } from "./fields.js";
@@ -12,7 +12,7 @@ export const STYLES = [
   { color: "#A3457C", dash: [2, 3] },
 ];
 
-/** Grounds of what does not hold; the first that applies is drawn, all are named. */
+/** Grounds of assumptions that fail; the first that applies is drawn, all are named. */
 const GROUNDS = { FEW: "#dedede", CROWDED: "#fdf3c9", PLASTIC: "#f2f0f9", STEEP: "#eaf4f0", ATOMIC: "#f7eef3", ADHESIVE: "#f8eedf",
   BROAD: "#eef1e6", STRONG: "#f6ebe6", FEW_WAVES: "#e9eef6" };
 const OTHER_GROUND = "#eeeeee";
@@ -113,7 +113,7 @@ export class Chart {
     return { ...AXIS, label: "Friction coefficient μ", size: 58, values, ...(logarithmic ? { splits: logSplits } : {}) };
   }
 
-  /** What of the model does not hold for the active surface, as grounds with names. */
+  /** Which assumptions fail for the active surface, as grounds with names. */
   #grounds(plot) {
     const { curves, options } = this.shown;
     const { curve } = curves.find(({ letter }) => letter === options.active) ?? curves[0];
@@ -189,13 +189,15 @@ export class Chart {
     ctx.beginPath();
     ctx.rect(left, top, width, height);
     ctx.clip();
-    for (const { surface, style } of this.shown.curves) {
+    // Where the same point was measured on another of these, it is drawn there.
+    const own = this.shown.curves.filter(({ surface }) => !surface.measured_on);
+    for (const { surface, style } of own.length ? own : this.shown.curves) {
       const measured = measuredOf(surface);
       if (!measured) continue;
       const [x, y] = [plot.valToPos(measured.load, "x", true), plot.valToPos(measured.mu, "y", true)];
       // What a constant would say.
       ctx.beginPath();
-      ctx.setLineDash([3 * devicePixelRatio, 5 * devicePixelRatio]);
+      ctx.setLineDash([6 * devicePixelRatio, 4 * devicePixelRatio]);
       ctx.moveTo(left, y);
       ctx.lineTo(left + width, y);
       ctx.strokeStyle = style.color;
@@ -206,7 +208,7 @@ export class Chart {
       ctx.textAlign = "right";
       ctx.textBaseline = "bottom";
       ctx.fillStyle = style.color;
-      ctx.fillText(`constant ${measured.mu}`, left + width - 4 * devicePixelRatio, y - 2 * devicePixelRatio);
+      ctx.fillText(`constant ${measured.mu}`, left + width - 4 * devicePixelRatio, y - size);
       ctx.beginPath();
       for (const [across, up] of [[0, 1], [1, 0], [0, -1], [-1, 0]]) ctx.lineTo(x + across * size, y + up * size);
       ctx.closePath();

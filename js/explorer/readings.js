@@ -1,7 +1,7 @@
-// Values at the load that is read, what the model makes of a surface, and where it does not hold.
+// Values at the load that is read, what the model makes of a surface, and which of its assumptions fail.
 import { $, element, head } from "./dom.js";
 import { page, readLoad } from "./state.js";
-import { bandOf, coefficient, count, percent, rests, short, spanText, strength, title, withUnit } from "./text.js";
+import { bandOf, coefficient, count, percent, plain, rests, short, spanText, strength, title, withUnit } from "./text.js";
 
 /** Shows the values at the load that is read. */
 export function readValues() {
@@ -43,21 +43,9 @@ function columnOf({ surface, curve: { model, band } }, load) {
     "Mean contact radius": withUnit(exact.mean_contact_radius, "m"),
     "Mean pressure on asperities": withUnit(exact.mean_asperity_pressure, "Pa"),
     "Stiffness before slip": withUnit(exact.tangential_stiffness, "N/m"),
-    "Contacts mostly": regime(exact),
     "Strength of the interface": strength(surface),
-    "Limits exceeded": page.library.warningsOf(exact.warnings).map(short).join(", ") || "no limit known to be exceeded",
+    "Assumptions that fail": page.library.warningsOf(exact.warnings).map(short).join(", ") || "none known",
   };
-}
-
-/** How most contacts slip. */
-function regime(exact) {
-  const ways = [
-    [exact.fraction_below_slip_radius_1, "slip as a whole"],
-    [exact.fraction_between_slip_radii, "slip by one dislocation"],
-    [exact.fraction_above_slip_radius_2, "slip by many dislocations"],
-  ];
-  const [part, way] = ways.sort(([one], [other]) => other - one)[0];
-  return `${way} (${percent(part)})`;
 }
 
 /** What the model makes of the active surface. */
@@ -68,9 +56,9 @@ export function derived() {
   const constants = found.curve.model.summary();
   const psi = found.curve.states[0].plasticity_index;
   $("derived").textContent =
-    `In the model: σ ${withUnit(params.height_std, "m")}, R ${withUnit(params.summit_radius, "m")}, ${count(params.asperity_count)} asperities; ` +
-    `pull-off of the mean surface ${constants.pull_off_load < -1e-15 ? `at ${withUnit(constants.pull_off_load, "N")}` : "below 1 fN"}, Maugis' λ ${constants.lambda.toPrecision(3)}` +
-    (psi ? `, plasticity index ${psi.toPrecision(3)}.` : ".");
+    `In the model: ${count(params.asperity_count)} asperities of radius ${withUnit(params.summit_radius, "m")}, standard deviation of heights ` +
+    withUnit(params.height_std, "m") + (psi ? `; plasticity index ${psi.toPrecision(3)}` : "") +
+    (constants.pull_off_load < -1e-15 ? `; pull-off of the mean surface at ${withUnit(constants.pull_off_load, "N")}.` : ".");
 }
 
 /** What each band rests on. */
@@ -86,7 +74,7 @@ export function warnings(loads) {
     for (const warning of curve.warnings)
       places.set(warning.text, [...(places.get(warning.text) ?? []), `${title(letter, surface)} ${spanText(warning, loads)}`]);
   const lines = [...places].map(([text, where]) =>
-    element("p", { className: "warning" }, element("strong", {}, `${where.join("; ")}: `), `${text}.`),
+    element("p", { className: "warning" }, element("strong", {}, `${where.join("; ")}: `), `${plain(text)}.`),
   );
   $("warnings").replaceChildren(...lines);
 }

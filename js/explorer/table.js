@@ -8,7 +8,7 @@ const ROW_EVERY = 12;
 
 /** The columns of the table for one surface. */
 const columnsOf = ({ letter, surface }) => [
-  `μ ${title(letter, surface)}`, `${letter} low`, `${letter} high`, `${letter} contacts`, `${letter} does not hold`,
+  `μ ${title(letter, surface)}`, `${letter} low`, `${letter} high`, `${letter} contacts`, `${letter} what fails`,
 ];
 
 /** Some loads of the curves, with every surface: each so many points one. */

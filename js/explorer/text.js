@@ -30,6 +30,9 @@ export const count = (contacts) => (contacts < 100 ? contacts.toPrecision(3) : M
 
 export const percent = (part) => (part === 0 ? "0 %" : `${Number((100 * part).toPrecision(2))} %`);
 
+/** A message of the library in words, not in the names of fields. */
+export const plain = (message) => message.replace(/(?<=\w)_(?=\w)/g, " ");
+
 /** How warnings are called on the chart and in the table. */
 export const SHORT = {
   FEW: "fewer than 20 contacts",
@@ -54,7 +57,7 @@ export const title = (letter, surface) => `${letter} ${surface.roughness === "fi
 /** Where the strength of the interface is from. */
 export function strength(surface) {
   const measured = measuredOf(surface);
-  if (measured) return `from μ = ${measured.mu} measured at ${withUnit(measured.load, "N")}`;
+  if (measured) return `from μ = ${measured.mu} at ${withUnit(measured.load, "N")}${surface.measured_on && ", other roughness"}`;
   return uncalibrated(surface) ? "not measured" : "as given";
 }
 
@@ -85,8 +88,8 @@ export function summary(letter, surface, curve) {
     `${coefficient(curve.mu[last])} at ${withUnit(curve.loads[last], "N")}.`;
   const failing = curve.warnings.filter(({ name }) => name !== "UNCALIBRATED");
   const said = failing.length
-    ? `The model does not hold everywhere: ${failing.map(short).join(", ")}.`
-    : "No limit of the model is known to be exceeded at these loads.";
+    ? `Assumptions fail at some of these loads: ${failing.map(short).join(", ")}.`
+    : "No assumption is known to fail at these loads.";
   return `${range}${unmeasured(surface)} ${said}`;
 }
 

@@ -8,7 +8,7 @@ import { fieldOf, parsed, textOf } from "./fields.js";
 import { bandNote, derived, readValues, warnings } from "./readings.js";
 import { active, page, styleOf } from "./state.js";
 import { table } from "./table.js";
-import { summary } from "./text.js";
+import { plain, summary } from "./text.js";
 
 /** So long nothing must change before a screen reader is told the summary. */
 const QUIET_MS = 500;
@@ -108,7 +108,7 @@ export function forget(letter) {
 
 function tell(errors) {
   const text = errors.map(({ letter, message }) => (letter && page.surfaces.size > 1 ? `${letter}: ${message}` : message)).join("\n");
-  if ($("error").textContent !== text) $("error").textContent = text;
+  if ($("error").textContent !== plain(text)) $("error").textContent = plain(text);
   $("error").hidden = !errors.length;
   document.querySelectorAll("[aria-invalid]").forEach((input) => input.removeAttribute("aria-invalid"));
   for (const { letter, message } of errors) {

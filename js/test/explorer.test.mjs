@@ -179,7 +179,8 @@ test("a surface says whether its strength was measured", () => {
   assert.match(unmeasured(silicon), /^ Not calibrated: the strength of this interface is a default, .* Enter one measured friction coefficient and its load\.$/);
   const measured = { ...silicon, calibration_friction_coefficient: "0.3", calibration_load: "1e-3" };
   assert.deepEqual(measuredOf(measured), { load: 1e-3, mu: 0.3 });
-  assert.equal(strength(measured), "from μ = 0.3 measured at 1.00 mN");
+  assert.equal(strength(measured), "from μ = 0.3 at 1.00 mN");
+  assert.equal(strength({ ...measured, measured_on: "Ra = 8e-7" }), "from μ = 0.3 at 1.00 mN, other roughness");
   for (const given of [{ slip_stress_1: "0.01" }, { pressure_coefficient: "0.1" }]) assert.equal(strength({ ...silicon, ...given }), "as given");
   assert.ok(uncalibrated({ ...silicon, pressure_coefficient: "0" }));
   for (const one of [silicon, { ...silicon, calibration_load: "1" }, { ...measured, calibration_friction_coefficient: "x" }])

@@ -349,7 +349,7 @@ impl<'t> EventReceiver for Reader<'t, '_> {
         match value {
             Value::Number(number) if numbers.len() < TABLE_LENGTHS.1 => numbers.push(number),
             Value::Number(_) => self.refuse(span, format_args!("more than {} numbers", TABLE_LENGTHS.1)),
-            _ => self.refuse(span, format_args!("must be an array of numbers alone")),
+            _ => self.refuse(span, format_args!("must be an array of numbers alone; a word has no brackets")),
         }
     }
 

@@ -50,6 +50,7 @@ impl Display for NoPair<'_> {
         let Some((first, second)) = halves(self.0) else {
             let instead = match instead(self.0) {
                 Instead::Says(says) if says != MATERIALS_LISTED => Instead::Says(says),
+                Instead::Nearest(_) => Instead::Says("a pair has two names, as Si/Si"),
                 _ => Instead::of(self.0, PAIRS.iter().map(|pair| text(pair.name)), MATERIALS_LISTED),
             };
             return Unknown { name: self.0, thing: "pair", instead }.fmt(f);
@@ -110,6 +111,7 @@ mod tests {
             ("PTFE/steel", "no pair", "; PTFE: no material has this name; a polymer is viscoelastic"),
             ("steel/rubber", "no pair", "; rubber: no material has this name; rubber is visco"),
             ("rubber", "no pair", "; rubber is viscoelastic"),
+            ("Si", "no pair", "; a pair has two names, as Si/Si"),
             ("unobtainium", "no pair", "; docs/materials.md lists them"),
             ("stel/stel", "no pair", "; the nearest is steel/steel; no material is called stel"),
             ("mild steel/SIC", "no pair", "; mild steel: no material has this name; steel has the"),
