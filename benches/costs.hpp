@@ -30,15 +30,15 @@ public:
         made("default", 6.5, default_surface());
         made("Hertz", 4.2, named("no adhesion (Hertz)"));
         made("skew 1", 17, named("skew 1"));
-        made("epsilon .5", 29, named("epsilon .5"));
+        made("epsilon .5", 29.5, named("epsilon .5"));
         const asperity_params plastic = estimated("pair = \"steel/steel\"\n", "Sq = 0.4e-6\nSdq = 0.1\n");
         asperity_params elastic = plastic;
         elastic.contact_law = ASPERITY_CONTACT_MAUGIS;
-        made("Sq and Sdq, elastic", 17.4, elastic);
-        made("Sq and Sdq, plastic", 26.5, plastic);
+        made("Sq and Sdq, elastic", 18.4, elastic);
+        made("Sq and Sdq, plastic", 27.8, plastic);
         const std::string skewed = "Sq = 0.4e-6\nSdq = 0.1\nSsk = -1\nSku = 5\n";
-        made("skewed at 13 scores", 50, estimated("pair = \"steel/steel\"\n", skewed));
-        made("Sq and Sdq, adhesive", 46, estimated("pair = \"Si/Si\"\n", "Sq = 5e-9\nSdq = 0.02\n"));
+        made("skewed at 13 scores", 53, estimated("pair = \"steel/steel\"\n", skewed));
+        made("Sq and Sdq, adhesive", 47, estimated("pair = \"Si/Si\"\n", "Sq = 5e-9\nSdq = 0.02\n"));
         made("100 bins", 184, histogram_.params());
         calls();
     }

@@ -48,14 +48,9 @@ struct Attempt {
 }
 
 impl Attempt {
-    /// With N nodes, compared at eighths.
-    fn new<const N: usize>(
-        states: &mut States,
-        stretch: &mut Stretch,
-        reach: &Reach,
-        checks: [usize; 2],
-    ) -> Result<Self, Unfollowed> {
-        let nodes = states.nodes::<N>(stretch)?;
+    /// With nodes at every so many eighths, compared half-way between the outermost.
+    fn new(states: &mut States, stretch: &mut Stretch, reach: &Reach, step: usize) -> Result<Self, Unfollowed> {
+        let nodes = states.nodes(stretch, step)?;
         let panel = CurvePanel::new(&nodes);
         let crowding = states.branch.population().crowding();
         let gap = crowding.map(|crowding| {
@@ -65,7 +60,7 @@ impl Attempt {
         // Between the lightest load and pull-off nothing but gaps is asked for.
         let is_asked = stretch.from.log_excess > reach.log_lightest;
         let is_compared = is_asked || attempt.gap.is_some();
-        for eighth in checks.into_iter().filter(|_| is_compared) {
+        for eighth in [step / 2, 8 - step / 2].into_iter().filter(|_| is_compared) {
             let state = states.eighth(stretch, eighth)?;
             attempt.compare(&state, is_asked, (SHORT / stretch.length()).max(1.0).sqrt());
         }
@@ -105,9 +100,9 @@ impl Curve {
             let mut halves = Vec::new();
             for mut stretch in open.into_iter().filter(|stretch| stretch.to.log_excess < reach.log_heaviest) {
                 // Slopes of a panel with few nodes are farther off than half-way between these by up to 3 times.
-                let mut attempt = Attempt::new::<3>(&mut states, &mut stretch, reach, [2, 6])?;
+                let mut attempt = Attempt::new(&mut states, &mut stretch, reach, 4)?;
                 if stretch.length() > LONGEST || 3.0 * attempt.worst > 1.0 {
-                    attempt = Attempt::new::<5>(&mut states, &mut stretch, reach, [1, 7])?;
+                    attempt = Attempt::new(&mut states, &mut stretch, reach, 2)?;
                 }
                 let is_missed = stretch.length() > LONGEST || attempt.worst > 1.0;
                 if is_missed && stretch.length() > 2.0 * SHORTEST && states.count < most_states {

@@ -5,8 +5,8 @@ use super::tolerance::{self, larger};
 use super::Quantity;
 use crate::numerics::root;
 
-/// Exact states per panel at most, at equal distances of position, its ends among them.
-const PANEL_NODES: usize = 5;
+/// Exact states per panel, at equal distances of position, its ends among them; where fewer are enough the last is repeated.
+pub const PANEL_NODES: usize = 5;
 /// Interpolation conditions per panel: value and slope at each of them.
 const CONDITIONS: usize = 2 * PANEL_NODES;
 
@@ -55,7 +55,7 @@ pub struct CurvePanel {
 
 impl CurvePanel {
     /// Through the states at its nodes.
-    pub fn new<const N: usize>(nodes: &[Sample; N]) -> Self {
+    pub fn new(nodes: &[Sample; PANEL_NODES]) -> Self {
         let of = |number: fn(&Sample) -> f64| nodes.each_ref().map(number);
         let (position, s) = (of(|node| node.position), of(|node| node.s));
         let log_value = std::array::from_fn(|quantity| {
@@ -65,7 +65,7 @@ impl CurvePanel {
             ];
             Hermite::new(s, values, slopes)
         });
-        let (from, to) = (&nodes[0], &nodes[N - 1]);
+        let (from, to) = (&nodes[0], &nodes[PANEL_NODES - 1]);
         let s = Hermite::new(position, s, of(|node| node.s_by_position));
         Self { lowest: to.s, highest: from.s, begin: from.position, end: to.position, log_value, s }
     }
@@ -124,20 +124,21 @@ pub struct Hermite {
 
 impl Hermite {
     /// With these values and slopes. A slope at the last node that is no number is left to the polynomial, of a degree less.
-    pub fn new<const N: usize>(nodes: [f64; N], values: [f64; N], slopes: [f64; N]) -> Self {
+    pub fn new(nodes: [f64; PANEL_NODES], values: [f64; PANEL_NODES], slopes: [f64; PANEL_NODES]) -> Self {
+        let end = nodes.iter().take_while(|&&node| node != nodes[PANEL_NODES - 1]).count();
         let with = |last: f64| {
             let mut slopes = slopes;
-            slopes[N - 1] = last;
-            divided_differences(&nodes, &values, &slopes)
+            slopes[end] = last;
+            divided_differences(end, &nodes, &values, &slopes)
         };
-        let last = slopes[N - 1];
+        let last = slopes[end];
         let coefficients = if last.is_nan() {
-            let [without, unit] = [0.0, 1.0].map(|last| with(last)[2 * N - 1]);
+            let [without, unit] = [0.0, 1.0].map(|last| with(last)[2 * end + 1]);
             with(without / (without - unit))
         } else {
             with(last)
         };
-        Self { nodes: std::array::from_fn(|i| nodes[i.min(N - 1)]), coefficients }
+        Self { nodes, coefficients }
     }
 
     /// The value and the slope.
@@ -155,11 +156,16 @@ impl Hermite {
     }
 }
 
-/// Those of Newton's form; between the two copies of a node they are the slope.
-fn divided_differences<const N: usize>(nodes: &[f64; N], values: &[f64; N], slopes: &[f64; N]) -> [f64; CONDITIONS] {
-    let mut coefficients: [f64; CONDITIONS] = std::array::from_fn(|i| values.get(i / 2).map_or(0.0, |value| *value));
-    for order in 1..2 * N {
-        for i in (order..2 * N).rev() {
+/// Those of Newton's form up to a node; between the two copies of a node they are the slope.
+fn divided_differences(
+    end: usize,
+    nodes: &[f64; PANEL_NODES],
+    values: &[f64; PANEL_NODES],
+    slopes: &[f64; PANEL_NODES],
+) -> [f64; CONDITIONS] {
+    let mut coefficients = std::array::from_fn(|i| if i / 2 <= end { values[i / 2] } else { 0.0 });
+    for order in 1..2 * (end + 1) {
+        for i in (order..2 * (end + 1)).rev() {
             let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
             coefficients[i] = match order == 1 && i % 2 == 1 {
                 true => slopes[i / 2],

@@ -6,7 +6,7 @@
 //! panel, gaps change at the rate with which it begins. The height of the mean of the summits above the mean plane of the surface is left to the callers.
 
 use super::coordinate::Coordinate;
-use super::panel::{CurvePanel, Hermite, Sample};
+use super::panel::{CurvePanel, Hermite, Sample, PANEL_NODES};
 use super::position::Positions;
 use super::tolerance::{self, larger};
 use super::Quantity;
@@ -46,8 +46,8 @@ pub struct PlanesPanel {
 impl PlanesPanel {
     /// Through the states at its nodes, along a panel of the curve; where gaps begin is not known yet. Contacts of the radius b have
     /// this elastic stiffness.
-    pub fn new<const N: usize>(
-        nodes: &[Sample; N],
+    pub fn new(
+        nodes: &[Sample; PANEL_NODES],
         panel: &CurvePanel,
         coordinate: Coordinate,
         positions: Positions,
@@ -55,10 +55,10 @@ impl PlanesPanel {
     ) -> Self {
         let of = |number: fn(&Sample) -> f64| nodes.each_ref().map(number);
         let (places, rates) = (of(|node| node.position), of(|node| node.gap_rate));
-        let (begin, end) = (places[0], places[N - 1]);
-        let through = |rises: [f64; N]| {
+        let (begin, end) = (places[0], places[PANEL_NODES - 1]);
+        let through = |rises: [f64; PANEL_NODES]| {
             let rise = Hermite::new(places, rises, rates);
-            Self { begin, end, begin_gap: 0.0, end_gap: rises[N - 1], rise }
+            Self { begin, end, begin_gap: 0.0, end_gap: rises[PANEL_NODES - 1], rise }
         };
         if let Some(first) = nodes[0].gap {
             return through(nodes.each_ref().map(|node| node.gap.unwrap_or(f64::NAN) - first));

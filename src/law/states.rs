@@ -1,7 +1,7 @@
 //! The exact states of the curve: those between which its panels lie at first, and those of panels and of their halves.
 
 use super::coordinate::Coordinate;
-use super::panel::Sample;
+use super::panel::{Sample, PANEL_NODES};
 use super::position::Positions;
 use super::{Quantity, Reach};
 use crate::equilibrium::{Branch, BranchPoint, PullOff};
@@ -189,11 +189,11 @@ impl States<'_> {
         Ok(state)
     }
 
-    /// Those at the N nodes of a panel.
-    pub fn nodes<const N: usize>(&mut self, stretch: &mut Stretch) -> Result<[Sample; N], Unfollowed> {
-        let mut nodes = [stretch.from; N];
+    /// Those at the nodes of a panel, at every so many eighths.
+    pub fn nodes(&mut self, stretch: &mut Stretch, step: usize) -> Result<[Sample; PANEL_NODES], Unfollowed> {
+        let mut nodes = [stretch.from; PANEL_NODES];
         for (i, node) in nodes.iter_mut().enumerate() {
-            *node = self.eighth(stretch, 8 * i / (N - 1))?;
+            *node = self.eighth(stretch, 8.min(step * i))?;
         }
         Ok(nodes)
     }

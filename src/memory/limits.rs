@@ -8,9 +8,9 @@ use crate::numerics::four::Four;
 
 /// There is a row at each load that is a power of two; the contacts are asked at every so many in any case.
 const MOST_BINADES: usize = 16;
-/// Between them they are asked where H differs by more than this from the mean of its neighbours, or, over more than half as many
-/// rows, from either.
-const ROW_TOLERANCE: f32 = 1e-3;
+/// Beyond the outermost rows H differs from theirs by no more than this. Between them the contacts are asked where H differs by more than
+/// twice this from the mean of its neighbours, or, over more than half as many rows, from either.
+const ROW_TOLERANCE: f32 = 2e-3;
 
 /// The strength of the levels at a load, between two loads.
 #[derive(Debug, Clone, Copy)]
@@ -142,7 +142,7 @@ fn fill_between(
     rows[middle] = at(middle, &mean).unwrap_or(mean);
     let none = |_: usize, _: &Strengths| None;
     // The means of halves are a quarter as far off.
-    let is_near = |other: &Strengths| rows[middle].distance(other) < 4.0 * ROW_TOLERANCE;
+    let is_near = |other: &Strengths| rows[middle].distance(other) < 2.0 * ROW_TOLERANCE;
     let is_known = is_near(&mean) && (2 * (to - from) <= MOST_BINADES || is_near(&rows[from]) && is_near(&rows[to]));
     let at = if is_known { &none } else { at };
     fill_between(rows, (from, middle), at);

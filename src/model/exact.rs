@@ -289,7 +289,7 @@ impl Surfaces {
         }
         let of = |(at, weight): (f64, f64)| weight * self.branch.sums(at).given_way;
         match self.params.nominal_area > 0.0 {
-            true => quadrature::points::<6>(separation, FARTHEST.max(separation + 2.0)).into_iter().map(of).sum(),
+            true => quadrature::nodes_of_part(0.0, separation, FARTHEST.max(separation + 2.0)).map(of).sum(),
             false => 0.0,
         }
     }

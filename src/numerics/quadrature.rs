@@ -46,28 +46,29 @@ pub fn panel(a: f64, b: f64) -> [(f64, f64); POINTS] {
     points(a, b)
 }
 
-/// The same with N points: 4, 6, 10 or 16.
+/// The same with N points: 4, 6 or 16.
 #[inline]
 pub fn points<const N: usize>(a: f64, b: f64) -> [(f64, f64); N] {
     let half: &[(f64, f64)] = match N {
         4 => &HALF_OF_4,
         6 => &HALF_OF_6,
-        10 => &HALF_OF_10,
         _ => &HALF,
     };
     let mut nodes = on(half, a, b);
     std::array::from_fn(|_| nodes.next().unwrap_or_default())
 }
 
-/// How many points are enough where a panel is but a `part` of one that 16 are enough for: the error is
+/// As [`nodes`], with fewer points where the panel is but a `part` of one that 16 points are enough for: the error is
 /// about (part/4)^(2 points), and (part/4)^(2 points - k) where what is summed begins as a power k of the distance: 7 for loads of
 /// contacts with the last summits before the highest.
-pub fn points_of_part(part: f64) -> usize {
-    match part {
-        _ if part < 0.02 => 6,
-        _ if part < 0.35 => 10,
-        _ => POINTS,
-    }
+#[inline]
+pub fn nodes_of_part(part: f64, a: f64, b: f64) -> impl Iterator<Item = (f64, f64)> {
+    let half: &[(f64, f64)] = match part {
+        _ if part < 0.02 => &HALF_OF_6,
+        _ if part < 0.35 => &HALF_OF_10,
+        _ => &HALF,
+    };
+    on(half, a, b)
 }
 
 #[inline]

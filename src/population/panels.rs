@@ -219,41 +219,33 @@ impl Population {
 
     /// The summits at the nodes of a panel, with their weights in height; those beyond the number of points have none.
     pub(super) fn nodes(&self, separation: f64, panel: &SummitPanel, nodes: &mut Nodes) {
-        match quadrature::points_of_part(panel.part) {
-            POINTS => self.nodes_of::<POINTS>(separation, panel, nodes),
-            10 => self.nodes_of::<10>(separation, panel, nodes),
-            _ => self.nodes_of::<6>(separation, panel, nodes),
-        }
-    }
-
-    fn nodes_of<const N: usize>(&self, separation: f64, panel: &SummitPanel, nodes: &mut Nodes) {
         let guess = panel.guess();
         let (from, to) = (panel.variable(&panel.from), panel.variable(&panel.to));
-        let places = quadrature::points::<N>(from, to).map(|(x, weight)| match panel.is_eased {
-            true => eased(x, weight, from, to),
-            false => (x, weight),
-        });
-        match panel.axis {
-            Axis::Parameter => {
-                for (node, (x, weight)) in nodes.iter_mut().zip(places) {
-                    node.1 = self.on_branch(separation, x, guess.at(x));
-                    node.0 = weight * node.1.z_rate();
-                }
-            }
-            Axis::Height => {
-                let radii = self.radius.at_each(places.map(|(z, _)| z));
-                for (node, ((z, weight), g)) in nodes.iter_mut().zip(places.into_iter().zip(radii)) {
-                    *node = (weight, self.of_radius(separation, z, g, guess.at(z)));
-                }
-            }
-            Axis::Root(edge) => {
-                for (node, (x, weight)) in nodes.iter_mut().zip(places) {
-                    *node = (2.0 * x * weight, self.at_height(separation, edge + x * x, guess.at(x)));
-                }
+        let (mut places, mut count) = ([(0.0, 0.0); POINTS], 0);
+        for (x, weight) in quadrature::nodes_of_part(panel.part, from, to) {
+            places[count] = if panel.is_eased { eased(x, weight, from, to) } else { (x, weight) };
+            count += 1;
+        }
+        for (pair, nodes) in places[..count].chunks_exact(2).zip(nodes.chunks_exact_mut(2)) {
+            // Radii are worked out two by two.
+            let radii = match panel.axis {
+                Axis::Height => self.radius.at_each([pair[0].0, pair[1].0]),
+                _ => [(0.0, 0.0); 2],
+            };
+            for ((node, &(x, weight)), radius) in nodes.iter_mut().zip(pair).zip(radii) {
+                let guess = guess.at(x);
+                (node.0, node.1) = match panel.axis {
+                    Axis::Height => (weight, self.of_radius(separation, x, radius, guess)),
+                    Axis::Root(edge) => (2.0 * x * weight, self.at_height(separation, edge + x * x, guess)),
+                    Axis::Parameter => {
+                        let point = self.on_branch(separation, x, guess);
+                        (weight * point.z_rate(), point)
+                    }
+                };
             }
         }
-        let middle = nodes[N / 2].1;
-        nodes[N..].fill((0.0, middle));
+        let middle = nodes[count / 2].1;
+        nodes[count..].fill((0.0, middle));
     }
 
     /// The summit at a value of the variable of a panel, from its guess of the other.
