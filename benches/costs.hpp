@@ -90,14 +90,14 @@ private:
         }
         each("mu at a load", 59, [this, model](size_t i) { return asperity_friction_at_load(model, load_[i]); });
         each("F at a load", 58, [this, model](size_t i) { return asperity_friction_force_at_load(model, load_[i]); });
-        each("mu and its slope", 88, [this, model](size_t i) {
+        each("mu and its slope", 91, [this, model](size_t i) {
             return asperity_friction_and_slope_at_load(model, load_[i], &slope_[i]);
         });
-        each("F and its slope", 76, [this, model](size_t i) {
+        each("F and its slope", 80, [this, model](size_t i) {
             return asperity_friction_force_and_slope_at_load(model, load_[i], &slope_[i]);
         });
         each("load at a gap", 62, [this, model](size_t i) { return asperity_load_and_slope_at_gap(model, gap_[i], nullptr); });
-        each("load at a gap and its slope", 92,
+        each("load at a gap and its slope", 94,
              [this, model](size_t i) { return asperity_load_and_slope_at_gap(model, gap_[i], &slope_[i]); });
         batch("mu in a batch", 26, [this, model] { return asperity_friction_at_loads(model, kContacts, load_.data(), value_.data(), nullptr); });
         batch("F in a batch", 22,

@@ -8,7 +8,7 @@ use super::batch::Asked;
 use super::boundary::{self, write};
 use crate::law::{polynomial, Row, Table};
 use crate::model::{by_gap, Model};
-use crate::numerics::float_bits::tame;
+use crate::numerics::float_bits::{nan, tame};
 
 /// A quantity at a load, or at minus a gap.
 pub type ScalarCall = unsafe extern "C" fn(&Model, f64) -> f64;
@@ -78,7 +78,8 @@ unsafe fn tabulated_with_slope<const QUANTITY: u8>(
         return beside_rows::<QUANTITY>(model, load, slope);
     };
     let (force, rate) = force(table.rows.get_unchecked(index), table.within(x));
-    if force.is_nan() {
+    // By bits: faster here than a comparison.
+    if nan(force) {
         return beside_rows::<QUANTITY>(model, load, slope);
     }
     let found = (force, rate * Table::per_mantissa(x));
