@@ -24,6 +24,8 @@ const LOW_HILLS: f64 = 2.0;
 const LAST_STEP: f64 = 1e-7;
 /// Places that bear less than this part of the load count for nothing but sums.
 const NEGLIGIBLE: f64 = 1e-9;
+/// Where the pressure is less than this part of that at the crests there is no contact.
+const NOTHING: f64 = 1e-20;
 
 /// The surface without its waves, as it is compiled.
 pub trait Even: Debug + Send + Sync {
@@ -109,7 +111,7 @@ impl Waves {
         let stiffness = |gap_rate: f64, load_slope: f64| gap_rate - self.compliance * load_slope;
         let moves = stiffness(base.gap.1, base.load.1);
         let (mut mean, mut gap, mut gap_rate, mut spread, mut spread_slope) = (Sums::default(), 0.0, 0.0, 0.0, 0.0);
-        self.each(&base, |part, local| {
+        let touching = self.each(&base, |part, local| {
             let sums = of(local);
             let rate = moves / stiffness(sums.approach_of_planes(), sums.load_slope);
             mean.add(&sums, part, rate);
@@ -120,6 +122,10 @@ impl Waves {
             spread += part * s * share;
             spread_slope += part * rate * slope * share * share;
         });
+        for &(height, part) in &self.places[touching..] {
+            gap += part * (base.gap.0 - self.compliance * base.load.0 - height);
+            gap_rate += part * moves;
+        }
         mean.given_way = 1.0 - gap_rate;
         let share = 1.0 / (1.0 - self.spread_compliance * spread);
         mean.spread_over((spread * share, spread_slope * share * share));
@@ -207,15 +213,21 @@ impl Waves {
         self.places.iter().map(move |&(height, _)| self.shifted(&base, height, separation + height).separation)
     }
 
-    /// Hands over each place with its part of the surface, where places of the mean height are so.
-    fn each(&self, base: &Local, mut take: impl FnMut(f64, &Local)) {
+    /// Hands over each place that touches with its part of the surface, where places of the mean height are so; how many those are.
+    fn each(&self, base: &Local, mut take: impl FnMut(f64, &Local)) -> usize {
+        let mut least = 0.0;
         let mut before = Local { separation: base.separation - self.highest(), gap: (0.0, 1.0), ..Local::default() };
         let mut last = self.highest();
-        for &(height, part) in &self.places {
+        for (i, &(height, part)) in self.places.iter().enumerate() {
             let guess = before.separation + (last - height) / (before.gap.1 - self.compliance * before.load.1);
             (before, last) = (self.shifted(base, -height, guess), height);
+            if before.load.0 < least {
+                return i;
+            }
+            least = least.max(NOTHING * before.load.0);
             take(part, &before);
         }
+        self.places.len()
     }
 
     /// The place at which u - c p is by so much more than at another, from a guess of its separation. It is concave: Newton's method

@@ -147,8 +147,17 @@ impl States<'_> {
         if end.is_none() {
             let mut lightest = heaviest;
             while lightest.log_excess > reach.log_lightest {
-                let step = step_to(&lightest, reach.log_lightest);
-                lightest = self.at((lightest.position + step).min(0.5 * (lightest.position + farthest)))?;
+                let mut step = step_to(&lightest, reach.log_lightest);
+                // Not so far that nothing touches, as may be the crests of waves within a step.
+                lightest = loop {
+                    match self.at((lightest.position + step).min(0.5 * (lightest.position + farthest))) {
+                        Err(_) if step > SHORTEST => step *= 0.5,
+                        Ok(next) if next.position < lightest.position + SHORTEST => {
+                            return Err(Unfollowed { separation: next.separation });
+                        }
+                        next => break next?,
+                    }
+                };
                 states.push(lightest);
             }
         }
