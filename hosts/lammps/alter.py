@@ -68,7 +68,8 @@ UNLIKE.update({
     "a surface of words, calibrated": words(f"{WORDS} nominal_area 1e-4 {CALIBRATION}"),
     "another file": words("surface other.toml"),
     "another file in pair_coeff": {"coeff": ["* * surface other.toml"]}, "file: calibrated": {"file": CALIBRATED.format(0.2)},
-    "file: calibrated higher": {"file": CALIBRATED.format(0.4)}, 
+    "file: calibrated higher": {"file": CALIBRATED.format(0.4)},
+    **{f"file: calibrated, {units}": {"file": CALIBRATED.format(0.2), "units": units} for units in UNITS},
     "file: whole": {"file": WHOLE, **behind("style", "microslip yes")},
     "hybrid, the second": {"style": f"hybrid {BASE['style']} asperity/hertz modulus 1e7",
                            "coeff": ["1 1 asperity/hertz 1", "2 2 asperity/hertz 1", "1 2 asperity/hertz 2 mu 0.1"]},
@@ -330,7 +331,7 @@ def main(folder):
         # Work is counted from the beginning of a run; all else is as at the step before.
         last, first = ([value for value, unit in zip(row, CONTACT + WALL + SUMS) if unit != "J"] for row in rows[1:])
         claim(name, apart([first], [last]) < 1e-12, "the first step of a run is not as the step before")
-    for name in ("nothing", "file: calibrated", "file: calibrated higher", "file: whole"):
+    for name in ("nothing", "file: calibrated", "file: calibrated higher", "file: whole", *(f"file: calibrated, {units}" for units in UNITS)):
         error = limit_error(alone[name], altered[name].get("file", ""))
         claim(name, error < check.LAW_LIMIT, f"friction is off the law by {error:.1e}")
     claim("mu", abs(alone["mu"][-1][6] / alone["mu"][-1][4] - 0.3) < 1e-12, "is not the coefficient")

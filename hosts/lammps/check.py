@@ -168,26 +168,6 @@ def cycles(folder, model):
     return np.max(worst, axis=0)
 
 
-def units_error(folder):
-    """Largest error of the friction of two grains that slip, in scripts with other units than those of the surface file."""
-    model = asperity.Model(asperity.Params.from_toml(folder / "whole.toml"))
-    worst, loads = 0.0, []
-    for units in ("si", "cgs", "micro", "nano"):
-        log = folder / f"units_{units}.log"
-        (*_, row), = tables(log)
-        friction, load, limit = (float(row[f"v_{name}"]) for name in ("friction", "load", "limit"))
-        radius = 0.005 * 0.003 / 0.008
-        area = area_of(model, load, radius)
-        nominal = model.params.nominal_area
-        exact = area / nominal * model.state_at_load(load / area * nominal).friction_force
-        loads.append(load)
-        print(f"  units {units}: {limit:.6g} N at {load:.4g} N")
-        worst = np.max([worst, abs(limit / exact - 1), abs(friction / exact - 1), abs(load / loads[0] - 1)])
-        if "the strength of the interface is the default" in log.read_text():
-            raise RuntimeError(f"{log.name}: a calibrated surface is said not to be calibrated")
-    return worst
-
-
 def energy_gap(rows, springs=True):
     """Largest gap of the balance of energy, relative to what was turned over; heat of friction must only grow, where it is
     known: summits store more than one spring with their force."""
@@ -269,7 +249,7 @@ def demand_no_warning(folder):
 def main(folder):
     demand_no_warning(folder)
     model = asperity.Model(surface.surface(nominal_area=1.0))
-    slide = np.max([slide_error(folder, model), units_error(folder)])
+    slide = slide_error(folder, model)
     if "the strength of the interface is the default" not in (folder / "slide.log").read_text():
         raise RuntimeError("slide.log: that the surface is not calibrated is not said")
     settle, = tables(folder / "settle.log")
@@ -292,7 +272,7 @@ def main(folder):
     same = continued == runs[2][1] and microslip_continued == slipping[2][1]
     curve, work, turn, steps = cycles(folder, model)
     taken, gained = bouncing(folder)
-    print(f"  two grains, in four systems of units too: friction within {slide:.1e} of the law (limit {LAW_LIMIT:.0e})")
+    print(f"  two grains: friction within {slide:.1e} of the law (limit {LAW_LIMIT:.0e})")
     print(f"  column: limits within {law:.1e} of the law (limit {LAW_LIMIT:.0e}), energy within {energy:.1e} "
           f"(limit {ENERGY_LIMIT:.0e}); the model holds for {held:.4f} of the load (at least {LEAST_HELD})")
     print(f"  the runs continued from restart files have {'the same digits' if same else 'OTHER digits'}")

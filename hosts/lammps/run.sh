@@ -33,17 +33,6 @@ shear 2 500
 shear 4 25    # ranks that share a core wait for each other at every step
 script=continue.in go 2 "$here/continue.in" continued.log -var from "$build/shear2.restart" -var steps 500
 
-# A surface file is in SI units, also in a script that is not.
-{ printf 'slip_onset = "whole"\ncalibration_load = 100\ncalibration_friction_coefficient = 0.16\n'; cat hosts/surface.toml; } >"$build/whole.toml"
-units() {
-    script=units.in go 1 "$here/units.in" "units_$1.log" -var film "$build/whole.toml" -var units "$1" -var metre "$2" \
-        -var kilogram "$3" -var second "$4"
-}
-units si 1 1 1
-units cgs 1e2 1e3 1
-units micro 1e6 1e15 1e6
-units nano 1e9 1e21 1e9
-
 script=cycle.in go 1 "$here/cycle.in" cycle.log
 script=bounce.in go 1 "$here/bounce.in" bounce.log
 microslip() {
