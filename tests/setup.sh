@@ -6,8 +6,8 @@
 set -euo pipefail
 
 core="g++ gfortran clang cmake pkg-config python3 python3-venv valgrind"
-hosts="calculix-ccx libdeal.ii-dev libliggghts-dev libode-dev libsiconos-numerics-dev libsimbody-dev liggghts python3-dolfinx-real
-    python3-getfem pkg-config yade python3-venv"
+hosts="calculix-ccx libdeal.ii-dev libliggghts-dev libode-dev libsiconos-numerics-dev libsimbody-dev liggghts mpi-default-dev
+    python3-dolfinx-real python3-getfem pkg-config yade python3-venv"
 harden="valgrind"
 # Node and npm may come from elsewhere than Debian, whose npm then does not go with them.
 node=""
