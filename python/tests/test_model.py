@@ -10,6 +10,7 @@ import pickle
 import re
 import tracemalloc
 import warnings
+from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
@@ -242,6 +243,48 @@ def test_other_parameters_are_another_law(params: Params, model: Model) -> None:
     model.set_params(other)
     assert model.params == other
     assert model.friction_at_load(10.0) == pytest.approx(half, rel=1e-10)  # twice the summits carry twice the load
+
+
+def test_one_asperity_springs_back_as_the_page_of_joints_says_beside_other_laws(root: Path) -> None:
+    radius, modulus, hardness = 1e-3, 115e9, 0.5e9
+    shape = {"asperity_count": 1, "summit_radius": radius, "height_std": 1e-11, "composite_modulus": modulus, "effective_shear_modulus": 8e10}
+    law = {"hardness": hardness, "contact_law": "elastic-plastic", "burgers_vector": 0.25e-9, "adhesion_range": 0.25e-9}
+    summit = Model(Params.from_text("\n".join(f"{key} = {value!r}".replace("'", '"') for key, value in (shape | law).items())))
+    rows = []
+    for ratio in (3, 10, 30, 100):
+        overlap = ratio * (0.3 * np.pi * hardness / modulus) ** 2 * radius
+        top = summit.state_at_load(summit.state_at_gap(-overlap).load)
+        after = summit.unloaded(top.load)
+        stays = -after.state_at_load(1e-9 * top.load).gap / overlap
+        half = after.state_at_gap(-overlap * 0.5 * (1 + stays))
+        etsion = ((1 - ratio**-0.28) * (1 - ratio**-0.69), 0.5 ** (1.5 * ratio**-0.0331), 0.5 ** ratio**-0.12)
+        brake = (1 - top.load / (4 / 3 * modulus * np.sqrt(radius * overlap) * overlap), np.pi * radius * overlap * 0.5 / top.real_area)
+        rows.append((stays, *etsion, half.load / top.load, half.real_area / top.real_area, *brake))
+    column = np.array(rows).T
+    ends = [f"{column[i, 0]:.2f} to {column[i, -1]:.2f}" for i in range(8)]
+    apart = np.max(np.abs(column[0] - column[1]))
+    page = " ".join((root / "docs" / "joint.md").read_text(encoding="utf-8").split())
+    for told in (
+        f"stays is {ends[0]} of the largest, theirs {ends[1]}, at most {apart:.2f} apart",
+        f"the load is {column[4, 0]:.2f} of the largest, theirs {ends[2]}, and the area {column[5, 0]:.2f}, theirs {ends[3]}",
+        f"{ends[6]} of the overlap stays, and half way back {ends[7]} of the area",
+    ):
+        assert told in page
+    assert np.ptp(column[4]) < 0.01 and np.ptp(column[5]) < 0.01
+
+
+def test_the_joint_of_its_page_has_the_exponents_that_stand_there(root: Path) -> None:
+    page = (root / "docs" / "joint.md").read_text(encoding="utf-8")
+    first = Model(Params.from_text(page.split("```toml\n")[1].split("```")[0]))
+    load = 70e6 * first.params.nominal_area
+    top, columns = first.state_at_load(load), []
+    for law in (first, first.unloaded(load)):
+        low, high = law.state_at_load(0.3 * load), law.state_at_load(0.9 * load)
+        columns.append((f"{math.log(high.contact_radius_sum / low.contact_radius_sum) / math.log(3):.2f}", f"{-high.tangential_stiffness / high.dload_dgap:.2f}"))
+    (exponent, ratio), (exponent_after, ratio_after) = columns
+    assert f"| unloading stiffness over that of loading, at 70 MPa | {top.unloading_stiffness / -top.dload_dgap:.2f} | |" in page
+    assert all(f"| {of} as p^n | {exponent} | {exponent_after} |" in page for of in ("conductance", "K_t"))
+    assert f"| K_t/K_n | {ratio} | {ratio_after} |" in page
 
 
 def test_a_joint_that_was_tightened_springs_back(params: Params) -> None:
