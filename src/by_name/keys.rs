@@ -31,28 +31,29 @@ impl Table {
     }
 
     /// Its keys beside the fields of parameters, which are those of the top.
-    pub fn keys(self) -> impl Iterator<Item = &'static str> {
-        let keys = match self {
-            Self::Top => {
-                "pair interface summit_density table_height table_density calibration_load calibration_friction_coefficient \
-                 calibration_friction_force measured specimens coverage interface_kind size_effect model_error heights"
-            }
-            Self::Materials => "first second E1 nu1 E2 nu2",
-            Self::Roughness => {
-                "m0 m2 m4 Ra Rq RSm Rdq RSm_along Rdq_along Sq Sdq Ssc Sds Ssk Sku Spq Svq Smq heights_at_scores \
-                 slopes_at_scores Sdq_top lay summits process"
-            }
+    #[rustfmt::skip]
+    pub const fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Top => &[
+                "pair", "interface", "summit_density", "table_height", "table_density", "calibration_load",
+                "calibration_friction_coefficient", "calibration_friction_force", "measured", "specimens", "coverage",
+                "interface_kind", "size_effect", "model_error", "heights",
+            ],
+            Self::Materials => &["first", "second", "E1", "nu1", "E2", "nu2"],
+            Self::Roughness => &[
+                "m0", "m2", "m4", "Ra", "Rq", "RSm", "Rdq", "RSm_along", "Rdq_along", "Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku",
+                "Spq", "Svq", "Smq", "heights_at_scores", "slopes_at_scores", "Sdq_top", "lay", "summits", "process",
+            ],
             // And those of the roughness.
-            Self::MeasuredOn => "nominal_area E1 nu1 E2 nu2 hardness",
-            Self::KnownTo => "slope hardness work_of_adhesion E",
-        };
-        keys.split(' ')
+            Self::MeasuredOn => &["nominal_area", "E1", "nu1", "E2", "nu2", "hardness"],
+            Self::KnownTo => &["slope", "hardness", "work_of_adhesion", "E"],
+        }
     }
 
     fn all_keys(self) -> impl Iterator<Item = &'static str> {
         let fields: &[_] = if self == Self::Top { FIELDS } else { &[] };
-        let rough = (self == Self::MeasuredOn).then(|| Self::Roughness.keys());
-        fields.iter().map(|field| field.name).chain(rough.into_iter().flatten()).chain(self.keys())
+        let rough = if self == Self::MeasuredOn { Self::Roughness.keys() } else { &[] };
+        fields.iter().map(|field| field.name).chain(rough.iter().chain(self.keys()).copied())
     }
 }
 

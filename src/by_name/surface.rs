@@ -24,16 +24,19 @@ const MOST_POINTS: usize = 64;
 /// Names of bodies, and the numbers in their place.
 const BODIES: [(&str, [&str; 2]); 2] = [("first", ["E1", "nu1"]), ("second", ["E2", "nu2"])];
 /// What the bodies set, but for what may be given beside them.
-const MODULI: &str = "composite_modulus effective_shear_modulus tangential_modulus";
+const MODULI: &[&str] = &["composite_modulus", "effective_shear_modulus", "tangential_modulus"];
 /// What the roughness sets.
-const SUMMITS: &str = "height_std summit_radius asperity_count summit_density radius_amplitude radius_rate \
-     summit_mean_height rms_slope";
+#[rustfmt::skip]
+const SUMMITS: &[&str] = &[
+    "height_std", "summit_radius", "asperity_count", "summit_density", "radius_amplitude", "radius_rate",
+    "summit_mean_height", "rms_slope",
+];
 /// The words for the summits of a roughness.
 const KINDS_OF_SUMMITS: &[&str] = &["moments", "mccool"];
 /// What an interface sets.
-const STRENGTH: &str = "slip_stress_1 slip_stress_2 pressure_coefficient";
+const STRENGTH: &[&str] = &["slip_stress_1", "slip_stress_2", "pressure_coefficient"];
 /// What chooses heights.
-const SHAPES: &str = "weibull_shape skew kurtosis table_height table_density";
+const SHAPES: &[&str] = &["weibull_shape", "skew", "kurtosis", "table_height", "table_density"];
 
 /// Sets what a text gives; of what it does not, all stays as it is. `solve` says which strength and contact law an estimate of the
 /// text takes, where the text tells a strength.
@@ -316,7 +319,7 @@ impl Entries<'_> {
     /// The size effect in the place of slip stresses.
     fn size_effect(&self) -> Outcome<Option<f64>> {
         if self.find(Table::Top, "size_effect").is_some() {
-            self.exclude("slip_stress_1 slip_stress_2 interface", "size_effect")?;
+            self.exclude(&["slip_stress_1", "slip_stress_2", "interface"], "size_effect")?;
         }
         let says = |_| "from 0, a film, to 1, clean crystals";
         self.allowed(Table::Top, "size_effect", |number| (0.0..=1.0).contains(&number), says)
@@ -371,7 +374,7 @@ impl Entries<'_> {
             let says = format_args!("[measured_on]: measured must be set, what was measured there");
             return Err(Problem::new(begin, says));
         }
-        let is_own = |entry: &&Entry| Table::MeasuredOn.keys().any(|name| name == entry.name);
+        let is_own = |entry: &&Entry| Table::MeasuredOn.keys().contains(&entry.name);
         for entry in self.of(Table::MeasuredOn).filter(is_own) {
             numbers.give_named(entry.name, entry.number()?);
         }
@@ -392,7 +395,7 @@ impl Entries<'_> {
         let by = table.to_string();
         self.exclude(SUMMITS, by.trim_end())?;
         if Roughness::gives_curvature(self, table) {
-            self.exclude("bandwidth", by.trim_end())?;
+            self.exclude(&["bandwidth"], by.trim_end())?;
         }
         let bandwidth = numbers.get("bandwidth");
         let Roughness { moments, density, at_scores, lay, machined } = Roughness::of(self, table, begin, bandwidth)?;
@@ -411,7 +414,7 @@ impl Entries<'_> {
         (numbers.lay, numbers.at_scores) = (lay, at_scores);
         if numbers.at_scores.is_some() {
             self.exclude(SHAPES, by.trim_end())?;
-            self.exclude("height_distribution", by.trim_end())?;
+            self.exclude(&["height_distribution"], by.trim_end())?;
             if numbers.has_mccool_summits {
                 return refused("\"mccool\" is for Gaussian heights: leave the key out");
             }
@@ -477,7 +480,7 @@ impl Entries<'_> {
         let makes = |entry: &&Entry| match entry.table {
             Table::Roughness => true,
             _ if is_number => ["nominal_area", "summit_density", "asperity_count"].contains(&entry.name),
-            _ => SUMMITS.split(' ').any(|name| name == entry.name) || name.contains(entry.name),
+            _ => SUMMITS.contains(&entry.name) || name.contains(entry.name),
         };
         let keys: Vec<_> = self.all().filter(makes).collect();
         match keys[..] {
@@ -497,8 +500,8 @@ impl Entries<'_> {
 
     /// Refuses names that something else sets.
     #[inline(never)]
-    fn exclude(&self, names: &str, by: &str) -> Outcome<()> {
-        match names.split(' ').find_map(|name| self.find(Table::Top, name)) {
+    fn exclude(&self, names: &[&str], by: &str) -> Outcome<()> {
+        match names.iter().find_map(|name| self.find(Table::Top, name)) {
             Some(entry) => Err(entry.set_by(by)),
             None => Ok(()),
         }
@@ -645,7 +648,7 @@ impl GivenSurface<'_> {
     }
 
     fn exclude_moduli(&self, by: &str) -> Outcome<()> {
-        let Some(entry) = MODULI.split(' ').find_map(|name| self.entries.find(Table::Top, name)) else { return Ok(()) };
+        let Some(entry) = MODULI.iter().find_map(|name| self.entries.find(Table::Top, name)) else { return Ok(()) };
         let says = "leave one out; E1, nu1, E2 and nu2 replace the moduli of a pair";
         Err(entry.refused(format_args!("{by} sets it already, {says}")))
     }
