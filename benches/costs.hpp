@@ -122,13 +122,19 @@ private:
         }
         text("summits", 2.7, "pair = \"steel/steel\"\nnominal_area = 1e-4\nheight_std = 1e-6\nsummit_radius = 1e-5\nsummit_density = 1e9\n");
         text("Sq and Sdq", 45, "pair = \"steel/steel\"\nnominal_area = 1e-4\n[roughness]\nSq = 0.4e-6\nSdq = 0.1\n");
-        add("an estimate at 4 loads", 40, "million", 1, [] {
-            const char text[] = "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n"
-                                "[roughness]\nRa = 0.8e-6\nprocess = \"ground\"\n";
-            const double load[] = {1.0, 10.0, 100.0, 1000.0};
-            asperity_estimate found[4];
+        estimate("of metal", 33.5, "pair = \"steel/steel\"\nnominal_area = 1e-4\nmeasured = [1000, 0.16]\n"
+                                 "[roughness]\nRa = 0.8e-6\nprocess = \"ground\"\n", {1.0, 10.0, 100.0, 1000.0});
+        estimate("of what adheres", 105, "pair = \"Si/Si\"\nnominal_area = 1e-8\nmeasured = [1e-3, 0.3]\n"
+                                         "[roughness]\nSq = 5e-9\nSdq = 0.05\n", {1e-5, 1e-4, 1e-3, 1e-2});
+        estimate("of one device", 163, "specimens = 1\npair = \"Si/Si\"\nnominal_area = 60e-12\nmeasured = [1e-5, 0.27]\n"
+                                       "[roughness]\nSq = 12e-9\nSdq = 0.2\n", {1e-6, 1e-5, 1e-4, 1e-3});
+    }
+
+    void estimate(const std::string &of, double limit, const std::string &text, const std::vector<double> &load) {
+        add("an estimate at 4 loads " + of, limit, "million", 1, [text, load] {
+            std::vector<asperity_estimate> found(load.size());
             for (asperity_estimate &one : found) one.struct_size = sizeof one;
-            require(asperity_estimate_at_loads(text, sizeof text - 1, 4, load, found));
+            require(asperity_estimate_at_loads(text.data(), text.size(), load.size(), load.data(), found.data()));
         });
     }
 

@@ -9,8 +9,8 @@ use crate::model::{Borne, Model, Surfaces};
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::params::{ContactLawKind, Params};
-use crate::specimens::{Heights, Specimens, Standing};
-use std::cell::OnceCell;
+use crate::specimens::{Heights, Kept, Specimens, Standing};
+use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
 /// Where inputs stand among those that are normal.
@@ -78,8 +78,9 @@ pub struct Law {
     even: Option<Surfaces>,
     /// The same with an input one standard deviation off, and the sign of that.
     changed: Changed<Surfaces>,
-    /// How many specimens are drawn, and with how many contacts they are alike.
+    /// How many specimens are drawn, those of each model and of each that is changed, and with how many contacts they are alike.
     specimens: usize,
+    drawn: RefCell<Vec<Kept>>,
     pub alike: f64,
     /// The deviation of ln of their area from that of what was measured.
     pub area: f64,
@@ -219,7 +220,7 @@ impl OfLaw {
     }
 
     /// What a quantity changes by with each input.
-    pub fn gains(&self, of: impl Fn(&Terms) -> f64) -> [f64; INPUTS] {
+    pub fn gains(&self, of: &dyn Fn(&Terms) -> f64) -> [f64; INPUTS] {
         let middle = of(&self.unchanged);
         // Where specimens are apart with an input changed, or without, there is no telling.
         let gain = |(terms, sign): &(Terms, f64)| sign * (of(terms) - middle);
@@ -239,7 +240,8 @@ impl Law {
     pub fn alone(surfaces: &Surfaces, of: &Self) -> Self {
         let works = vec![Work::alone(surfaces.params().work_of_adhesion, 1.0)];
         let (models, changed, heights) = (vec![surfaces.clone()], [const { None }; INPUTS], Rc::clone(&of.heights));
-        Self { probability: 1.0, works, models, middle: 0, even: None, changed, heights, ..*of }
+        let drawn = RefCell::default();
+        Self { probability: 1.0, works, models, middle: 0, even: None, changed, heights, drawn, ..*of }
     }
 
     /// A load at which many summits touch, and the friction force of the mean there, of the strength with which specimens have a force
@@ -268,24 +270,27 @@ impl Law {
     /// What the surfaces bear at a load, from separations at another: where few summits touch, single specimens, if they are not
     /// to be of many.
     pub fn at(&self, load: f64, is_of_many: bool, is_film: bool, near: &[f64]) -> Result<OfLaw, Error> {
-        let mean = self.mean_at(load, is_film, near);
-        let contacts = mean.as_ref().map_or(0.0, |mean| mean.models[self.middle].contacts);
+        let middle = Terms::at(self.middle(), load, is_film, near.first().copied());
+        let contacts = middle.as_ref().map_or(0.0, |(terms, _)| terms.contacts);
+        let separations = middle.as_ref().map_or(Vec::new(), |(_, borne)| vec![borne.separation]);
         // Beyond pull-off there are specimens, but not beyond the heaviest load of the mean.
-        let is_beyond = mean.is_err() && load > 0.0;
+        let is_beyond = middle.is_err() && load > 0.0;
+        let mean = || self.mean_at(load, is_film, middle, near);
         if is_of_many || is_beyond || contacts >= self.alike || self.middle().params().asperity_count <= 1.0 {
-            return mean;
+            return mean();
         }
-        let near = |load: f64| self.drawn_at(load, is_film);
-        let Some(mean_there) = mean.as_ref().ok().filter(|_| contacts > DRAWN) else {
-            let separations = mean.as_ref().map_or(Vec::new(), |mean| mean.separations.clone());
-            return near(load).map(|drawn| OfLaw { separations, ..drawn }).or(mean);
-        };
+        let drawn = self.drawn_at(if contacts > DRAWN { load * DRAWN / contacts } else { load }, is_film);
+        if contacts <= DRAWN {
+            return drawn.map(|drawn| OfLaw { separations, ..drawn }).or_else(|_| mean());
+        }
+        let mean_there = mean()?;
         // As many more summits touch, specimens are nearer to the mean.
         let there = load * DRAWN / contacts;
         let left = log(self.alike / contacts) / log(self.alike / DRAWN);
         let part = (DRAWN / contacts).sqrt() * left * left * (3.0 - 2.0 * left);
-        let to = self.mean_at(there, is_film, &mean_there.separations);
-        let Ok((of, to)) = near(there).and_then(|of| Ok((of, to?))) else { return mean };
+        let to = Terms::at(self.middle(), there, is_film, separations.first().copied());
+        let to = self.mean_at(there, is_film, to, &mean_there.separations);
+        let Ok((of, to)) = drawn.and_then(|of| Ok((of, to?))) else { return Ok(mean_there) };
         let mut found = mean_there.clone();
         for (k, at) in found.models.iter_mut().enumerate() {
             let nearer = |mean: &Terms, one: &Terms| Terms {
@@ -298,9 +303,16 @@ impl Law {
         Ok(found)
     }
 
-    /// What the mean of the model bears at a load.
-    fn mean_at(&self, load: f64, is_film: bool, near: &[f64]) -> Result<OfLaw, Error> {
-        let mut separations: Vec<f64> = Vec::new();
+    /// What the mean of the model bears at a load, where the surfaces as they most probably are bear this.
+    fn mean_at(
+        &self,
+        load: f64,
+        is_film: bool,
+        middle: Result<(Terms, Borne), Error>,
+        near: &[f64],
+    ) -> Result<OfLaw, Error> {
+        let (middle, Borne { separation, pressing, .. }) = middle?;
+        let mut separations = vec![separation];
         let mut at = |surfaces: &Surfaces, load: f64| {
             // As far from the first as at the other load.
             let guess = match (near.get(separations.len()), separations.first()) {
@@ -309,13 +321,11 @@ impl Law {
             };
             let (terms, borne) = Terms::at(surfaces, load, is_film, guess)?;
             separations.push(borne.separation);
-            Ok::<_, Error>((terms, borne.pressing))
+            Ok::<_, Error>(terms)
         };
-        let (middle, pressing) = at(self.middle(), load)?;
-        // Surfaces without waves are like those on them where these press.
-        let mut at = |surfaces: &Surfaces, load: f64| at(surfaces, load).map(|(terms, _)| terms);
         let mut others = |(k, surfaces)| if k == self.middle { Ok(middle) } else { at(surfaces, load) };
         let models = self.models.iter().enumerate().map(&mut others).collect::<Result<Vec<_>, _>>()?;
+        // Surfaces without waves are like those on them where these press.
         let there = load * pressing;
         let unchanged = self.even.as_ref().map_or(Ok(middle), |even| at(even, there))?;
         let changed = self.changed_by(|surfaces| at(surfaces, there))?;
@@ -335,12 +345,24 @@ impl Law {
     /// Single specimens at a load.
     fn drawn_at(&self, load: f64, is_film: bool) -> Result<OfLaw, Error> {
         let heights = self.heights.get_or_init(|| Heights::of(self.middle()));
-        let draw = |surfaces: &Surfaces, count: usize| {
+        let mut drawn = self.drawn.borrow_mut();
+        let mut kept = 0;
+        let mut draw = |surfaces: &Surfaces, count: usize| {
+            if kept == drawn.len() {
+                drawn.push(Kept::new(count, DRAWN));
+            }
             let mut found = Vec::with_capacity(count);
             let asked = Specimens { count, seed: 1, ..Specimens::default() };
-            surfaces.stand((asked, MOST_DRAWN), heights, &[load], false, &mut |standing, pull| {
-                found.push(Terms::of(standing, pull, surfaces, is_film));
-            })?;
+            kept += 1;
+            surfaces.stand(
+                (asked, MOST_DRAWN),
+                heights,
+                &[load],
+                Some(&mut drawn[kept - 1]),
+                &mut |standing, pull| {
+                    found.push(Terms::of(standing, pull, surfaces, is_film));
+                },
+            )?;
             Ok::<_, Error>(found)
         };
         let all = self.models.iter().map(|surfaces| draw(surfaces, self.specimens));
@@ -493,8 +515,8 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
     let is_told = usize::from(described.specimens.is_some());
     let is_known = !is_open && !described.pressure_is_free && described.model_error == 0.0;
     let specimens = if is_known { SPECIMENS[is_told] } else { FEWER_SPECIMENS };
-    let (probability, area, alike, heights) = (1.0, 0.0, ALIKE[is_told], Rc::default());
-    Ok(Law { probability, works, models, middle, even, changed, specimens, alike, area, heights })
+    let (probability, area, alike, heights, drawn) = (1.0, 0.0, ALIKE[is_told], Rc::default(), RefCell::default());
+    Ok(Law { probability, works, models, middle, even, changed, specimens, drawn, alike, area, heights })
 }
 
 /// Works of adhesion, in standard deviations from the middle, with their probabilities.

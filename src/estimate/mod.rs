@@ -27,7 +27,7 @@ use cases::{
     YOUNG_INPUT,
 };
 use known::deviation;
-use posterior::{Kernel, Means, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
+use posterior::{Gathered, Kernel, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
 use std::cell::RefCell;
 use std::f64::consts::LN_10;
 use std::rc::Rc;
@@ -54,10 +54,9 @@ const MOST_KEPT: usize = 16;
 const CONSTANT: f64 = 1.1;
 /// A coefficient above it is a slip of units rather than a strength.
 const LARGE: f64 = 5.0;
-/// Nodes less probable than this do not matter.
+/// Nodes less probable than this do not matter; for a band, less than that.
 const UNLIKELY: f64 = 1e-6;
-/// A band is the quantiles of not many more normal distributions.
-const MOST_NORMALS: usize = 4096;
+const HARDLY_LIKELY: f64 = 4e-6;
 /// No band has a smaller variance.
 const CERTAIN: f64 = 1e-20;
 
@@ -269,20 +268,26 @@ impl Estimate {
         let of_points = self.points.iter().map(|point| self.at(point.load, true)).collect::<Result<Vec<_>, _>>()?;
         let decades: Vec<f64> =
             self.points.iter().zip(&of_points).map(|(point, at)| self.decades(at, point.load)).collect();
+        let all_there = decades.iter().all(|&decades| decades == 0.0);
         let measured: Vec<f64> = self.points.iter().map(|point| point.log_force).collect();
         let mut noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
         let unsolved = self.unsolved_nodes(&reference)?;
         let solved = |noise: &[f64]| {
+            let told = if self.measured_specimens() > 0.0 { &of_points[..] } else { &[] };
+            let mut on_each: Vec<_> = told.iter().map(|at| OnEach::new(at)).collect();
+            // Where all points are at the reference, how interfaces leave the law from there does not matter.
+            let is_like = |one: &Node, other: &Node| all_there && one.place[..4] == other.place[..4];
             let mut found: Vec<(Solved, f64)> = Vec::with_capacity(unsolved.len());
-            for alike in unsolved.chunk_by(|(one, _), (other, _)| one.is_like(other)) {
-                let first = &alike[0].0;
-                let told = if self.measured_specimens() > 0.0 { &of_points[..] } else { &[] };
-                let on_each: Vec<_> = told.iter().map(|at| first.specimens(at)).collect();
-                found.extend(alike.iter().map(|(node, prior)| {
-                    let solved = self.solve(node, &on_each, &of_points, &decades, (&measured, noise));
-                    let weight = log(*prior) + solved.log_probability;
-                    (solved, weight)
-                }));
+            for (i, (node, prior)) in unsolved.iter().enumerate() {
+                let solved = match found.last().filter(|_| is_like(node, &unsolved[i - 1].0)) {
+                    Some((before, _)) => before.with(node.kernel),
+                    None => {
+                        on_each.iter_mut().for_each(|at| at.look(node));
+                        self.solve(node, &on_each, &of_points, &decades, (&measured, noise))
+                    }
+                };
+                let weight = log(*prior) + solved.log_probability;
+                found.push((solved, weight));
             }
             found
         };
@@ -309,7 +314,7 @@ impl Estimate {
     fn solve(
         &self,
         node: &Node,
-        on_each: &[Vec<f64>],
+        on_each: &[OnEach],
         of_points: &[Rc<Vec<OfLaw>>],
         decades: &[f64],
         (measured, noise): (&[f64], &[f64]),
@@ -320,17 +325,17 @@ impl Estimate {
         noise.iter().enumerate().for_each(|(i, noise)| errors[i * n + i] = *noise);
         if count > 1.0 {
             for (i, k) in (0..n).flat_map(|i| (0..n).map(move |k| (i, k))) {
-                errors[i * n + k] += covariance(&on_each[i], &on_each[k], count);
+                errors[i * n + k] += covariance(&on_each[i].logs, &on_each[k].logs, count);
             }
         }
         let solved = Solved::new(seen, node.kernel, measured, &errors);
-        if count != 1.0 || on_each.iter().all(Vec::is_empty) {
+        let specimens = on_each.iter().map(|at| at.logs.len()).fold(0, usize::max);
+        if count != 1.0 || specimens == 0 {
             return solved;
         }
-        let rise = |i: usize| node.more.1 * decades[i];
-        let seen = |i: usize| node.seen(&of_points[i], decades[i]).mean;
-        let on_one = |i: usize, one: usize| on_each[i].get(one).map_or_else(|| seen(i), |mean| mean + rise(i));
-        solved.on_one_of(on_each.iter().map(Vec::len).fold(0, usize::max), on_one, measured)
+        let means: Vec<(&[f64], f64)> =
+            on_each.iter().zip(decades).map(|(at, decades)| (&at.logs[..], node.more.1 * decades)).collect();
+        solved.on_one_of(specimens, &means, measured)
     }
 
     /// By how much the errors grow for a misfit, without a step.
@@ -364,7 +369,7 @@ impl Estimate {
             let (law, of, terms) = (&laws[at_law], &reference[at_law], reference[at_law].terms(work));
             for (at_size, &(size, of_size)) in sizes.iter().enumerate() {
                 let force = terms.force(size);
-                let gains = if is_stress { [0.0; INPUTS] } else { of.gains(|terms| terms.force(size)) };
+                let gains = if is_stress { [0.0; INPUTS] } else { of.gains(&|terms: &Terms| terms.force(size)) };
                 let (strength, is_part) = (self.strength.deviation, self.has_known_pressure());
                 let is_elsewhere = is_stress || self.laws_there.is_some();
                 let reference = Reference { force, hertz: terms.logs[HERTZ], gains, strength, is_part, is_elsewhere };
@@ -468,38 +473,53 @@ impl Estimate {
         let (mut of_specimens, mut of_shape) = (0.0, 0.0);
         // The probability and the mean of all nodes that have one thing alike.
         let mut alike = [[(0.0, 0.0); PRESSURES as usize + 1]; 5];
-        let (mut mixture, mut others) = (Mixture::default(), Mixture::default());
-        let adheres = |node: &&Node| load > 0.0 || node.work.work > 0.0;
-        let all: f64 = self.nodes.iter().filter(adheres).map(|node| node.weight).sum();
-        let mut group: Option<Alike> = None;
-        for node in self.nodes.iter().filter(adheres) {
+        let (mut mixture, mut others) = (Gathered::default(), Gathered::default());
+        let holding = || self.nodes.iter().filter(|node| load > 0.0 || node.work.work > 0.0);
+        let least = HARDLY_LIKELY * holding().map(|node| node.weight).sum::<f64>();
+        // Without a step as one begins to matter.
+        let likely =
+            || holding().map(|node| (node, node.weight - least * least / node.weight)).filter(|one| one.1 > 0.0);
+        let all: f64 = likely().map(|one| one.1).sum();
+        let (mut on_each, mut pairs) = (OnEach::new(at), Pairs::default());
+        let (mut pulled, mut means) = (Vec::new(), Vec::new());
+        for (node, weight) in likely() {
             let seen = node.seen(at, decades);
-            if !group.as_ref().is_some_and(|before| before.first.is_like(node)) {
-                group = Some(Alike::of(node, &seen, at));
-            }
-            let Some(group) = &mut group else { continue };
+            on_each.look(node);
+            node.solved.pulled(&seen, &mut pulled);
             let parts = node.solved.parts(&seen);
-            let weight = node.weight / all;
+            let weight = weight / all;
             within.iter_mut().zip(parts).for_each(|(sum, part)| *sum += weight * part);
             let leaving = node.kernel.covariance(&Seen { gains: [0.0; INPUTS], ..seen }, &seen).max(CERTAIN);
             let own = (self.described.model_error * node.more.0 * self.described.class.wander).powi(2);
             let part = (node.kernel.wander - own).max(0.0) * decades.abs() / leaving;
             of_shape += weight * (parts[AREA_INPUT] + part * parts[INPUTS + 1]);
-            let (means, of_others) = group.means(node, &seen, is_device);
+            let deviation = parts.iter().sum::<f64>().sqrt();
+            let of = Normal { weight, mean: 0.0, deviation, part: node.part(at) };
+            let rise = node.more.1 * decades;
+            let on = |i: usize| on_each.logs.get(i).map_or(seen.mean, |mean| mean + rise);
+            let devices = node.solved.devices();
+            means.clear();
+            if devices.is_empty() {
+                let by = node.solved.mean(&seen) - seen.mean;
+                let count = on_each.logs.len().max(1);
+                means.extend((0..count).map(|i| (1.0 / count as f64, on(i) + by)));
+            } else {
+                let of_others = pairs.of(node, &on_each.logs, &pulled);
+                means.extend(of_others.iter().map(|&(i, k)| (devices[k], on(i) + pulled[k])));
+                if is_device {
+                    others.add(of, &means);
+                    means.clear();
+                    means.extend(devices.iter().enumerate().map(|(i, part)| (*part, on(i) + pulled[i])));
+                }
+            }
             let mean: f64 = means.iter().map(|(part, mean)| part * mean).sum();
             of_specimens += weight * means.iter().map(|(part, one)| part * (one - mean) * (one - mean)).sum::<f64>();
             for (what, &place) in alike.iter_mut().zip(&node.place) {
                 what[place] = (what[place].0 + weight, what[place].1 + weight * mean);
             }
-            let deviation = parts.iter().sum::<f64>().sqrt();
-            let of = Normal { weight, mean, deviation, part: node.part(at) };
-            let most = MOST_NORMALS / self.nodes.len().max(1) + 1;
-            mixture.add(&means, of, most, group.order(0, &means));
-            if is_device {
-                let means = of_others.as_ref().unwrap_or(&means);
-                others.add(means, of, most, group.order(1, means));
-            }
+            mixture.add(of, &means);
         }
+        let [mixture, others] = [mixture, others].map(Gathered::mixture);
         let (mean, variance) = mixture.moments();
         if variance < CERTAIN {
             return (mixture, others, Shares::default());
@@ -538,12 +558,12 @@ impl Estimate {
         let of_shape = self.described.shape.area;
         let error = self.described.model_error * (deviation(priors::STIFFNESS).powi(2) + of_shape * of_shape).sqrt();
         answer.stiffness =
-            std::array::from_fn(|i| self.of_surfaces(&at, error, |terms| terms.logs[STIFFNESS + i]).map(some_exp));
+            std::array::from_fn(|i| self.of_surfaces(&at, error, &|terms| terms.logs[STIFFNESS + i]).map(some_exp));
         // In sigma.
         let length = self.laws[0].middle().units().length;
         let widening = self.widening(&at);
-        answer.gap = self.of_surfaces(&at, 0.0, |terms| terms.gap / length).map(|gap| gap * length + widening);
-        answer.pull_off = self.of_surfaces(&at, 0.0, |terms| terms.pull);
+        answer.gap = self.of_surfaces(&at, 0.0, &|terms| terms.gap / length).map(|gap| gap * length + widening);
+        answer.pull_off = self.of_surfaces(&at, 0.0, &|terms| terms.pull);
         Ok(answer)
     }
 
@@ -584,7 +604,7 @@ impl Estimate {
 
     /// Whether the surfaces asked for are those of the specimen that was measured.
     fn is_device(&self) -> bool {
-        self.laws_there.is_none() && self.nodes.iter().any(|node| node.solved.has_devices())
+        self.laws_there.is_none() && self.nodes.iter().any(|node| !node.solved.devices().is_empty())
     }
 
     fn add_friction(&self, at: &[OfLaw], answer: &mut Answer) {
@@ -636,21 +656,21 @@ impl Estimate {
     }
 
     /// A quantity of which nothing was measured, to an error beside that of the inputs.
-    fn of_surfaces(&self, at: &[OfLaw], error: f64, quantity: impl Fn(&Terms) -> f64) -> Band {
-        let mut normals = Vec::new();
+    fn of_surfaces(&self, at: &[OfLaw], error: f64, quantity: &dyn Fn(&Terms) -> f64) -> Band {
+        let mut all = Gathered::default();
         for (weight, node) in self.surfaces() {
             let of = &at[node.law];
-            let inputs: f64 = of.gains(&quantity).iter().map(|gain| gain * gain).sum();
-            let deviation = (inputs + error * error).sqrt();
-            let mut means: Vec<f64> = of.specimens(&node.work).map(|terms| quantity(&terms)).collect();
+            let inputs: f64 = of.gains(quantity).iter().map(|gain| gain * gain).sum();
+            let mut means: Vec<_> = of.specimens(&node.work).map(|terms| (1.0, quantity(&terms))).collect();
             if means.is_empty() {
-                means.push(quantity(&of.terms(&node.work)));
+                means.push((1.0, quantity(&of.terms(&node.work))));
             }
-            means.retain(|mean| !mean.is_nan());
+            means.retain(|(_, mean)| !mean.is_nan());
             let weight = weight / means.len() as f64;
-            normals.extend(means.into_iter().map(|mean| Normal { weight, mean, deviation, part: 1.0 }));
+            let of = Normal { weight, mean: 0.0, deviation: (inputs + error * error).sqrt(), part: 1.0 };
+            all.add(of, &means);
         }
-        self.band_of(Mixture(normals))
+        self.band_of(all.mixture())
     }
 
     /// The median, and the quantiles of either end of a band.
@@ -658,7 +678,6 @@ impl Estimate {
         if mixture.0.is_empty() {
             return UNKNOWN;
         }
-        let mixture = mixture.condensed();
         let value = mixture.quantile(0.5);
         let coverage = self.described.coverage;
         let [low, high] = [0.5 * (1.0 - coverage), 0.5 * (1.0 + coverage)].map(|part| mixture.quantile(part));
@@ -930,11 +949,6 @@ fn covariance(one: &[f64], other: &[f64], count: f64) -> f64 {
 }
 
 impl Node {
-    /// Whether another leaves the law otherwise, and that is all.
-    fn is_like(&self, other: &Self) -> bool {
-        self.place[..4] == other.place[..4]
-    }
-
     /// ln F of what bears a load so, and the part of it that the strength makes.
     fn log_force(&self, terms: &Terms) -> (f64, f64) {
         let Reference { force, hertz, .. } = self.reference;
@@ -955,58 +969,73 @@ impl Node {
     fn seen(&self, at: &[OfLaw], decades: f64) -> Seen {
         let (of, from) = (&at[self.law], &self.reference);
         let (mean, part) = self.log_force(&of.terms(&self.work));
-        let mut gains = of.gains(|terms| terms.force(self.size));
+        let mut gains = of.gains(&|terms: &Terms| terms.force(self.size));
         gains.iter_mut().zip(from.gains).for_each(|(gain, from)| *gain = part * (*gain - from));
         gains[AREA_INPUT] = if from.is_elsewhere { part * of.area } else { 0.0 };
         gains[STRENGTH_INPUT] = if from.is_part { part * from.strength } else { from.strength };
         Seen { mean: mean + self.more.1 * decades, gains, decades }
     }
+}
 
-    /// ln F of single specimens, but for a rise from decade to decade; none where many summits touch.
-    fn specimens(&self, at: &[OfLaw]) -> Vec<f64> {
-        at[self.law].specimens(&self.work).map(|terms| self.log_force(&terms).0).collect()
+/// ln F of single specimens at a load, but for a rise from decade to decade, node after node: what is the same for the next one is kept.
+struct OnEach<'a> {
+    at: &'a [OfLaw],
+    place: Option<[usize; 5]>,
+    terms: Vec<Terms>,
+    /// What strength and pressure make of the force, over that at the reference.
+    forces: Vec<[f64; 2]>,
+    /// None where many summits touch.
+    logs: Vec<f64>,
+}
+
+impl<'a> OnEach<'a> {
+    const fn new(at: &'a [OfLaw]) -> Self {
+        Self { at, place: None, terms: Vec::new(), forces: Vec::new(), logs: Vec::new() }
+    }
+
+    fn look(&mut self, node: &Node) {
+        let Reference { force, hertz, .. } = node.reference;
+        let is_like = |places: usize| self.place.is_some_and(|place| place[..places] == node.place[..places]);
+        let [same_surfaces, same_size, same_pressure] = [2, 3, 4].map(is_like);
+        self.place = Some(node.place);
+        if !same_surfaces {
+            self.terms.clear();
+            self.terms.extend(self.at[node.law].specimens(&node.work));
+        }
+        if !same_size {
+            let of = |terms: &Terms| [terms.force(node.size) - force, terms.logs[HERTZ] - hertz].map(exp);
+            self.forces.clear();
+            self.forces.extend(self.terms.iter().map(of));
+        }
+        if !same_pressure {
+            let of = |[strength, pressure]: &[f64; 2]| (1.0 - node.pressed) * strength + node.pressed * pressure;
+            self.logs.clear();
+            self.logs.extend(self.forces.iter().map(|forces| node.log_force + log(of(forces))));
+        }
     }
 }
 
-/// Nodes that leave the law otherwise, and that is all: what they have in common at a load, and in which order what the first of them has
-/// is that of the others, or nearly so.
-struct Alike<'a> {
-    first: &'a Node,
-    /// ln F of single specimens, and the same in ascending order.
-    specimens: Vec<f64>,
-    sorted: Vec<f64>,
-    devices: Vec<usize>,
-    orders: [Vec<usize>; 2],
+/// Specimens beside those that were measured, all with all, as few pairs stand for them: those of a lattice, from the least to the largest
+/// of both. Nodes of the same surfaces have nearly the same order.
+#[derive(Default)]
+struct Pairs {
+    place: Option<[usize; 2]>,
+    pairs: Vec<(usize, usize)>,
 }
 
-impl<'a> Alike<'a> {
-    fn of(first: &'a Node, seen: &Seen, at: &[OfLaw]) -> Self {
-        let specimens = first.specimens(at);
-        let sorted = ascending(&specimens).into_iter().map(|i| specimens[i]).collect();
-        let devices = ascending(&first.solved.pulled(seen).collect::<Vec<_>>());
-        Self { first, specimens, sorted, devices, orders: [Vec::new(), Vec::new()] }
-    }
-
-    /// Means of a node with their probabilities, of the specimen that was measured, if one is asked for, and of others.
-    fn means(&self, node: &Node, seen: &Seen, is_device: bool) -> (Means, Option<Means>) {
-        let rise = node.more.1 * seen.decades;
-        let has_devices = node.solved.has_devices();
-        let others = has_devices.then(|| node.solved.means_of_others(seen, (&self.sorted, rise), &self.devices));
-        match others {
-            Some(others) if !is_device => (others, None),
-            others => {
-                let specimens = if has_devices { &self.specimens } else { &self.sorted };
-                (node.solved.means(seen, (specimens, rise)), others)
-            }
+impl Pairs {
+    /// Which ones, where `logs` has ln F of specimens, if they differ, and `pulled` what is added by those that were measured.
+    fn of(&mut self, node: &Node, logs: &[f64], pulled: &[f64]) -> &[(usize, usize)] {
+        let place = [node.place[0], node.place[1]];
+        if self.place != Some(place) {
+            self.place = Some(place);
+            let n = pulled.len();
+            let step = (0.618 * n as f64).round() as usize;
+            let (specimens, devices) = (ascending(logs), ascending(pulled));
+            let pair = |i: usize| (specimens.get(i).copied().unwrap_or(i), devices[(i * step + n / 2) % n]);
+            self.pairs = (0..n).map(pair).collect();
         }
-    }
-
-    fn order(&mut self, of: usize, means: &[(f64, f64)]) -> &[usize] {
-        let order = &mut self.orders[of];
-        if order.len() != means.len() {
-            *order = ascending(&means.iter().map(|one| one.1).collect::<Vec<_>>());
-        }
-        order
+        &self.pairs
     }
 }
 

@@ -13,9 +13,6 @@ pub const INPUTS: usize = 8;
 /// What makes a variance: these, the errors of the points, how real interfaces leave the law.
 pub const PARTS: usize = INPUTS + 2;
 
-/// Means with their probabilities.
-pub type Means = Vec<(f64, f64)>;
-
 /// What one node makes of a load.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen {
@@ -87,68 +84,55 @@ impl Solved {
         Self { log_probability, noise, seen, kernel, factor, pull, pulls: Vec::new(), devices: Vec::new(), misfit }
     }
 
-    /// The same of points that were measured on one specimen: `means` has what y would be at the points on each of so many that it may be.
-    pub fn on_one_of(mut self, count: usize, mean: impl Fn(usize, usize) -> f64, measured: &[f64]) -> Self {
+    /// The same with another kernel, of points at the reference, where none matters.
+    pub fn with(&self, kernel: Kernel) -> Self {
+        Self { kernel, ..self.clone() }
+    }
+
+    /// The same of points that were measured on one specimen, of so many that it may be: `means` has what y would be at each point, on each of
+    /// them, or on the mean alone where it has none, with a rise.
+    pub fn on_one_of(mut self, count: usize, means: &[(&[f64], f64)], measured: &[f64]) -> Self {
         let log_root = -self.log_probability - 0.5 * self.misfit;
         let n = measured.len();
-        let mut off = vec![0.0; n];
+        let (mut off, mut pull) = (vec![0.0; n], vec![0.0; n]);
         self.pulls.reserve(n * count);
-        self.devices = (0..count)
-            .map(|one| {
-                off.iter_mut().enumerate().for_each(|(i, off)| *off = measured[i] - mean(i, one));
-                self.pulls.extend(&off);
-                let pull = &mut self.pulls[n * one..];
-                solve(&self.factor, pull);
-                pull.iter().zip(&off).map(|(a, b)| a * b).sum::<f64>()
-            })
-            .collect();
-        let least = self.devices.iter().copied().fold(f64::INFINITY, f64::min);
+        self.devices.reserve(count);
+        let mut least = f64::INFINITY;
+        for one in 0..count {
+            for (i, off) in off.iter_mut().enumerate() {
+                let (specimens, rise) = means[i];
+                *off = measured[i] - specimens.get(one).map_or(self.seen[i].mean, |mean| mean + rise);
+            }
+            pull.copy_from_slice(&off);
+            solve(&self.factor, &mut pull);
+            let misfit: f64 = pull.iter().zip(&off).map(|(a, b)| a * b).sum();
+            least = least.min(misfit);
+            self.devices.push(misfit);
+            self.pulls.extend_from_slice(&pull);
+        }
         self.devices.iter_mut().for_each(|one| *one = exp(0.5 * (least - *one)));
         let all: f64 = self.devices.iter().sum();
         self.misfit = least - 2.0 * log(all / count as f64);
         self.log_probability = -0.5 * self.misfit - log_root;
         self.pull.fill(0.0);
-        for (weight, pull) in self.devices.iter_mut().zip(self.pulls.chunks(n)) {
+        for (weight, pull) in self.devices.iter_mut().zip(self.pulls.chunks_exact(n)) {
             *weight /= all;
             self.pull.iter_mut().zip(pull).for_each(|(sum, pull)| *sum += *weight * *pull);
         }
         self
     }
 
-    /// Whether the points are of one specimen.
-    pub fn has_devices(&self) -> bool {
-        !self.devices.is_empty()
-    }
-
-    /// Means of y at a load, with their probabilities: `at` has it of the mean of all specimens, `specimens` of single ones, but for a rise, of
-    /// which each is the one that was measured.
-    pub fn means(&self, at: &Seen, (specimens, rise): (&[f64], f64)) -> Means {
-        let n = self.devices.len();
-        if n == 0 {
-            let by = self.mean(at) - at.mean;
-            let each = 1.0 / specimens.len() as f64;
-            return match specimens {
-                [] => vec![(1.0, at.mean + by)],
-                some => some.iter().map(|mean| (each, mean + rise + by)).collect(),
-            };
-        }
-        let mean = |i: usize| specimens.get(i).map_or(at.mean, |mean| mean + rise);
-        self.pulled(at).enumerate().map(|(i, by)| (self.devices[i], mean(i) + by)).collect()
-    }
-
-    /// The same of other specimens than the one that was measured, in ascending order: all with all, as few pairs stand for them, those of a
-    /// lattice, from the least to the largest of both; `order` is that of what the points add.
-    pub fn means_of_others(&self, at: &Seen, (specimens, rise): (&[f64], f64), order: &[usize]) -> Means {
-        let (n, by) = (self.devices.len(), self.pulled(at).collect::<Vec<_>>());
-        let step = (0.618 * n as f64).round() as usize;
-        let mean = |i: usize| specimens.get(i).map_or(at.mean, |mean| mean + rise);
-        (0..n).map(|i| (i, order[(i * step + n / 2) % n])).map(|(i, k)| (self.devices[k], mean(i) + by[k])).collect()
+    /// The probabilities of the specimens that may be the one that was measured; none where the points are not of one.
+    pub fn devices(&self) -> &[f64] {
+        &self.devices
     }
 
     /// What the points add to y, of each specimen that may be the one that was measured.
-    pub fn pulled<'a>(&'a self, at: &Seen) -> impl Iterator<Item = f64> + 'a {
+    pub fn pulled(&self, at: &Seen, found: &mut Vec<f64>) {
         let with = self.with_points(at);
-        self.pulls.chunks(with.len().max(1)).map(move |pull| with.iter().zip(pull).map(|(a, b)| a * b).sum())
+        found.clear();
+        let by = |pull: &[f64]| with.iter().zip(pull).map(|(a, b)| a * b).sum::<f64>();
+        found.extend(self.pulls.chunks_exact(with.len().max(1)).map(by));
     }
 
     /// The covariance of y at a load with that at each point.
@@ -243,62 +227,98 @@ impl Normal {
     }
 }
 
+/// Many of them, of which those that are nearly alike are one with their mean and variance.
+#[derive(Debug, Default)]
+pub struct Gathered {
+    /// Of each with its class; a variance for the deviation.
+    found: Vec<(Class, Normal)>,
+    /// By class where it stands among those that are found, from 1; 0: nowhere.
+    places: Vec<u32>,
+}
+
+/// Which width and part in doubt, and the mean in steps.
+type Class = (u64, i64);
+
+impl Gathered {
+    /// Adds some of one deviation, with their weights and means.
+    pub fn add(&mut self, of: Normal, means: &[(f64, f64)]) {
+        const FINENESS: f64 = 0.1;
+        // Within a class, wherever all of it is.
+        const BESIDE: f64 = 0.37;
+        // Numbers above it are cut off as they are rounded down.
+        const LARGE: f64 = 1e12;
+        let variance = of.deviation * of.deviation;
+        let width = (log(of.deviation.max(SHARPEST)) / FINENESS).floor();
+        let steps = 1.0 / (FINENESS * exp(FINENESS * width));
+        let kind = (width.to_bits() ^ of.part.to_bits()).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        for &(weight, mean) in means {
+            let one = Normal { weight: of.weight * weight, mean, deviation: variance, ..of };
+            let from = self.found.first().map_or(mean, |first| first.1.mean);
+            let step = (mean - from) * steps + BESIDE + LARGE;
+            // Quantiles of numbers are between them, so that these stay apart.
+            let step = if of.deviation > SHARPEST { step as i64 } else { self.found.len() as i64 };
+            self.put((kind, step), one);
+        }
+    }
+
+    #[inline]
+    fn put(&mut self, class: Class, one: Normal) {
+        if 2 * self.found.len() >= self.places.len() {
+            self.places = vec![0; 2 * self.places.len().max(128)];
+            for i in 0..self.found.len() {
+                let place = self.place(self.found[i].0);
+                self.places[place] = i as u32 + 1;
+            }
+        }
+        let place = self.place(class);
+        if self.places[place] == 0 {
+            self.found.push((class, one));
+            self.places[place] = self.found.len() as u32;
+            return;
+        }
+        let all = &mut self.found[self.places[place] as usize - 1].1;
+        let weight = all.weight + one.weight;
+        let (part, by) = (one.weight / weight.max(f64::MIN_POSITIVE), one.mean - all.mean);
+        all.deviation += part * (one.deviation - all.deviation + (1.0 - part) * by * by);
+        all.mean += part * by;
+        all.weight = weight;
+    }
+
+    /// Where a class is, or would be.
+    #[inline]
+    fn place(&self, class: Class) -> usize {
+        let last = self.places.len() - 1;
+        let mut place = (class.0.wrapping_add(class.1 as u64).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 32) as usize;
+        loop {
+            place &= last;
+            match self.places[place] {
+                0 => return place,
+                i if self.found[i as usize - 1].0 == class => return place,
+                _ => place += 1,
+            }
+        }
+    }
+
+    pub fn mixture(self) -> Mixture {
+        Mixture(self.found.into_iter().map(|(_, one)| Normal { deviation: one.deviation.sqrt(), ..one }).collect())
+    }
+}
+
 /// No deviation is smaller.
 const SHARPEST: f64 = 1e-12;
 /// What is left out of the probability.
 const UNLIKELY: f64 = 1e-7;
 
 impl Mixture {
-    /// Adds some of one deviation, with their weights and means: of many those that are next to each other in an order as one.
-    pub fn add(&mut self, means: &[(f64, f64)], of: Normal, most: usize, order: &[usize]) {
-        self.0.extend(order.chunks(means.len().div_ceil(most)).map(|alike| {
-            let all: f64 = alike.iter().map(|&i| means[i].0).sum();
-            let mean = alike.iter().map(|&i| means[i].0 * means[i].1).sum::<f64>() / all;
-            Normal { weight: of.weight * all, mean, ..of }
-        }));
-    }
-
-    /// The same with those as one that are next to each other, where there are many.
-    pub fn condensed(self) -> Self {
-        const MANY: usize = 128;
-        const FINENESS: f64 = 0.1;
-        // Within a class, wherever all of it is.
-        const BESIDE: f64 = 0.37;
-        // Of more classes of means the last is one.
-        const MEANS: f64 = 1e6;
-        if self.0.len() <= MANY || self.is_sharp() {
-            return self;
-        }
-        let (middle, _) = self.moments();
-        let class = |one: &Normal| {
-            let width = (log(one.deviation.max(SHARPEST)) / FINENESS).floor();
-            let place = (one.mean - middle) / (FINENESS * exp(FINENESS * width)) + BESIDE;
-            3.0 * MEANS * width + place.floor().clamp(-MEANS, MEANS)
-        };
-        let classes: Vec<f64> = self.0.iter().map(class).collect();
-        let is_like = |&i: &usize, &k: &usize| classes[i] == classes[k] && self.0[i].part == self.0[k].part;
-        let together = |alike: &[usize]| {
-            let alike: Vec<Normal> = alike.iter().map(|&i| self.0[i]).collect();
-            let weight: f64 = alike.iter().map(|one| one.weight).sum();
-            let (mean, variance) = Self::moments_of(&alike, weight);
-            Normal { weight, mean, deviation: variance.sqrt(), ..alike[0] }
-        };
-        Self(ascending(&classes).chunk_by(is_like).map(together).collect())
-    }
-
     fn likely(&self) -> impl Iterator<Item = &Normal> {
         self.0.iter().filter(|one| one.weight > UNLIKELY)
     }
 
     pub fn moments(&self) -> (f64, f64) {
-        Self::moments_of(&self.0, 1.0)
-    }
-
-    fn moments_of(some: &[Normal], all: f64) -> (f64, f64) {
-        let mean = some.iter().map(|one| one.weight * one.mean).sum::<f64>() / all;
+        let mean = self.0.iter().map(|one| one.weight * one.mean).sum::<f64>();
         let square =
             |one: &Normal| one.weight * (one.deviation * one.deviation + (one.mean - mean) * (one.mean - mean));
-        (mean, some.iter().map(square).sum::<f64>() / all)
+        (mean, self.0.iter().map(square).sum())
     }
 
     /// The probability that it is below, to 1e-7, and its density there.

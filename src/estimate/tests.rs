@@ -177,6 +177,18 @@ fn estimates_of_any_text_hold_together() {
             numbers_of.push((vec![(before, 0.8e-6)], 100.0));
         }
     }
+    for kind in ["", "specimens = 1\n", "model_error = 0\nspecimens = 1\n", "specimens = 4\nsize_effect = 0\n"] {
+        for load in [4e-4, 1e-5, 1e-6] {
+            let numbers = [
+                (format!("{kind}pair = \"Si/Si\"\nnominal_area = "), 60e-12),
+                ("\nmeasured = [".into(), 1e-5),
+                (", ".into(), 0.27),
+                ("]\n[roughness]\nSq = ".into(), 12e-9),
+                ("\nSdq = ".into(), 0.2),
+            ];
+            numbers_of.push((numbers.to_vec(), load));
+        }
+    }
     for (numbers, load) in numbers_of {
         let whole = text(&numbers, usize::MAX);
         let (found, answers) = estimate(&whole, &[load]);
@@ -197,8 +209,10 @@ fn estimates_of_any_text_hold_together() {
                 // Of pull-off and gap what no specimen decides alone.
                 [ends, vec![answer.curve, 1e-12 + answer.pull_off.value]].concat()
             };
-            for (one, other) in of(&one).into_iter().zip(of(&other)) {
-                let is_near = one.is_nan() && other.is_nan() || (one / other).ln().abs() < 0.02;
+            for (i, (one, other)) in of(&one).into_iter().zip(of(&other)).enumerate() {
+                // A specimen may gain a summit, or jump off: of so few some hold the ends of stiffness and of pull-off alone.
+                let most = if (12..16).contains(&i) { 2e-3 } else { 1e-2 };
+                let is_near = one.is_nan() && other.is_nan() || (one / other).ln().abs() < most;
                 assert!(is_near, "{one} and {other} with {altered} altered of\n{whole}");
             }
         }
@@ -245,7 +259,7 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
     let is_load = "check: the measured friction coefficient is 0.001, dry surfaces have more: is it the load? A point is [load, coefficient]";
     type Row<'a> = (&'a str, &'a str, &'a str, &'a [f64], &'a [&'a str]);
     let rows: &[Row] = &[
-        ("", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about 0.328, 0.0307 to 3.51", "0.3 to a factor of 10 either way", "no asperities yield"]),
+        ("", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about 0.328, 0.0307 to 3.5", "0.3 to a factor of 10 either way", "no asperities yield, "]),
         ("slip_stress_1 = 0.02\n", SILICON, SMOOTH, &[1e-3], &["strength of the interface: as given", "dominated by: what is not told of the shape of the heights"]),
         // Slip stresses that a text of parameters has, which nobody measured.
         ("slip_stress_1 = 0.023255813953488372\n", SILICON, SMOOTH, &[1e-3], &["not measured: mu(0.001 N) about", "not measured: slip stresses as given, to a factor of 10 either way", "UNCALIBRATED"]),
@@ -256,31 +270,31 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("interface = \"steel/steel dry\"\n", STEEL, ROUGH, &[12.0], &["measured on other specimens: steel/steel dry 0.57 at 12 N\nmu(12 N) = 0.57, "]),
         ("interface = \"MoS2 film in dry air\"\n", STEEL, ROUGH, &[12.0], &["shear strength 24.8 MPa"]),
         ("measured = [10, 0.1]\n", STEEL, ROUGH, &[10.0], &["no other specimens"]),
-        ("contact_law = \"maugis\"\n", STEEL, ROUGH, &[10.0], &["no asperities yield"]),
-        ("work_of_adhesion = 0.1\n", STEEL, ROUGH, &[10.0], &["no asperities yield"]),
+        ("contact_law = \"maugis\"\n", STEEL, ROUGH, &[10.0], &["no asperities yield, "]),
+        ("work_of_adhesion = 0.1\n", STEEL, ROUGH, &[10.0], &["no asperities yield, "]),
         // Without an area loads are pressures; a number of summits is an area too.
         ("measured = [1e7, 0.16]\n", steel, ROUGH, &[1e5, 0.0, -1.0], &["mu(100000 Pa) = 0.173", "no  N", "loads are nominal pressures in Pa", "0.16 at 1e7 Pa"]),
         ("measured = [1, 0.16]\n", steel, ROUGH, &[10.0], &["is load in Pa? Give nominal_area"]),
         ("", silicon, SMOOTH, &[0.0], &["mu(0 Pa) has no limit: the tallest asperities adhere, how many depends"]),
-        ("asperity_count = 1e5\n", silicon, summits, &[1e-3], &["mu(0.001 N)", "no check"]),
+        ("asperity_count = 1e5\n", silicon, summits, &[1e-3], &["mu(0.001 N)", "no check: "]),
         ("", rubber, "", &[0.0, -1.0], &["mu(0 N) has no limit: adhesion gives a friction force of", "mu(-1 N) = 0: the surfaces are apart"]),
         ("", STEEL, ROUGH, &[0.0], &["mu(0 N) has no limit: it grows as the load goes to 0"]),
         // The law cannot follow friction that rises so with load.
         ("measured = [[1, 0.1], [30, 0.2], [1000, 0.4]]\n", STEEL, ROUGH, &[30.0], &["the points change faster than the law; a solver's curve misses them by 110 % at 1 N"]),
         ("measured = [[1, 0.2], [30, 0.18], [1000, 0.16]]\n", STEEL, ROUGH, &[30.0], &["no change faster than"]),
         // Units: loads and areas, of which the heaviest load counts, of the measured points too.
-        ("", STEEL, ROUGH, &[1.0], &["no check"]),
-        ("nominal_area = 1\n", steel, ROUGH, &[78.0], &["no check"]),
+        ("", STEEL, ROUGH, &[1.0], &["no check: "]),
+        ("nominal_area = 1\n", steel, ROUGH, &[78.0], &["no check: "]),
         ("nominal_area = 100\n", steel, ROUGH, &[1000.0], &["check: the nominal pressure is 10 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and nominal_area in m^2?"]),
         ("", STEEL, ROUGH, &[1e6], &["above the hardness, which no contact bears: is load in N"]),
-        ("measured = [10, 0.2]\n", STEEL, ROUGH, &[1e-3], &["no check"]),
-        ("", SILICON, SMOOTH, &[1.1e-8], &["no check"]),
+        ("measured = [10, 0.2]\n", STEEL, ROUGH, &[1e-3], &["no check: "]),
+        ("", SILICON, SMOOTH, &[1.1e-8], &["no check: "]),
         ("", SILICON, SMOOTH, &[0.9e-8], &["check: the nominal pressure"]),
-        ("asperity_count = 1\n", silicon, summits, &[1e-3], &["no check"]),
+        ("asperity_count = 1\n", silicon, summits, &[1e-3], &["no check: "]),
         ("asperity_count = 1e13\n", silicon, summits, &[1e-3], &["check: the nominal pressure is 0.001 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and asperity_count a number"]),
         ("", STEEL, "[roughness]\nprocess = \"ground\"\nRa = 10e-6\n", &[10.0], &["check: Ra = 10 um: ground surfaces have 0.1 to 1.6 um: is it of this process"]),
         // What is told of the shape of the heights, and what more of it would be worth.
-        ("measured = [1e-2, 0.3]\n", SILICON, SMOOTH, &[1e-4], &["rests on: roughness: height and slope alone, as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at 0.0001 N to some 0.213 to"]),
+        ("measured = [1e-2, 0.3]\n", SILICON, SMOOTH, &[1e-4], &["rests on: roughness: height and slope alone, as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at 0.0001 N to some 0.214 to"]),
         ("measured = [1e-2, 0.3]\nheight_distribution = \"gaussian\"\n", SILICON, SMOOTH, &[1e-4], &["no rests on: roughness"]),
         ("measured = [1e-2, 0.3]\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\nSsk = -0.8\nSku = 4\n", &[1e-4], &["rests on: roughness: heights that are not Gaussian, and one slope\n", "no a table of the height map"]),
         ("measured = [1000, 0.16]\n", STEEL, ROUGH, &[10.0], &["no rests on: roughness", "no plateaus"]),
@@ -294,7 +308,7 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("measured = [3e-7, 0.4]\nspecimens = 5\n", SILICON, SMOOTH, &[3e-7], &["measured on 5 specimens: the scatter", "this is of one specimen, whichever"]),
         ("measured = [1e-6, 6]\n", SILICON, SMOOTH, &[1e-6], &["check: the measured friction coefficient is 6: is it in per cent (0.06)?", "no is it the load"]),
         ("measured = [0.1, 6]\n", SILICON, SMOOTH, &[1e-2], &["(0.06)? Or is it the load? A point is [load"]),
-        ("measured = [1e-2, 0.4]\n", SILICON, SMOOTH, &[1e-2], &["no check"]),
+        ("measured = [1e-2, 0.4]\n", SILICON, SMOOTH, &[1e-2], &["no check: "]),
         ("measured = [3e-7, 0.4]\n", SILICON, SMOOTH, &[1e-2], &[" asperities touch at the measured 3e-7 N: on how many specimens was it measured? Give specimens = 1"]),
         ("measured = [0.3, 1e-3]\n", SILICON, SMOOTH, &[1e-2], &[is_load]),
         ("measured = [[0.3, 0.16], [0.3, 1e-3]]\n", SILICON, SMOOTH, &[1e-2], &[is_load]),

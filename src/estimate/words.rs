@@ -122,9 +122,8 @@ fn write_ground(estimate: &Estimate, answers: &[Answer], at_points: &[Answer], w
         Some(error) => tell!(out, "check: a solver gets no curve of this: {error}"),
         None => {}
     }
-    if warnings != 0 {
-        let names = WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0).map(|(name, ..)| text(name));
-        tell!(out, "warnings: {}", names.collect::<Vec<_>>().join(", "));
+    for (name, _, says) in WARNING_TEXTS.iter().filter(|(_, bit, _)| warnings & bit != 0) {
+        tell!(out, "warning: {}: {}", text(name), text(says));
     }
 }
 
@@ -468,7 +467,7 @@ fn write_assumed(estimate: &Estimate, out: &mut String) {
     tell!(out, "assumed: {}", parts.join(", "));
     let is_brittle = |body: &Material| ["glass", "SiO2"].contains(&text(body.name));
     let of_glass = described.bodies.is_some_and(|bodies| is_brittle(bodies.first) || is_brittle(bodies.second));
-    if !described.class.carries_over || of_glass {
+    if described.measured_on.is_some() && (!described.class.carries_over || of_glass) {
         tell!(
             out,
             "check: of rock, glass and grains a strength does not carry over to another roughness: measured friction rises with roughness \

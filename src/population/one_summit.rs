@@ -17,7 +17,7 @@ pub struct OneSummit {
     break_away: f64,
     /// Parameter of its law, overlap, and the slope of the one by the other, where it was last asked for.
     before: (f64, f64, f64),
-    /// What a table has of it.
+    /// What a table of several radii has of it.
     rows: Option<Box<Rows>>,
 }
 
@@ -32,9 +32,11 @@ pub struct Pressed {
 /// are smooth: each with what its slope makes over a step. Between rows there are cubics.
 type Rows = [[f64; 4]; ROWS];
 const ROWS: usize = 33;
+const UNASKED: (f64, f64, f64) = (f64::NAN, 0.0, 0.0);
 
 /// Loads of summits in contact, where it takes a solution of equations to have them: rows for some radii, in equal steps of their
 /// logarithm, between which there are cubics too. What is read is so to some 1e-6.
+#[derive(Debug)]
 pub struct LoadTable {
     step: f64,
     log_least: f64,
@@ -48,13 +50,15 @@ impl LoadTable {
     /// The first slope is that next to break-away, where the overlap has none.
     const NEXT_TO_BREAK_AWAY: f64 = 1e-4;
 
-    /// The rows of a radius; `None` of one outside.
+    /// The rows of all summits, where their radii are equal.
+    fn of_all(&self) -> Option<&Rows> {
+        self.of_radii.first().filter(|_| self.of_radii.len() == 1)
+    }
+
+    /// The rows of a radius where there are several; `None` of one outside.
     fn of(&self, g: f64) -> Option<Box<Rows>> {
-        if self.of_radii.len() == 1 {
-            return Some(Box::new(self.of_radii[0]));
-        }
         let place = (log(g) - self.log_least) / self.log_step;
-        if !(place >= 0.0 && place <= (self.of_radii.len() - 1) as f64) {
+        if self.of_radii.len() == 1 || !(place >= 0.0 && place <= (self.of_radii.len() - 1) as f64) {
             return None;
         }
         let first = (place as usize).saturating_sub(1).min(self.of_radii.len() - 4);
@@ -90,6 +94,13 @@ fn read(rows: &Rows, step: f64, root: f64) -> Option<(Pressed, f64)> {
     Some((Pressed { load, by_overlap: by_place / (2.0 * root * step) }, cubic(2).0))
 }
 
+impl OneSummit {
+    /// As if nothing had been asked of it.
+    pub fn forget(&mut self) {
+        self.before = UNASKED;
+    }
+}
+
 impl Population {
     /// Loads of summits as high as this or higher, and up to an overlap; `sharper` as of `one_summit`. `None` where there is no need for a
     /// table, and where radii differ too much.
@@ -119,7 +130,7 @@ impl Population {
     /// The rows of a radius.
     fn rows(&self, g: f64, step: f64) -> Rows {
         let break_away = self.law.break_away(g).overlap;
-        let mut summit = OneSummit { depth: 0.0, g, break_away, before: (f64::NAN, 0.0, 0.0), rows: None };
+        let mut summit = OneSummit { depth: 0.0, g, break_away, before: UNASKED, rows: None };
         let mut rows = [[0.0; 4]; ROWS];
         for (i, row) in rows.iter_mut().enumerate().rev() {
             let over = if i == 0 { LoadTable::NEXT_TO_BREAK_AWAY } else { 0.0 };
@@ -142,7 +153,7 @@ impl Population {
         let g = self.factor_of_one(z, sharper);
         let equal = self.radius.is_constant() && sharper == 0.0;
         let break_away = if equal { self.deepest } else { self.law.break_away(g).overlap };
-        OneSummit { depth, g, break_away, before: (f64::NAN, 0.0, 0.0), rows: table.and_then(|table| table.of(g)) }
+        OneSummit { depth, g, break_away, before: UNASKED, rows: table.and_then(|table| table.of(g)) }
     }
 
     /// The load of a summit at an overlap on the branch of unloading: in contact down to its break-away, and below attracted
@@ -151,7 +162,8 @@ impl Population {
     pub fn load_of_one(&self, summit: &mut OneSummit, overlap: f64, table: Option<&LoadTable>) -> Pressed {
         if overlap >= summit.break_away {
             let root = (overlap - summit.break_away).sqrt();
-            let told = table.zip(summit.rows.as_deref()).and_then(|(table, rows)| read(rows, table.step, root));
+            let told =
+                table.and_then(|table| read(summit.rows.as_deref().or_else(|| table.of_all())?, table.step, root));
             if let Some((pressed, parameter)) = told {
                 summit.before = (parameter, overlap, 0.0);
                 return pressed;

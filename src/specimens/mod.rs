@@ -13,11 +13,12 @@ use crate::model::{Model, Surfaces, Units};
 use crate::numerics::elementary::pow;
 use crate::numerics::float_bits::finite;
 use crate::params::Params;
-use crate::population::Sums;
+use crate::population::{LoadTable, Sums};
 pub(crate) use heights::Heights;
 pub use statistics::spread;
+use std::cell::OnceCell;
 use std::f64::consts::PI;
-use unload::{too_many, Contacts, Specimen, Sphere, MOST_DRAWN};
+use unload::{too_many, Contacts, Specimen, Sphere, Summits, MOST_DRAWN};
 
 /// On a sphere with fewer summits about its lowest point Poisson's statistics do not hold.
 const FEWEST_ON_SPHERE: f64 = 3.0;
@@ -54,6 +55,23 @@ pub struct Specimens {
     pub seed: u64,
 }
 
+/// Specimens that are kept from one call to the next, of one seed, and not exact, but to 1e-6.
+#[derive(Debug)]
+pub(crate) struct Kept {
+    all: Vec<Summits>,
+    /// A table that reaches as deep as so many contacts of one specimen.
+    contacts: f64,
+    table: OnceCell<Option<LoadTable>>,
+}
+
+impl Kept {
+    pub fn new(count: usize, contacts: f64) -> Self {
+        let mut all = Vec::new();
+        all.resize_with(count, Summits::default);
+        Self { all, contacts, table: OnceCell::new() }
+    }
+}
+
 /// A specimen under a load, in the units of its summits.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing {
@@ -82,7 +100,7 @@ impl Model {
             self.validate_specimens_load(load)?;
         }
         let mut found = Vec::with_capacity(asked.count * loads.len());
-        self.stand((asked, MOST_DRAWN), &Heights::of(self), loads, true, &mut |standing, pull_off_force| {
+        self.stand((asked, MOST_DRAWN), &Heights::of(self), loads, None, &mut |standing, pull_off_force| {
             found.push(standing.map_or(Held::apart(pull_off_force), |standing| {
                 let gap = match asked.sphere_radius == 0.0 {
                     true => self.gap_at(standing.separation),
@@ -97,13 +115,13 @@ impl Model {
 
 impl Surfaces {
     /// Hands over how specimens of these heights stand under loads, each with all loads, in the order of these, and the pull-off force of
-    /// each; not at all where it is apart. So many summits may be drawn at most. What is not `exact` is so to 1e-6.
+    /// each; not at all where it is apart. So many summits may be drawn at most.
     pub(crate) fn stand(
         &self,
         (asked, most_drawn): (Specimens, f64),
         heights: &Heights,
         loads: &[f64],
-        is_exact: bool,
+        kept: Option<&mut Kept>,
         take: &mut dyn FnMut(Option<Standing>, f64),
     ) -> Result<(), Error> {
         let waves = self.params().waviness.height;
@@ -127,24 +145,34 @@ impl Surfaces {
         }
         let sphere = self.sphere(asked.sphere_radius, heaviest * of_one)?;
         let alike = asked.first as f64 + asked.count as f64;
-        let specimen = |table, index| {
-            Specimen::new((population, table), heights, (count, sphere), (alike, most_drawn), asked.seed, index)
-        };
-        // One that is like the others says where to begin and how many summits are drawn, with all ranges before this one.
-        let mut typical = specimen(None, u64::MAX);
-        let from = typical.pressed(-population.range_of_adhesion(), heaviest)?;
-        let from = typical.unloaded(from, heaviest)?.unwrap_or(0.0);
-        let drawn = typical.drawn().max(loads.len()) as f64 * alike;
-        if drawn > most_drawn {
-            return Err(too_many(drawn));
-        }
         let (range, sharper) = (population.range_of_adhesion(), sphere.map_or(0.0, |sphere| sphere.sharper));
+        let (several, most, mut drawn) = ((count, sphere), (alike, most_drawn), Summits::default());
+        // One that is like the others says where to begin and how many summits are drawn, with all ranges before this one.
+        let mut typical = Specimen::new((population, None), heights, several, most, (asked.seed, u64::MAX), &mut drawn);
+        let tallest = typical.tallest();
         // Other specimens reach as low as this one, or somewhat lower.
-        let table =
-            population.load_table(typical.tallest() - TABLED * (from + range), TABLED * (from + range), sharper);
+        let tabled = |depth| {
+            let deep = TABLED * (depth + range);
+            population.load_table(tallest - deep, deep, sharper)
+        };
+        let (kept, known) = kept.map_or((&mut [][..], None), |Kept { all, contacts, table }| {
+            let table = table.get_or_init(|| tabled(tallest - heights.of_hazard(*contacts / count)));
+            (&mut all[..], Some(table.as_ref()))
+        });
+        typical.look_up(known.flatten());
+        let from = typical.pressed(-range, heaviest)?;
+        let from = typical.unloaded(from, heaviest)?.unwrap_or(0.0);
+        let summits = typical.drawn().max(loads.len()) as f64 * alike;
+        if summits > most_drawn {
+            return Err(too_many(summits));
+        }
+        let made = if known.is_none() { tabled(from) } else { None };
+        let table = known.unwrap_or(made.as_ref());
         let mut found = vec![None; loads.len()];
         for i in 0..asked.count {
-            let mut one = specimen(table.as_ref(), asked.first.wrapping_add(i as u64));
+            let mut own = Summits::default();
+            let (drawn, index) = (kept.get_mut(i).unwrap_or(&mut own), asked.first.wrapping_add(i as u64));
+            let mut one = Specimen::new((population, table), heights, several, most, (asked.seed, index), drawn);
             let pull_off = one.pull_off()?;
             found.fill(None);
             let mut approach = Some(one.pressed(from, heaviest)?);
@@ -157,7 +185,7 @@ impl Surfaces {
                         let Some(before) = approach else { break };
                         approach = one.unloaded(before, loads[k] / of_one)?;
                         if let Some(approach) = approach {
-                            let at = if is_exact { one.exact(approach, loads[k] / of_one)? } else { approach };
+                            let at = if known.is_none() { one.exact(approach, loads[k] / of_one)? } else { approach };
                             found[k] = Some(self.standing(&mut one, at)?);
                         }
                     }

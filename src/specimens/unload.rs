@@ -58,7 +58,17 @@ pub struct Sphere {
     pub sharper: f64,
 }
 
-/// A specimen with the summits that were drawn, the tallest first.
+/// The summits of a specimen that were drawn, the tallest first.
+#[derive(Debug, Default)]
+pub struct Summits {
+    hazard: f64,
+    tallest: f64,
+    all: Vec<OneSummit>,
+    /// The largest pull that it withstands, once that is known.
+    pull_off: Option<f64>,
+}
+
+/// A specimen with the summits that were drawn, which may be kept.
 pub struct Specimen<'a> {
     population: &'a Population,
     /// Loads of its summits, where it takes a solution of equations to have them: to look for a state.
@@ -70,9 +80,7 @@ pub struct Specimen<'a> {
     sphere: Option<Sphere>,
     alike: f64,
     most_drawn: f64,
-    hazard: f64,
-    tallest: f64,
-    summits: Vec<OneSummit>,
+    drawn: &'a mut Summits,
 }
 
 impl<'a> Specimen<'a> {
@@ -82,21 +90,32 @@ impl<'a> Specimen<'a> {
         heights: &'a Heights,
         (count, sphere): (f64, Option<Sphere>),
         (alike, most_drawn): (f64, f64),
-        seed: u64,
-        index: u64,
+        (seed, index): (u64, u64),
+        drawn: &'a mut Summits,
     ) -> Self {
         let one_more = uniform(bits(seed, index, u64::MAX)) < count - count.floor();
         let count = if sphere.is_some() { f64::INFINITY } else { count.floor() + f64::from(u8::from(one_more)) };
-        let (random, hazard, tallest, summits) = ((seed, index), 0.0, 0.0, Vec::new());
-        let mut specimen =
-            Self { population, table, heights, random, count, sphere, alike, most_drawn, hazard, tallest, summits };
-        specimen.draw();
+        let random = (seed, index);
+        let mut specimen = Self { population, table, heights, random, count, sphere, alike, most_drawn, drawn };
+        match specimen.drawn.all.is_empty() {
+            true => specimen.draw(),
+            false => specimen.forget(),
+        }
         specimen
+    }
+
+    /// What its summits are asked does not depend on what they were asked before.
+    fn forget(&mut self) {
+        self.drawn.all.iter_mut().for_each(OneSummit::forget);
     }
 
     /// The height of its tallest summit, above the mean of the heights, on a sphere above that at its lowest point.
     pub fn tallest(&self) -> f64 {
-        self.tallest
+        self.drawn.tallest
+    }
+
+    pub fn look_up(&mut self, table: Option<&'a LoadTable>) {
+        self.table = table;
     }
 
     pub fn is_flat(&self) -> bool {
@@ -105,31 +124,31 @@ impl<'a> Specimen<'a> {
 
     /// How many summits were drawn.
     pub fn drawn(&self) -> usize {
-        self.summits.len()
+        self.drawn.all.len()
     }
 
     /// Draws the next summit.
     fn draw(&mut self) {
-        let j = self.summits.len();
+        let j = self.drawn.all.len();
         let (seed, index) = self.random;
         let step = exponential(seed, index, j);
         let (above, z, sharper) = match self.sphere {
             None => {
-                self.hazard += step / (self.count - j as f64);
-                let z = self.heights.of_hazard(self.hazard);
+                self.drawn.hazard += step / (self.count - j as f64);
+                let z = self.heights.of_hazard(self.drawn.hazard);
                 (z, z, 0.0)
             }
             Some(Sphere { number, sharper }) => {
-                self.hazard += step / number;
+                self.drawn.hazard += step / number;
                 let share = uniform(bits(!seed, index, j as u64));
-                let (above, z) = self.heights.on_sphere(self.hazard, share);
+                let (above, z) = self.heights.on_sphere(self.drawn.hazard, share);
                 (above, z, sharper)
             }
         };
         if j == 0 {
-            self.tallest = above;
+            self.drawn.tallest = above;
         }
-        self.summits.push(self.population.one_summit(z, self.tallest - above, sharper, self.table));
+        self.drawn.all.push(self.population.one_summit(z, self.drawn.tallest - above, sharper, self.table));
     }
 
     /// Draws all summits that are near at an approach; returns how many there are.
@@ -138,15 +157,16 @@ impl<'a> Specimen<'a> {
     /// [`Error::OutOfRange`] if they are too many.
     fn near(&mut self, approach: f64) -> Result<usize, Error> {
         let farthest = approach + self.population.range_of_adhesion();
-        while (self.summits.len() as f64) < self.count && self.summits.last().is_some_and(|last| last.depth < farthest)
+        while (self.drawn.all.len() as f64) < self.count
+            && self.drawn.all.last().is_some_and(|last| last.depth < farthest)
         {
-            let drawn = self.summits.len() as f64 * self.alike;
+            let drawn = self.drawn.all.len() as f64 * self.alike;
             if drawn >= self.most_drawn {
                 return Err(too_many(drawn));
             }
             self.draw();
         }
-        Ok(self.summits.partition_point(|summit| summit.depth < farthest))
+        Ok(self.drawn.all.partition_point(|summit| summit.depth < farthest))
     }
 
     /// The loads of the summits at an approach, as the table has them.
@@ -158,7 +178,7 @@ impl<'a> Specimen<'a> {
         let near = self.near(approach)?;
         let mut loads = Loads::default();
         let most_pull = self.population.most_pull();
-        for summit in &mut self.summits[..near] {
+        for summit in &mut self.drawn.all[..near] {
             let Pressed { load, by_overlap } = self.population.load_of_one(summit, approach - summit.depth, table);
             loads.load += load;
             loads.magnitude += load.abs();
@@ -176,7 +196,7 @@ impl<'a> Specimen<'a> {
     pub fn contacts(&mut self, approach: f64) -> Result<Contacts, Error> {
         let near = self.near(approach)?;
         let mut all = Contacts::default();
-        for summit in &mut self.summits[..near] {
+        for summit in &mut self.drawn.all[..near] {
             let overlap = approach - summit.depth;
             let Some(one) = self.population.contact_at(summit, overlap) else {
                 all.stiffness += self.population.load_of_one(summit, overlap, None).by_overlap;
@@ -273,6 +293,16 @@ impl<'a> Specimen<'a> {
 
     /// The largest pull that the specimen withstands.
     pub fn pull_off(&mut self) -> Result<f64, Error> {
+        if let Some(known) = self.drawn.pull_off {
+            return Ok(known);
+        }
+        let found = self.look_for_pull_off()?;
+        self.drawn.pull_off = Some(found);
+        self.forget();
+        Ok(found)
+    }
+
+    fn look_for_pull_off(&mut self) -> Result<f64, Error> {
         let range = self.population.range_of_adhesion();
         if range == 0.0 {
             return Ok(0.0);
