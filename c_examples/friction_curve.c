@@ -8,7 +8,7 @@
  *   HIGHEST  highest load [N], > LOWEST (1)
  *
  * Numbers go to standard output; warnings, if the model does not hold somewhere between the two loads, to standard error.
- * The figure begins farther below, and is grey where fewer than 20 summits touch: there one pair of surfaces differs from
+ * The figure begins farther below, and is grey where fewer than 20 asperities touch: there one pair of surfaces differs from
  * another. Exit status: 0, 1 if the library or a file refuses, 2 for a wrong command line. */
 
 #include <asperity.h>

@@ -73,7 +73,7 @@ def bed(diameter, layers, words):
     subprocess.run([os.environ["LAMMPS"], "-in", ROOT / "hosts/changes/bed.in", "-log", log, "-screen", "none",
                     *(word for name, value in given.items() for word in ("-var", name, str(value)))], check=True)  # fmt: skip
     text = log.read_text()
-    if ("surface" in words and diameter < 5e-3) != bool(re.search(r"fix floor wall/asperity/hertz: .* fewer than 20 summits", text)):
+    if ("surface" in words and diameter < 5e-3) != bool(re.search(r"fix floor wall/asperity/hertz: .* fewer than 20 asperities", text)):
         raise RuntimeError(f"grains of {diameter} m, {words}: few summits on the belt are told wrongly")
     drag, carried, grains = map(float, re.findall(r"^ +16000 +(\S+) +(\S+) +(\S+)", text, re.M)[-1])
     return drag / carried, carried / grains

@@ -293,7 +293,7 @@ def few_summits(ball, claim):
             name = f"{text.splitlines()[1]}, {count} summits, {single.contacting.mean():.3g} in contact"
             claim(name, abs(limit / single.mean_force[0] - 1) < FEW_LIMIT, f"friction over that of specimens is {limit / single.mean_force[0]:.4f}")
             few = asperity.Model(params).state_at_load(load / area * params.nominal_area).contacting * area / params.nominal_area < 20
-            claim(name, ("touch on fewer than 20 summits" in Path("bead.log").read_text()) == few, "few summits are told wrongly")
+            claim(name, ("touch on fewer than 20 asperities" in Path("bead.log").read_text()) == few, "few summits are told wrongly")
         if params.work_of_adhesion == 0:
             continue
         sphere = asperity.pads(params, [0.0], 400, sphere_radius=radius).pull_off_force.mean()

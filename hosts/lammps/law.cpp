@@ -117,7 +117,7 @@ void read_file(asperity_params &params, const std::string &path, const std::stri
     const Units *const unit = std::find_if(consistent, end, [&](const Units &known) { return units == known.name; });
     if (unit == end) refuse("surface " + path + ": is in SI units, so 'units " + units + "' must be si, cgs, micro or nano");
     demand(asperity_params_read(&params, path.c_str()));
-    if (!(params.nominal_area > 0)) refuse("surface " + path + ": nominal_area must be given: its summits lie on this area");
+    if (!(params.nominal_area > 0)) refuse("surface " + path + ": nominal_area must be given: its asperities lie on this area");
     demand(asperity_params_set_units(&params, unit->length, unit->force));
 }
 

@@ -42,7 +42,7 @@ void Told::say(const std::string &who, bool always) {
     for (std::uint64_t bit = 1; always && bit <= told; bit *= 2)
         if (told & bit) error->warning(FLERR, "{}: {}", who, said_by(bit));
     if (all[2] > (1 - least_held) * all[0])
-        error->warning(FLERR, "{}: {:.3g} % of the load is on grains that touch on fewer than {:g} summits, {:.2g} on average: "
+        error->warning(FLERR, "{}: {:.3g} % of the load is on grains that touch on fewer than {:g} asperities, {:.2g} on average: "
                        "they have the mean friction of such contacts; expect +-{:.2g} % of a single one (95 %)",
                        who, 100 * all[2] / all[0], fewest_summits, all[3] / all[2], 100 * all[4] / all[2]);
     if (!(all[1] < least_held * all[0])) return;

@@ -84,7 +84,7 @@ const AREAL: Kind = Kind {
     names: &["Sq", "Sdq", "Ssc", "Sds", "Ssk", "Sku", "Spq", "Svq", "Smq", HEIGHTS, SLOPES, "Sdq_top"],
     slopes: &["Sdq"],
     curvatures: &["Ssc", "Sds"],
-    otherwise: "the slope of the map; if it is not known, give Rq with RSm or process in place of Sq",
+    otherwise: "the slope of the map; if it is not known, give Rq with RSm or process in place of Sq, or guess it and set slope = 4 in [known_to]",
     called: "areal parameters",
 };
 const PROFILE: Kind = Kind {

@@ -14,7 +14,9 @@ mod levels;
 mod limits;
 mod strengths;
 
-pub use cells::{lay, Cells};
+#[cfg(target_arch = "x86_64")]
+pub use cells::lay;
+pub use cells::Cells;
 pub use levels::{stuck, Levels, Sloped, MOST_SLIP_LENGTHS};
 pub use limits::{Blend, Limits};
 

@@ -244,14 +244,14 @@ pub static WARNING_TEXTS: [(&CStr, u64, &CStr); WARNINGS] = [
         c"STEEP",
         WARNING_STEEP,
         c"the surface is too steep for small strains: rms_slope is above 0.3, or, where none is given, contact radii are \
-          above a tenth of summit radii on average; use lighter loads if only the radii are too large, and check slope and \
+          above a tenth of the radii of asperities on average; use lighter loads if only the radii are too large, and check slope and \
           summit_radius: a height map that is noisy gives too steep a surface and too small a radius",
     ),
     (
         c"ATOMIC",
         WARNING_ATOMIC,
         c"contacts are too small for continuum mechanics: their mean radius is below burgers_vector; use heavier \
-          loads, or take the summits of a height map that is filtered at the size of the contacts",
+          loads, or a height map that is filtered at the size of the contacts",
     ),
     (
         c"FEW",
