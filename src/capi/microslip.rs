@@ -8,11 +8,10 @@ use super::model::{self, asperity_model};
 use super::output::{fill, same_fields};
 use super::status::asperity_status;
 use crate::error::Error;
-use crate::memory::{self, Cells, MicroslipStep, PerEdge, Sloped, STATE};
+use crate::memory::{self, Cells, MicroslipStep, Sloped, STATE};
 use crate::model::Model;
 use crate::numerics::float_bits::nan;
 use crate::numerics::four::Portable;
-use std::mem::MaybeUninit;
 use std::ptr;
 
 /// What resists a displacement of the surfaces along each other.
@@ -248,7 +247,7 @@ unsafe fn one_avx2(
     before: *const f64,
     after: *mut f64,
 ) -> Result<MicroslipStep, Error> {
-    let mut state = MaybeUninit::<[f64; STATE]>::uninit();
+    let mut state = std::mem::MaybeUninit::<[f64; STATE]>::uninit();
     copy(before, state.as_mut_ptr().cast(), STATE);
     let state = state.assume_init_mut();
     let step = model.step::<Avx2, true>(load, model.strength_and_stiffness(load), increment, state, &mut None)?;
@@ -264,14 +263,14 @@ unsafe fn many_avx2(model: &Model, arrays: StepArrays) -> Option<(usize, Error)>
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-unsafe fn lay_avx2(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]) {
+unsafe fn lay_avx2(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [memory::PerEdge; 2]) {
     memory::lay::<Avx2>(reach, is_linear, state, edges);
 }
 
 #[cfg(target_arch = "x86_64")]
 impl Cells for Avx2 {
     #[inline(always)]
-    fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [PerEdge; 2]) {
+    fn lay(reach: f64, is_linear: bool, state: &mut [f64; STATE], edges: &mut [memory::PerEdge; 2]) {
         // SAFETY: where there is one, the processor has the instructions.
         unsafe { lay_avx2(reach, is_linear, state, edges) }
     }
