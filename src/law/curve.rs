@@ -9,7 +9,7 @@ use super::coordinate::Coordinate;
 use super::panel::{CurvePanel, PerQuantity, Sample};
 use super::planes::{Planes, PlanesPanel};
 use super::position::Positions;
-use super::states::{Knots, States, Stretch, Unfollowed, SHORTEST};
+use super::states::{Knots, States, Stretch, Unfollowed};
 use super::tolerance::larger;
 use super::{Quantity, Reach};
 use crate::equilibrium::{Branch, Local};
@@ -85,7 +85,7 @@ impl Curve {
         let log_pull_off = pull_off.map(|point| log(-point.load));
         let coordinate = Coordinate { log_pull_off, pull_off: branch.pull_off_load() };
         let positions = Positions::of(branch, reach.has_pull_off);
-        let mut states = States { branch, coordinate, positions, count: 0 };
+        let mut states = States::new(branch, coordinate, positions);
         let Knots { states: knots, kinks } = states.knots(reach)?;
         let most_states = MOST_STATES + MOST_STATES_PER_KINK * kinks.len();
         let error = [0.0; Quantity::COUNT];
@@ -105,7 +105,7 @@ impl Curve {
                     attempt = Attempt::new(&mut states, &mut stretch, reach, 2)?;
                 }
                 let is_missed = stretch.length() > LONGEST || attempt.worst > 1.0;
-                if is_missed && stretch.length() > 2.0 * SHORTEST && states.count < most_states {
+                if is_missed && stretch.length() > 2.0 * states.shortest && states.count < most_states {
                     halves.extend(stretch.halves().into_iter().flatten());
                     continue;
                 }

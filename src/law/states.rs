@@ -11,8 +11,10 @@ use crate::numerics::neighbours::Neighbours;
 /// The ends of the loads are looked for in steps between these, in position, of so much more than slopes tell.
 const STEPS: (f64, f64) = (1.0, 9.0);
 const STEP_MORE: f64 = 1.15;
-/// No panel is shorter, and no kink is nearer to the next or to an end: what is then not resolved is too short to matter.
-pub const SHORTEST: f64 = 1e-8;
+/// No panel is shorter, and no kink is nearer to the next or to an end: what is then not resolved is too short to matter. It is
+/// the last of these, or a part of the range of adhesion where that is less, but so long that positions tell its eighths.
+const SHORTEST: (f64, f64) = (1e-11, 1e-8);
+const SHORTEST_OF_RANGE: f64 = 1e-3;
 
 /// At this separation the load rises already, or cannot be had: the branch ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,9 +74,19 @@ pub struct States<'a> {
     pub positions: Positions,
     /// How many were asked for.
     pub count: usize,
+    /// No panel or distance of kinks is shorter.
+    pub shortest: f64,
 }
 
-impl States<'_> {
+impl<'a> States<'a> {
+    pub fn new(branch: &'a Branch, coordinate: Coordinate, positions: Positions) -> Self {
+        let shortest = match branch.population().range_of_adhesion() {
+            0.0 => SHORTEST.1,
+            range => (SHORTEST_OF_RANGE * range).clamp(SHORTEST.0, SHORTEST.1),
+        };
+        Self { branch, coordinate, positions, count: 0, shortest }
+    }
+
     /// The state at a position on the branch.
     fn at(&mut self, position: f64) -> Result<Sample, Unfollowed> {
         self.of(position, self.positions.separation(position))
@@ -151,8 +163,8 @@ impl States<'_> {
                 // Not so far that nothing touches, as may be the crests of waves within a step.
                 lightest = loop {
                     match self.at((lightest.position + step).min(0.5 * (lightest.position + farthest))) {
-                        Err(_) if step > SHORTEST => step *= 0.5,
-                        Ok(next) if next.position < lightest.position + SHORTEST => {
+                        Err(_) if step > self.shortest => step *= 0.5,
+                        Ok(next) if next.position < lightest.position + self.shortest => {
                             return Err(Unfollowed { separation: next.separation });
                         }
                         next => break next?,
@@ -177,7 +189,7 @@ impl States<'_> {
         for &kink in self.branch.kinks() {
             let position = self.positions.position(kink);
             let next = states.partition_point(|state| state.position < position);
-            let is_apart = |other: &Sample| (position - other.position).abs() > SHORTEST;
+            let is_apart = |other: &Sample| (position - other.position).abs() > self.shortest;
             if next > 0 && next < states.len() && is_apart(&states[next - 1]) && is_apart(&states[next]) {
                 let state = self.of(position, kink)?;
                 kinks.push((kink, state.log_excess));

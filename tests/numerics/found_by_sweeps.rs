@@ -8,7 +8,7 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 24] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 26] = [
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
@@ -106,6 +106,19 @@ pub fn surfaces() -> Vec<Surface> {
         // All contacts lie so near to pull-off that the difference of two loads has too few digits for a table: refused.
         ([1.9898856744572166e-4, 1.4249794278494392, 6.980049586075819e-7, 1.8926241938550495e-1],
          Heights::weibull(150.54683263723996), [0.0, 2.363388711501999e-3], true),
+        // Adhesion reaches less far than ten times the shortest panel was: the last panel before pull-off could not be halved, refused.
+        ([4.7400317473944964e-1, 8.679137390968684e6, 1.537619787426055e-7, 1.3320257995204536],
+         table(&[5.860018115100068, 6.354065370754835, 7.645793941079481, 7.971575015364744, 8.37143371167472,
+                 8.826296517247927],
+               &[0.33291741377268186, 1.2108393722822652, 0.3256617783730315, 0.043315329184585, 0.35122899123350876,
+                 2.3704621140354845]),
+         [-0.1679687495343387, 2.4089952190177108e-2], true),
+        ([6.029390855928116e-1, 9.426820448147625e6, 1.012191271043575e-6, 9.896139808191094],
+         table(&[1.9487762080550848, 2.325005249645809, 2.862413953630123, 3.255410975754791, 3.562373580282202,
+                 4.534657445535026],
+               &[0.0, 0.36732763287060227, 1.5519142834428483, 0.09573665016097738, 1.132785837285805,
+                 0.2983959239843368]),
+         [0.0, 1.5564625387454765], true),
     ];
     let surfaces = found.map(|(groups, heights, radii, attraction)| Surface { attraction, ..Surface::new(groups, heights, radii) });
     surfaces.into()
