@@ -48,8 +48,8 @@ def _introduction() -> str:
 # The paper's figures: friction coefficient against load
 
 The library reproduces what the text of G. G. Adams and S. Müftü, *Improvements to a scale-dependent model for contact and
-friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, says about its figures 3 to 10. Loads P are in N G b²; the friction
-coefficient is μ = F/P. Three loads of two curves, after `pip install './python[plot]'` in a checkout:
+friction*, J. Phys. D: Appl. Phys. 38 (2005) 1402–1409, says about its figures 3 to 10. Loads P are in N G b², of N asperities
+([α, β, γ](../model.md#units-and-groups-eqs-7-8)); μ = F/P. Three loads of two curves, after `pip install './python[plot]'` in a checkout:
 
 ```python
 {_PROGRAM}```
@@ -57,8 +57,8 @@ coefficient is μ = F/P. Three loads of two curves, after `pip install './python
 ```text
 {printed.getvalue()}```
 
-Weibull heights: `skew=-1`; radii that grow with height: `radius_amplitude=0.5`. `python docs/gallery` writes this page,
-its pictures and the curves as CSV, and a test fails if a number here is not what the library computes."""
+Weibull heights: `skew=-1`; radii that grow with height: `radius_amplitude=0.5`. `python docs/gallery FOLDER` writes this
+page, its pictures and the curves as CSV, and a test fails if a number here is not what the library computes."""
 
 
 def _not_compared() -> str:
