@@ -525,8 +525,14 @@ impl Estimate {
             return (mixture, others, Shares::default());
         }
         let apart = alike.each_ref().map(|what| {
-            let known = what.iter().filter(|(weight, _)| *weight > 0.0);
-            known.map(|(weight, sum)| weight * (sum / weight - mean) * (sum / weight - mean)).sum::<f64>()
+            let known = || what.iter().filter(|(weight, _)| *weight > 0.0);
+            // One alone differs from the mean by rounding.
+            let apart = |(weight, sum): &(f64, f64)| weight * (sum / weight - mean) * (sum / weight - mean);
+            if known().count() > 1 {
+                known().map(apart).sum::<f64>()
+            } else {
+                0.0
+            }
         });
         let [inside, all] = [within.iter().sum::<f64>() + of_specimens, apart.iter().sum::<f64>()];
         let between = (variance - inside).max(0.0);
