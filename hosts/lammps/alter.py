@@ -203,10 +203,10 @@ class Grains:
             rows.append([values[name] / self.scale[unit] for name, unit in zip(names, units)])
         return rows
 
-    def rebound(self, restitution, speed, wall):
+    def rebound(self, restitution, speed, wall, law="mu 0"):
         """The speed after an impact over the one before, of two grains or of one and a wall."""
         self.begin("si")
-        words = f"asperity/hertz {BEADS} restitution {restitution} mu 0"
+        words = f"asperity/hertz {BEADS} restitution {restitution} {law}"
         self.say(f"pair_style {words}\npair_coeff * *\nfix move all nve/sphere\ntimestep {2e-7 * speed**-0.2}")
         if wall:
             self.say(f"fix floor all wall/{words.replace('hertz', 'hertz zplane -0.0051 NULL')}")
@@ -340,6 +340,11 @@ def main(folder):
         for speed, wall in ((0.01, False), (1.0, False), (1.0, True)):
             found = ball.rebound(restitution, speed, wall)
             claim(f"restitution {restitution} at {speed} m/s", abs(found / restitution - 1) < 2e-3, f"is {found:.4f}")
+    # Where damping takes all of the load while they still overlap, nothing touches.
+    Path("film.toml").write_text(GLASS.format(0, 1e-7, 0.1))
+    for wall, law in ((wall, law) for wall in (False, True) for law in ("surface film.toml", "surface film.toml microslip yes")):
+        found = ball.rebound(0.5, 1.0, wall, law)
+        claim(f"{law}, without adhesion", abs(found / 0.5 - 1) < 2e-3, f"restitution is {found:.4f}")
     few_summits(ball, claim)
     # A restart file brings back the words. What they name is read anew, and a surface that is not as it was is told.
     grains.say("write_restart grains.restart")

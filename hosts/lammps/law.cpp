@@ -356,7 +356,7 @@ void Law::limits(int count, const Contact *contact, Bodies &bodies, Forces *r) c
         r[k].summits = touching(pressure[k]) * area[k];
         r[k].pressure = pressure[k];
         bodies.softening[k] = softening_;
-        if (r[k].summits < Beads::MANY) {    // the mean of single contacts, as if the area were larger or smaller
+        if (r[k].summits > 0 && r[k].summits < Beads::MANY) {    // the mean of single contacts, as if the area were larger or smaller
             const Single single = beads().single(r[k].summits, params_.asperity_count * area[k]);
             r[k].scatter = single.scatter;
             area[k] *= single.friction;

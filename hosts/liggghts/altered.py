@@ -27,6 +27,7 @@ SOFT = 8.556e6  # Young's modulus that grains are computed with
 TEXT = surface.SURFACE.read_text()
 SURFACES = {"film": TEXT, "rougher": TEXT.replace("Sq = 9.8e-9", "Sq = 12e-9"),
             "elsewhere": 'interface_kind = "film"\n' + re.sub("slip_stress", "# ", TEXT), "whole": 'slip_onset = "whole"\n' + TEXT,
+            "dry": re.sub("work_of_adhesion = .*", "work_of_adhesion = 0", TEXT),
             "calibrated": "calibration_load = 100\ncalibration_friction_coefficient = 0.16\n" + TEXT}  # fmt: skip
 HABITS = {
     **{name: dict(units=name) for name in UNITS if name != "si"}, "half the step": dict(step=5e-7), "unequal grains": dict(size=(0.01, 0.007)),
@@ -38,6 +39,8 @@ HABITS = {
     "microslip": dict(more="microslip yes", refused="microslip"),
 }  # fmt: skip
 IMPACTS = [dict(restitution=e, speed=speed, wall=wall) for e in (0.1, 0.4, 0.9, 1.0) for speed, wall in ((1.0, False), (0.01, True))]
+# Where damping takes all of the load while they still overlap, nothing touches.
+IMPACTS += [dict(restitution=0.5, speed=1.0, wall=wall, law="dry") for wall in (False, True)]
 
 
 def liggghts(script, folder, ranks=1):
@@ -159,9 +162,9 @@ class Contact(check.RealContact):
         return worst
 
 
-def rebound(restitution, speed, wall):
+def rebound(restitution, speed, wall, law="mu 0"):
     """The speed after an impact over the one before."""
-    begin, _, laws = script(gap=1e-6, wall=wall, restitution=restitution, step=2e-7 * speed**-0.2, law="mu 0")
+    begin, _, laws = script(gap=1e-6, wall=wall, restitution=restitution, step=2e-7 * speed**-0.2, law=law)
     _, log = liggghts([*begin, laws, "thermo 10000", f"velocity upper set 0 0 {-speed}", "fix move upper nve/sphere",
                         "fix hold lower freeze", "run 100000"], FOLDER / "one")  # fmt: skip
     table = rows(log)
