@@ -477,7 +477,9 @@ impl Entries<'_> {
     fn blamed(&self, error: Error) -> Box<Problem> {
         let name = error.name().unwrap_or_default();
         let is_number = ["asperity_count", "bandwidth"].iter().any(|count| name.contains(count));
+        let is_of_waves = |name: &str| name.starts_with("waviness");
         let makes = |entry: &&Entry| match entry.table {
+            _ if is_of_waves(name) => is_of_waves(entry.name),
             Table::Roughness => true,
             _ if is_number => ["nominal_area", "summit_density", "asperity_count"].contains(&entry.name),
             _ => SUMMITS.contains(&entry.name) || name.contains(entry.name),

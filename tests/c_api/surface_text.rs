@@ -445,6 +445,10 @@ fn what_is_wrong_is_named_with_line_and_key() {
         ("nominal_area = 1\n[roughness]\nRa = 3e-6".into(), "line 3: [roughness] Ra: give with it RSm"),
         ("nominal_area = 1\n[roughness]\nRa = 1\nm0 = 1\nm2 = 1\nm4 = 1".into(), "line 3: [roughness] Ra: must not be given together with m0, which it replaces"),
         ("nominal_area = 1\n[roughness]\nSq = [1, 2]\nSdq = 0.1\nSds = [1, 2]".into(), "line 4: [roughness] Sdq: must be as many numbers as Sq has"),
+        (
+            "pair = \"steel/steel\"\nnominal_area = 1e-4\nwaviness_height = 1e-6\n[roughness]\nprocess = \"ground\"".into(),
+            "line 3: waviness_height: waviness_shape = 0: must be ridges (1) or hills (2)",
+        ),
         ("nominal_area = 1\n[roughness]\nSq = 1".into(), "line 2: [roughness] Sdq: must be set, the slope of the map; if it is not known, give Rq with RSm or process"),
         ("nominal_area = 1\n[roughness]\nRq = 1".into(), "line 2: [roughness] RSm: must be set, or Rdq"),
         ("nominal_area = 1\n[roughness]\nRq = 1\nRSm = 1\nRdq = 1".into(), "line 5: [roughness] Rdq: must not be given together with RSm, which it replaces"),
