@@ -3,15 +3,23 @@ import { $, copy, element } from "./dom.js";
 import { LANGUAGES, snippet } from "./snippets.js";
 import { active, page, readLoad } from "./state.js";
 
-/** Shows it. */
+let [language] = Object.keys(LANGUAGES);
+
+/** Shows it, in the language that was copied last. */
 export function code() {
   const computed = page.shown.some(({ letter }) => letter === page.active);
-  $("code").textContent = computed ? snippet(page.library, $("language").value, active(), Number(readLoad().toPrecision(3))) : "";
+  $("code").textContent = computed ? snippet(page.library, language, active(), Number(readLoad().toPrecision(3))) : "";
 }
 
-/** Makes the choice of languages, and copies on request. */
+/** Makes a button for each language, which copies at once. */
 export function buildCode() {
-  $("language").append(...Object.keys(LANGUAGES).map((name) => element("option", { value: name }, name)));
-  $("language").addEventListener("change", code);
-  $("copy-code").addEventListener("click", () => copy($("code").textContent, "code-copied"));
+  for (const name of Object.keys(LANGUAGES)) {
+    const button = element("button", { type: "button", ariaLabel: `Copy as ${name}` }, name);
+    button.addEventListener("click", () => {
+      language = name;
+      code();
+      copy($("code").textContent, "code-copied");
+    });
+    $("copy-as").append(button, " ");
+  }
 }

@@ -208,6 +208,17 @@ function refusal(surface) {
   assert.fail(JSON.stringify(surface));
 }
 
+test("one click copies the surface in a language", async () => {
+  const { page } = await open({}, "");
+  await drawn(page);
+  for (const [name, said] of [["C", "#include <asperity.h>"], ["Python", "from asperity import"], ["surface.toml", "[roughness]"]]) {
+    await page.getByRole("button", { name: `Copy as ${name}`, exact: true }).click();
+    assert.ok((await page.evaluate(() => globalThis.copied)).includes(said), name);
+    assert.equal(await page.evaluate(() => globalThis.copied), await page.locator("#code").textContent());
+  }
+  await page.close();
+});
+
 test("bad input gets the library's message, and the field is marked", async () => {
   const { page, wrong } = await open();
   const cases = [["adhesion_range", "-1"], ["work_of_adhesion", "63000"], ["nu1", "0.7"], ["Sku", "1"], ["slip_stress_1", "-0.1"], ["Sdq", "6"]];
