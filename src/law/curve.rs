@@ -22,6 +22,8 @@ const LONGEST: f64 = 5.0;
 /// Once so many exact states are spent, and some for each kink, panels are kept as they are.
 const MOST_STATES: usize = 2500;
 const MOST_STATES_PER_KINK: usize = 50;
+/// Slopes of a panel with three nodes are farther off than half-way between these by up to so many times.
+const SLOPES_OF_FEW: f64 = 3.0;
 
 /// The curve, from heavy to light load.
 #[derive(Debug, Clone)]
@@ -99,9 +101,8 @@ impl Curve {
         while !open.is_empty() {
             let mut halves = Vec::new();
             for mut stretch in open.into_iter().filter(|stretch| stretch.to.log_excess < reach.log_heaviest) {
-                // Slopes of a panel with few nodes are farther off than half-way between these by up to 3 times.
                 let mut attempt = Attempt::new(&mut states, &mut stretch, reach, 4)?;
-                if stretch.length() > LONGEST || 3.0 * attempt.worst > 1.0 {
+                if stretch.length() > LONGEST || SLOPES_OF_FEW * attempt.worst > 1.0 {
                     attempt = Attempt::new(&mut states, &mut stretch, reach, 2)?;
                 }
                 let is_missed = stretch.length() > LONGEST || attempt.worst > 1.0;
