@@ -43,9 +43,10 @@ const PRESSURES: u32 = 8;
 const MOST_PRESSURE: f64 = 3.0;
 /// Of more points, those whose loads are nearest are taken together.
 const MOST_SOLVED: usize = 16;
-/// Points whose misfit over what is left is up to the first of these are as they should be; from the second on their errors grow by its
-/// root.
+/// Points whose misfit over what is left is up to the first of these are as they should be; from the second on their errors grow until it
+/// is 1, to this in its logarithm.
 const FITTING: [f64; 2] = [2.0, 4.0];
+const FITTED: f64 = 1e-3;
 /// Times as much as real interfaces usually leave the law, that points which contradict each other are looked at with.
 const FASTEST: f64 = 10.0;
 /// Loads that are kept.
@@ -270,7 +271,7 @@ impl Estimate {
             self.points.iter().zip(&of_points).map(|(point, at)| self.decades(at, point.load)).collect();
         let all_there = decades.iter().all(|&decades| decades == 0.0);
         let measured: Vec<f64> = self.points.iter().map(|point| point.log_force).collect();
-        let mut noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
+        let noise: Vec<f64> = self.points.iter().map(|point| point.noise).collect();
         let unsolved = self.unsolved_nodes(&reference)?;
         let solved = |noise: &[f64]| {
             let told = if self.measured_specimens() > 0.0 { &of_points[..] } else { &[] };
@@ -293,12 +294,25 @@ impl Estimate {
         };
         let mut found = solved(&noise);
         // No law that changes so fast that hardly any does makes points at nearly one load agree.
-        let usual = unsolved.iter().zip(&found).filter(|((node, _), _)| node.more.0 <= FASTEST);
-        let least = usual.map(|(_, (solved, _))| solved.misfit).fold(f64::INFINITY, f64::min);
-        let growth = self.growth_of(least);
-        if growth > 1.0 {
-            noise.iter_mut().for_each(|noise| *noise *= growth * growth);
-            found = solved(&noise);
+        let misfit_of = |found: &[(Solved, f64)], growth: f64| {
+            let usual = unsolved.iter().zip(found).filter(|((node, _), _)| node.more.0 <= FASTEST);
+            self.misfit_of_one(usual.map(|(_, (solved, _))| solved.misfit).fold(f64::INFINITY, f64::min), growth)
+        };
+        let grown = |growth: f64| noise.iter().map(|noise| noise * growth * growth).collect::<Vec<_>>();
+        let misfit = misfit_of(&found, 1.0);
+        let [from, to] = FITTING;
+        let mut growth = 1.0;
+        if misfit > from {
+            // Until the misfit is 1, by secants in logarithms: errors are a part alone of what points may be off by.
+            let (mut off, mut rate) = (log(misfit), 2.0_f64);
+            while off.abs() > FITTED {
+                let by = off / rate.max(1.0);
+                growth *= exp(by);
+                let left = log(misfit_of(&solved(&grown(growth)), growth));
+                (off, rate) = (left, (off - left) / by);
+            }
+            growth = 1.0 + ((misfit - from) / (to - from)).min(1.0) * (growth - 1.0);
+            found = solved(&grown(growth));
         }
         let best = found.iter().map(|one| one.1).fold(f64::NEG_INFINITY, f64::max);
         found.iter_mut().for_each(|one| one.1 = exp(one.1 - best));
@@ -338,18 +352,14 @@ impl Estimate {
         solved.on_one_of(specimens, &means, measured)
     }
 
-    /// By how much the errors grow for a misfit, without a step.
-    fn growth_of(&self, misfit: f64) -> f64 {
+    /// The misfit over what the points leave, 1 where points are as far off as their errors have it, which have grown; 0 of a point alone.
+    fn misfit_of_one(&self, misfit: f64, growth: f64) -> f64 {
         let left = self.points.iter().map(|point| point.more + 1).sum::<usize>().saturating_sub(1);
-        if left == 0 {
-            return 1.0;
-        }
-        let misfit = (misfit + self.points.iter().map(|point| point.scatter).sum::<f64>()) / left as f64;
-        let [from, to] = FITTING;
-        match misfit {
-            _ if misfit <= from => 1.0,
-            _ if misfit >= to => misfit.sqrt(),
-            _ => 1.0 + (misfit - from) / (to - from) * (to.sqrt() - 1.0),
+        let scatter = self.points.iter().map(|point| point.scatter).sum::<f64>() / (growth * growth);
+        if left > 0 {
+            (misfit + scatter) / left as f64
+        } else {
+            0.0
         }
     }
 

@@ -115,6 +115,22 @@ fn values_are_continuous_in_what_is_given() {
     }
 }
 
+/// Points that no law passes are as far off as they are, at one load or at nearly one: neither is believed, and what is far off is no guess.
+#[test]
+fn points_that_contradict_each_other_are_taken_for_worse_than_they_say() {
+    let of = |load: f64| {
+        answer(&format!("{STEEL}measured = [[1000, 0.16, 0.01], [{load}, 0.3, 0.01]]\n{ROUGH}"), 10.0).friction
+    };
+    let at_one = of(1000.0);
+    assert!(at_one.low > 0.08 && at_one.high < 0.7, "{at_one:?}");
+    for (load, nearness) in [(999.0, 0.003), (900.0, 0.03), (750.0, 0.08)] {
+        let near = of(load);
+        for (one, other) in [(near.low, at_one.low), (near.value, at_one.value), (near.high, at_one.high)] {
+            assert!((one / other).ln().abs() < nearness, "{load} N: {near:?}, at one load {at_one:?}");
+        }
+    }
+}
+
 /// Nor does a probability, of what has no deviation either.
 #[test]
 fn quantiles_of_numbers_go_with_their_probabilities() {

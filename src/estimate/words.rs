@@ -344,8 +344,11 @@ fn write_strength(estimate: &Estimate, at_points: &[Answer], out: &mut String) {
         }
     }
     if estimate.growth > 1.0 {
-        let errors = Figures(apart_at_one_load(points).max(estimate.growth));
-        tell!(out, "check: points at one load differ by {errors} of their errors: the band is wider for it");
+        let (apart, times) = (apart_at_one_load(points), Figures(estimate.growth));
+        match apart > estimate.growth {
+            true => tell!(out, "check: points at one load differ by {} of their errors: the band is wider for it", Figures(apart)),
+            false => tell!(out, "check: no law has all points, unless their errors are {times} times as large: the band is wider for it"),
+        }
     }
     match estimate.described.specimens {
         Some(1.0) => tell!(out, "rests on: measured on 1 specimen"),
