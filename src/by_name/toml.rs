@@ -142,6 +142,7 @@ fn of_syntax(error: &ParseError, text: &str) -> Box<Problem> {
     let [start, found] = [error.context(), error.unexpected()].map(|span| span.map(|span| span.start()));
     // What has no end is shown where it begins.
     let at = found.filter(|&at| at < text.trim_end().len()).or(start).or(found).unwrap_or_default();
+    const NUMBERS: &str = "; numbers are written as 0.15, 10.0 or 1e-4";
     let expected = error.expected().unwrap_or_default().iter().map(|one| match one {
         Expected::Literal("\n") => "a new line".to_owned(),
         Expected::Literal(sign) => format!("`{sign}`"),
@@ -150,7 +151,10 @@ fn of_syntax(error: &ParseError, text: &str) -> Box<Problem> {
     });
     let expected = expected.collect::<Vec<_>>().join(" or ");
     let expected = if expected.is_empty() { expected } else { format!(", expected {expected}") };
-    let likely = match text.as_bytes().get(at) {
+    let written = text.as_bytes();
+    let likely = match written.get(at) {
+        Some(b'.' | b'+' | b'-' | b'0'..=b'9') => NUMBERS,
+        _ if written.get(..at).is_some_and(|before| before.ends_with(b".")) => NUMBERS,
         Some(b',') => "; is it the point of a number?",
         Some(b':') => "; is it to be an equals sign?",
         _ => "",
