@@ -4,7 +4,7 @@
 //! power is the same in every binade but for a factor, so rows for one binade and powers of that factor answer for all, without
 //! exp or log.
 
-use super::row::{polynomial, Row, RowBasis, ROW_NODES};
+use super::row::{coefficients, polynomial, Row, ROW_NODES};
 use super::table::Table;
 use super::LOAD_FRACTION;
 use crate::numerics::elementary::{exp, log, log1p};
@@ -110,7 +110,6 @@ impl Continuation {
             (value, power * value / mantissa)
         };
         let width = 1.0 / ROWS as f64;
-        let basis = RowBasis::new();
         let rows = std::array::from_fn(|row| {
             let begin = 1.0 + row as f64 * width;
             let end = |mantissa: f64| {
@@ -118,7 +117,7 @@ impl Continuation {
                 (value, slope * width)
             };
             let interior = ROW_NODES.map(|part| at(begin + part * width).0);
-            Row::of_length(basis.coefficients(end(begin), end(begin + width), interior), width)
+            Row::of_length(coefficients(end(begin), end(begin + width), interior), width)
         });
         let sign = if is_heavy { 1.0 } else { -1.0 };
         // What no load asks for overflows.

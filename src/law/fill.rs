@@ -1,6 +1,6 @@
 //! Rows filled from the law: whole, or in as many parts as it takes.
 
-use super::row::{compared, polynomial, Row, RowBasis, DIVISIONS, ROW_CHECKS, ROW_NODES};
+use super::row::{coefficients, compared, polynomial, Row, DIVISIONS, ROW_CHECKS, ROW_NODES};
 use super::table::Table;
 use super::tolerance::larger;
 use crate::numerics::ascending;
@@ -41,14 +41,13 @@ pub struct Filling<'a, S> {
     /// Rows per binade, and the part of a mantissa that each takes.
     per_binade: u64,
     width: f64,
-    basis: RowBasis,
 }
 
 impl<'a, S: Source> Filling<'a, S> {
     /// From a source, of which 1 is so much in the caller's units of x, rows of a fraction 1/2^`fraction` of a binade.
     pub fn new(source: &'a S, unit: f64, fraction: u32) -> Self {
         let per_binade = 1 << fraction;
-        Self { source, log_unit: log(unit), per_binade, width: 1.0 / per_binade as f64, basis: RowBasis::new() }
+        Self { source, log_unit: log(unit), per_binade, width: 1.0 / per_binade as f64 }
     }
 
     /// Fills so many rows of a table. Those that miss the law are divided into pieces, as far as a table of `most` rows and pieces has
@@ -129,7 +128,7 @@ impl<'a, S: Source> Filling<'a, S> {
             (value, slope * length / (1.0 + place.start + begin + part * length))
         };
         let interior = [law[0].0, law[1].0, law[2].0, law[3].0];
-        let coefficients = self.basis.coefficients(rate(left, 0.0), rate(law[7], 1.0), interior);
+        let coefficients = coefficients(rate(left, 0.0), rate(law[7], 1.0), interior);
         let (mut error, mut miss) = (0.0, 0.0);
         for (part, exact) in ROW_CHECKS.into_iter().zip(&law[4..7]) {
             let found = self.compared(polynomial(&coefficients, part), rate(*exact, part), length);

@@ -11,6 +11,7 @@ mod coordinate;
 mod curve;
 mod fill;
 mod gap;
+mod newton;
 mod panel;
 mod planes;
 mod position;

@@ -1,6 +1,7 @@
 //! A panel of the curve: polynomials through exact states with their slopes, of friction and stiffness against s, and of s against
 //! position, by which the curve is read the other way.
 
+use super::newton::newton;
 use super::tolerance::{self, larger};
 use super::Quantity;
 use crate::numerics::root;
@@ -126,18 +127,10 @@ impl Hermite {
     /// With these values and slopes. A slope at the last node that is no number is left to the polynomial, of a degree less.
     pub fn new(nodes: [f64; PANEL_NODES], values: [f64; PANEL_NODES], slopes: [f64; PANEL_NODES]) -> Self {
         let end = nodes.iter().take_while(|&&node| node != nodes[PANEL_NODES - 1]).count();
-        let with = |last: f64| {
-            let mut slopes = slopes;
-            slopes[end] = last;
-            divided_differences(end, &nodes, &values, &slopes)
-        };
-        let last = slopes[end];
-        let coefficients = if last.is_nan() {
-            let [without, unit] = [0.0, 1.0].map(|last| with(last)[2 * end + 1]);
-            with(without / (without - unit))
-        } else {
-            with(last)
-        };
+        let count = 2 * end + if slopes[end].is_nan() { 1 } else { 2 };
+        let twice = |of: [f64; PANEL_NODES]| -> [f64; CONDITIONS] { std::array::from_fn(|i| of[i / 2]) };
+        let mut coefficients = newton(&twice(nodes), twice(values), &twice(slopes));
+        coefficients[count..].fill(0.0);
         Self { nodes, coefficients }
     }
 
@@ -154,24 +147,4 @@ impl Hermite {
         }
         (value, slope)
     }
-}
-
-/// Those of Newton's form up to a node; between the two copies of a node they are the slope.
-fn divided_differences(
-    end: usize,
-    nodes: &[f64; PANEL_NODES],
-    values: &[f64; PANEL_NODES],
-    slopes: &[f64; PANEL_NODES],
-) -> [f64; CONDITIONS] {
-    let mut coefficients = std::array::from_fn(|i| if i / 2 <= end { values[i / 2] } else { 0.0 });
-    for order in 1..2 * (end + 1) {
-        for i in (order..2 * (end + 1)).rev() {
-            let (a, b) = (nodes[(i - order) / 2], nodes[i / 2]);
-            coefficients[i] = match order == 1 && i % 2 == 1 {
-                true => slopes[i / 2],
-                false => (coefficients[i] - coefficients[i - 1]) / (b - a),
-            };
-        }
-    }
-    coefficients
 }

@@ -1,6 +1,7 @@
 //! One row of the compiled law: a polynomial in the mantissa of x = load - pull-off, or a link to rows that are parts of
 //! it.
 
+use super::newton::newton;
 use super::tolerance::{self, larger};
 use std::mem::size_of;
 
@@ -9,6 +10,8 @@ pub const COEFFICIENTS: usize = 8;
 /// The parts of a row at which values determine it, beside values and slopes at its ends; where it is compared.
 pub const ROW_NODES: [f64; 4] = [0.125, 0.359_375, 0.640_625, 0.875];
 pub const ROW_CHECKS: [f64; 3] = [0.05, 0.5, 0.95];
+/// Where values determine it, and slopes where two are alike.
+const CONDITIONS: [f64; COEFFICIENTS] = [0.0, 0.0, ROW_NODES[0], ROW_NODES[1], ROW_NODES[2], ROW_NODES[3], 1.0, 1.0];
 /// The places at which a link divides a row: as many as it has room for.
 pub const DIVISIONS: usize = COEFFICIENTS - 2;
 /// No division: beyond the end of any row.
@@ -88,55 +91,18 @@ pub fn relative_error(value: f64, exact: f64, least: f64) -> f64 {
     }
 }
 
-/// Turns what determines a row into coefficients.
-pub struct RowBasis {
-    /// From the four values of q at the interior points to its coefficients, with p = cubic + u^2 (1-u)^2 q(u).
-    inverse: [[f64; 4]; 4],
-}
-
-impl RowBasis {
-    pub fn new() -> Self {
-        // Lagrange's polynomials in power form.
-        let mut inverse = [[0.0; 4]; 4];
-        for (i, &node) in ROW_NODES.iter().enumerate() {
-            let mut lagrange = [1.0, 0.0, 0.0, 0.0];
-            for (j, &other) in ROW_NODES.iter().enumerate() {
-                if i == j {
-                    continue;
-                }
-                for k in (0..4).rev() {
-                    let lower = if k > 0 { lagrange[k - 1] } else { 0.0 };
-                    lagrange[k] = (lower - other * lagrange[k]) / (node - other);
-                }
-            }
-            for k in 0..4 {
-                inverse[k][i] = lagrange[k];
-            }
+/// The coefficients of powers of a polynomial with values and slopes at the ends of a row, and with values between.
+pub fn coefficients(left: (f64, f64), right: (f64, f64), [a, b, c, d]: [f64; 4]) -> [f64; COEFFICIENTS] {
+    let values = [left.0, left.0, a, b, c, d, right.0, right.0];
+    let slopes = [left.1, left.1, 0.0, 0.0, 0.0, 0.0, right.1, right.1];
+    let mut coefficients = newton(&CONDITIONS, values, &slopes);
+    // From Newton's form: brackets are multiplied out, the innermost first.
+    for k in (0..COEFFICIENTS - 1).rev() {
+        for i in k..COEFFICIENTS - 1 {
+            coefficients[i] -= CONDITIONS[k] * coefficients[i + 1];
         }
-        Self { inverse }
     }
-
-    pub fn coefficients(&self, left: (f64, f64), right: (f64, f64), interior: [f64; 4]) -> [f64; COEFFICIENTS] {
-        // The cubic with the ends' values and slopes.
-        let rise = right.0 - left.0;
-        let cubic = [left.0, left.1, 3.0 * rise - 2.0 * left.1 - right.1, left.1 + right.1 - 2.0 * rise];
-        let mut q = [0.0; 4];
-        for (i, &u) in ROW_NODES.iter().enumerate() {
-            let at = cubic[0] + u * (cubic[1] + u * (cubic[2] + u * cubic[3]));
-            let value = (interior[i] - at) / (u * u * (1.0 - u) * (1.0 - u));
-            for (k, coefficient) in q.iter_mut().enumerate() {
-                *coefficient += self.inverse[k][i] * value;
-            }
-        }
-        // u^2 (1 - u)^2 q = (u^2 - 2 u^3 + u^4) q
-        let mut c = [cubic[0], cubic[1], cubic[2], cubic[3], 0.0, 0.0, 0.0, 0.0];
-        for (k, &coefficient) in q.iter().enumerate() {
-            c[k + 2] += coefficient;
-            c[k + 3] -= 2.0 * coefficient;
-            c[k + 4] += coefficient;
-        }
-        c
-    }
+    coefficients
 }
 
 #[cfg(test)]
@@ -163,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_row_has_the_coefficients_of_the_polynomial_that_it_is_made_from() {
-        let found = RowBasis::new().coefficients(horner(0.0), horner(1.0), ROW_NODES.map(|u| horner(u).0));
+        let found = coefficients(horner(0.0), horner(1.0), ROW_NODES.map(|u| horner(u).0));
         for (found, expected) in found.into_iter().zip(C) {
             assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");
         }
