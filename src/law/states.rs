@@ -82,7 +82,12 @@ impl<'a> States<'a> {
     pub fn new(branch: &'a Branch, coordinate: Coordinate, positions: Positions) -> Self {
         let shortest = match branch.population().range_of_adhesion() {
             0.0 => SHORTEST.1,
-            range => (SHORTEST_OF_RANGE * range).clamp(SHORTEST.0, SHORTEST.1),
+            range => {
+                // Where adhesion reaches far beyond the heights, so do positions.
+                let middle = -branch.population().heights().origin();
+                let among_heights = SHORTEST.1 / positions.rates(middle).0.max(1.0);
+                (SHORTEST_OF_RANGE * range).min(among_heights).clamp(SHORTEST.0, SHORTEST.1)
+            }
         };
         Self { branch, coordinate, positions, count: 0, shortest }
     }

@@ -368,9 +368,10 @@ impl Population {
         for _ in 0..NEWTONS_STEPS {
             let (g, g_rate) = self.radius.at(z);
             let point = Point { z, g_rate, contact: self.law.at(parameter, g) };
-            let step = (point.contact.overlap - (z - separation)) / point.height_share();
+            let share = point.height_share();
+            let step = (point.contact.overlap - (z - separation)) / share;
             let rounding = 2.0 * f64::EPSILON * (z.abs() + separation.abs());
-            if step.abs() * self.radius_steepness <= LAST_STEP || step.abs() <= rounding {
+            if step.abs() * self.radius_steepness <= LAST_STEP || step.abs() * share.abs().min(1.0) <= rounding {
                 return Point { z: z + step, contact: point.contact.moved(0.0, g_rate * step), ..point };
             }
             z += step;

@@ -7,6 +7,7 @@
 use super::break_away::LEAST_RATE;
 use super::{Point, Population};
 use crate::distribution::panel::{self, SHORTEST_PANEL};
+use crate::numerics::elementary::log;
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature::{self, POINTS};
 use crate::numerics::root::MOST_STEPS;
@@ -34,6 +35,9 @@ const FEW_POINTS: f64 = 1.5;
 const SOME_POINTS: f64 = 5.0;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
+/// Twice the 32nd root of 32!, by which e-folds of an exponential are divided; and what may be left of a change of dz/ds.
+const EXPONENTIAL: f64 = 25.6;
+const EXPONENTIAL_LEFT: f64 = 1e-12;
 /// Less than this part of a panel is not left for another.
 const REMNANT: f64 = 1e-3;
 
@@ -175,7 +179,7 @@ impl Population {
             // As if radii went on as they begin to.
             let deeper = self.law.at(s + step, here_g).overlap - here.contact.overlap;
             let there = self.on_branch(separation, s + step, here.z + deeper / here.height_share());
-            if !there.follows(here) {
+            if !self.ends_panel(&there, here) {
                 step *= 0.25;
                 continue;
             }
@@ -192,7 +196,7 @@ impl Population {
             step = if reaches_stop && here.z + limit >= stop {
                 // What was tried may lie so far above the stop that radii are level there.
                 let there = self.at_height(separation, stop, s + shorter);
-                if there.follows(here) {
+                if self.ends_panel(&there, here) {
                     return Some(there);
                 }
                 0.5 * step
@@ -202,6 +206,17 @@ impl Population {
             };
         }
         None
+    }
+
+    /// Whether a panel in the parameter may end at a summit. The slope of radii is an exponential on the way to where they change
+    /// fastest, of which 16 points miss (n/2)^32/32! over n e-folds.
+    fn ends_panel(&self, end: &Point, from: &Point) -> bool {
+        let change = (end.height_share() - from.height_share()).abs();
+        let folds = log((end.g_rate / from.g_rate).abs());
+        // Where radii do not change any more there are none.
+        let is_exponential = self.radius.scores.is_none() && folds.is_finite();
+        end.follows(from)
+            && !(is_exponential && change * (folds / EXPONENTIAL).powi(2 * POINTS as i32) > EXPONENTIAL_LEFT)
     }
 
     /// Where a panel in the root of the height above break-away ends: contacts are smooth in it as far as from where none has been.

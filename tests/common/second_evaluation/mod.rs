@@ -217,18 +217,22 @@ impl Surface {
     pub fn least_break_away_rate(&self) -> f64 {
         const STEPS: i32 = 4000;
         const SMALLEST_LOG_DENSITY: f64 = -700.0;
-        // tanh is level beyond.
-        let (from, step) = match &self.heights {
-            Heights::Scores(scores) => {
-                (scores.beyond(-14.0), (scores.beyond(14.0) - scores.beyond(-14.0)) / f64::from(STEPS))
-            }
-            _ => (-10.0 / self.rho, 0.005 / self.rho),
+        let least = |from: f64, to: f64| {
+            let step = (to - from) / f64::from(STEPS);
+            (0..STEPS)
+                .map(|i| from + f64::from(i) * step)
+                .filter(|&z| self.heights.log_density(z) > SMALLEST_LOG_DENSITY)
+                .map(|z| (self.depth(z + step, 0.0) - self.depth(z, 0.0)) / step)
+                .fold(1.0, f64::min)
         };
-        (0..STEPS)
-            .map(|i| from + f64::from(i) * step)
-            .filter(|&z| self.heights.log_density(z) > SMALLEST_LOG_DENSITY)
-            .map(|z| (self.depth(z + step, 0.0) - self.depth(z, 0.0)) / step)
-            .fold(1.0, f64::min)
+        // tanh is level beyond.
+        let reach = 10.0 / self.rho;
+        match &self.heights {
+            // There it is one of the score.
+            Heights::Scores(scores) => least(scores.beyond(-14.0), scores.beyond(14.0))
+                .min(least(scores.height_of(-reach), scores.height_of(reach))),
+            _ => least(-reach, reach),
+        }
     }
 
     /// What a summit of a height adds, without the density.

@@ -153,6 +153,16 @@ impl Scores {
         (self.height[i] + self.log_t[i].exp() * (g - scores()[i]) - self.mean) / self.deviation
     }
 
+    /// The height of a score u.
+    pub fn height_of(&self, u: f64) -> f64 {
+        let (mut lower, mut upper) = (self.beyond(-14.0), self.beyond(14.0));
+        for _ in 0..60 {
+            let middle = 0.5 * (lower + upper);
+            *(if self.radius(middle).0 < u { &mut lower } else { &mut upper }) = middle;
+        }
+        upper
+    }
+
     pub fn knots(&self) -> Vec<f64> {
         self.height.iter().map(|x| (x - self.mean) / self.deviation).collect()
     }
