@@ -293,8 +293,8 @@ fn the_last_number_of_a_state_is_the_largest_load() {
         step.stiffness[0]
     };
     near("tightened", stiffness(&joint, largest), unloaded.tangential_stiffness_at_load(light), 0.01);
-    assert_eq!(stiffness(&joint, 0.0), joint.tangential_stiffness_at_load(light));
-    assert_eq!(stiffness(&first, largest), first.tangential_stiffness_at_load(light));
+    near("loosened", stiffness(&joint, 0.0), joint.tangential_stiffness_at_load(light), 1e-15);
+    near("first loading", stiffness(&first, largest), first.tangential_stiffness_at_load(light), 1e-15);
     for none in [-1.0, f64::NAN, f64::INFINITY, 1e300] {
         let mut state = [0.0; MICROSLIP_LENGTH];
         state[MICROSLIP_LENGTH - 1] = none;
