@@ -37,7 +37,9 @@ pub struct Branch {
     /// Those on which the population stands, if any.
     waves: Option<Arc<Waves>>,
     kinks: Vec<f64>,
-    end: End,
+    /// Not known before it is asked for of surfaces like others, of which the pull-off load is this.
+    end: OnceLock<End>,
+    like: f64,
     /// The load minus the pull-off load near that, if there is one, once it is asked for.
     fall: OnceLock<Fall>,
 }
@@ -66,18 +68,35 @@ impl Branch {
         Ok(Self::ending(population, end))
     }
 
-    /// The branch of a population like one whose load has a single minimum.
+    /// The branch of a population like that of another, summed as that is, which is not looked for where it ends as long as it is pressed.
     ///
     /// # Errors
     /// As [`Branch::new`].
-    pub fn with_single_minimum(population: Population) -> Result<Self, Error> {
-        let end = End::looked_for(&population, true)?;
-        Ok(Self::ending(population, end))
+    pub fn like(other: &Self, population: Population) -> Result<Self, Error> {
+        let population = population.summed(other.population.is_rough());
+        match population.is_adhesive() {
+            true => Ok(Self {
+                like: other.pull_off_load(),
+                end: OnceLock::new(),
+                ..Self::ending(population, End::default())
+            }),
+            false => Self::new(population),
+        }
     }
 
     fn ending(population: Population, end: End) -> Self {
-        let kinks = population.kinks();
-        Self { population, waves: None, kinks, end, fall: OnceLock::new() }
+        let (kinks, fall) = (population.kinks(), OnceLock::new());
+        Self { population, waves: None, kinks, end: end.into(), like: 0.0, fall }
+    }
+
+    /// Where it ends; nowhere if that is not to be found.
+    fn end(&self) -> &End {
+        self.end.get_or_init(|| End::of(&self.population).unwrap_or_default())
+    }
+
+    /// The same as far as it is known.
+    fn end_if_known(&self) -> End {
+        self.end.get().copied().unwrap_or(End { pull_off: None, farthest: self.population.farthest() })
     }
 
     /// The branch of the same population on waves, without adhesion. Where one place has a kink the mean over many hardly has one, but of
@@ -87,22 +106,28 @@ impl Branch {
         let kinks = self.kinks.iter().filter(|_| has_kinks);
         let mut kinks: Vec<f64> = kinks.flat_map(|&kink| waves.separations_at(kink)).collect();
         kinks.sort_by(f64::total_cmp);
-        let end = End { farthest: self.end.farthest + waves.highest(), ..self.end };
-        Self { waves: Some(Arc::new(waves)), kinks, end, ..self }
+        let end = End { farthest: self.farthest() + waves.highest(), ..*self.end() };
+        Self { waves: Some(Arc::new(waves)), kinks, end: end.into(), ..self }
     }
 
     /// The branch that ends before a separation at which the load was found to rise already.
     pub fn ending_near(self, separation: f64) -> Result<Self, Error> {
         let end = End::before(&self.population, separation)?;
-        Ok(Self { end, fall: OnceLock::new(), ..self })
+        Ok(Self { end: end.into(), fall: OnceLock::new(), ..self })
     }
 
     /// The branch of the same summits with other slip stresses at the same radii, of which sums are asked and not what is compiled.
     pub fn with_slip(&self, slip: Slip) -> Self {
         let population = self.population.with_slip(slip);
         let sums = |point: PullOff| PullOff { sums: population.at_separation(point.separation), ..point };
-        let end = End { pull_off: self.end.pull_off.map(sums), ..self.end };
-        Self { end, waves: self.waves.clone(), kinks: self.kinks.clone(), fall: OnceLock::new(), population }
+        let end = self.end.get().map(|end| End { pull_off: end.pull_off.map(sums), ..*end });
+        let end = end.map_or_else(OnceLock::new, OnceLock::from);
+        Self { end, waves: self.waves.clone(), kinks: self.kinks.clone(), fall: OnceLock::new(), population, ..*self }
+    }
+
+    /// As [`Population::summed`].
+    pub fn summed(&self, is_rough: bool) -> Self {
+        Self { population: self.population.summed(is_rough), ..self.clone() }
     }
 
     /// Gives back what is tabulated of the population until sums are asked for.
@@ -122,17 +147,22 @@ impl Branch {
 
     /// The pull-off point; `None` without adhesion, or where its load is too small for a number.
     pub fn pull_off(&self) -> Option<PullOff> {
-        self.end.pull_off
+        self.end().pull_off
     }
 
     /// The smallest load of the branch, where friction sets in: the pull-off load, or 0.
     pub fn pull_off_load(&self) -> f64 {
-        self.end.pull_off.map_or(0.0, |point| point.load)
+        self.pull_off().map_or(0.0, |point| point.load)
+    }
+
+    /// The load from which others are counted: the pull-off load, or that of surfaces like these.
+    pub fn least_load(&self) -> f64 {
+        self.end.get().map_or(self.like, |end| end.pull_off.map_or(0.0, |point| point.load))
     }
 
     /// The largest separation on the branch.
     pub fn farthest(&self) -> f64 {
-        self.end.farthest
+        self.end().farthest
     }
 
     /// The state at a separation on the branch; near pull-off with fewer digits of ln(load - pull-off load), but for next to it.
@@ -145,7 +175,7 @@ impl Branch {
             None => (self.population.at_separation(separation), None),
         };
         let size = sums.hertz_load - sums.load_attracted - self.pull_off_load();
-        if self.end.pull_off.is_some() && sums.load() - self.pull_off_load() < NEAREST_DIFFERENCE * size {
+        if self.pull_off().is_some() && sums.load() - self.pull_off_load() < NEAREST_DIFFERENCE * size {
             return self.log_excess(separation);
         }
         BranchPoint { gap, ..Self::point_of(sums, sums.load() - self.pull_off_load()) }
@@ -217,11 +247,13 @@ impl Branch {
     /// The state at a separation on the branch.
     pub fn log_excess(&self, separation: f64) -> BranchPoint {
         let sums = self.sums(separation);
-        let difference = sums.load() - self.pull_off_load();
-        let is_near = difference < FARTHEST_FALL * -self.pull_off_load();
-        let fall = self.end.pull_off.filter(|_| is_near).and_then(|pull_off| {
-            let fall = self.fall.get_or_init(|| Fall::new(&self.population, &self.kinks, &pull_off));
-            fall.from(&self.population, separation)
+        let difference = sums.load() - self.least_load();
+        let is_near = difference < FARTHEST_FALL * -self.least_load();
+        let fall = self.end_if_known().pull_off.filter(|_| is_near).and_then(|pull_off| {
+            // Rough sums would never do.
+            let exact = self.population.summed(false);
+            let fall = self.fall.get_or_init(|| Fall::new(&exact, &self.kinks, &pull_off));
+            fall.from(&exact, separation)
         });
         Self::point_of(sums, fall.unwrap_or(difference))
     }
@@ -231,10 +263,10 @@ impl Branch {
         BranchPoint { log_excess: log(excess.max(f64::MIN_POSITIVE)), rate: sums.load_slope / excess, sums, gap: None }
     }
 
-    /// The separation at which ln(load - pull-off load) is this, and the sums there, from a guess if there is one, to a tolerance or as far
+    /// The separation at which ln(load - least load) is this, and the sums there, from a guess if there is one, to a tolerance or as far
     /// as rounding lets it.
     pub fn at_log_excess(&self, target: f64, guess: Option<f64>, tolerance: f64) -> Result<(f64, Sums), Error> {
-        if target < LOG_LIGHTEST_LOAD && self.end.pull_off.is_none() {
+        if target < LOG_LIGHTEST_LOAD && self.least_load() == 0.0 {
             // Sums that small have few digits: the straight line from the lightest load that has all.
             let (separation, sums) = self.at_log_excess(LOG_LIGHTEST_LOAD, guess, tolerance)?;
             return Ok((separation, sums.scaled(exp(target - LOG_LIGHTEST_LOAD))));
@@ -260,7 +292,7 @@ impl Branch {
     ) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
         let (mut separation, mut lower, mut upper) = match guess {
-            Some(guess) => (guess.min(self.farthest()), CLOSEST, self.farthest()),
+            Some(guess) => (guess.min(self.end_if_known().farthest), CLOSEST, self.end_if_known().farthest),
             None => self.bracket(target, at).ok_or(failure.clone())?,
         };
         let mut last_step = f64::MAX;
@@ -299,7 +331,7 @@ impl Branch {
     /// A separation on the heavier side of a load, and a bracket: leftwards from where the branch ends or the middle of the
     /// heights.
     fn bracket(&self, target: f64, at: &dyn Fn(f64) -> BranchPoint) -> Option<(f64, f64, f64)> {
-        let mut upper = self.farthest();
+        let mut upper = self.end_if_known().farthest;
         let mut lower = upper.min(1.0) - 1.0;
         let mut step = 2.0;
         while at(lower).log_excess < target {

@@ -38,7 +38,7 @@ pub struct PullOff {
 }
 
 /// The end of the branch: where the load has its first minimum, or where nothing is left.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct End {
     /// `None` without adhesion, or where its load is too small for a number.
     pub pull_off: Option<PullOff>,
@@ -47,27 +47,24 @@ pub struct End {
 }
 
 impl End {
-    /// The end of the branch of a population, looked for from heavy load.
+    /// The end of the branch of a population, looked for from heavy load, and found to all digits.
     ///
     /// # Errors
     /// [`Error::NotConverged`] if it cannot be found; [`Error::OutOfRange`] if the load there is not negative.
     pub fn of(population: &Population) -> Result<Self, Error> {
-        Self::looked_for(population, population.has_single_minimum())
-    }
-
-    /// The same of a population with a single minimum.
-    ///
-    /// # Errors
-    /// As [`End::of`].
-    pub fn looked_for(population: &Population, single: bool) -> Result<Self, Error> {
         let none = Self { pull_off: None, farthest: population.farthest() };
         if !population.is_adhesive() {
             return Ok(none);
         }
-        match bracket_first_minimum(population, single)? {
-            Some(bracket) => Self::within(population, bracket),
-            None => Ok(none),
+        let bracket = bracket_first_minimum(population, population.has_single_minimum())?;
+        if population.is_rough() {
+            let exact = population.summed(false);
+            return match bracket {
+                Some((from, to)) if falls(&exact, from)? && !falls(&exact, to)? => Self::within(&exact, (from, to)),
+                _ => Self::of(&exact),
+            };
         }
+        bracket.map_or(Ok(none), |bracket| Self::within(population, bracket))
     }
 
     /// The end before a separation at which the load was found to rise already.

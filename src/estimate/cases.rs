@@ -263,8 +263,8 @@ impl Law {
 
     /// One of its surfaces, where they differ from those of parameters by the strength alone.
     pub fn like(&self, params: &Params) -> Option<Surfaces> {
-        let is_like = |one: &&Surfaces| Params { slip: params.slip, ..one.params().clone() } == *params;
-        self.models.iter().find(is_like).map(|one| one.with_strength_of(params))
+        let is_like = Params { slip: params.slip, ..self.middle().params().clone() } == *params;
+        is_like.then(|| self.middle().summed(false).with_strength_of(params))
     }
 
     /// What the surfaces bear at a load, from separations at another: where few summits touch, single specimens, if they are not
@@ -492,24 +492,21 @@ fn law(described: &Described, params: &Params, machined: Option<&Machined>, firs
         false => (vec![Work::alone(params.work_of_adhesion, 1.0)], vec![params.work_of_adhesion]),
     };
     let middle = made.len() / 2;
-    let mut models: Vec<Surfaces> = Vec::new();
-    for &work in &made {
-        let params = Params { work_of_adhesion: work, ..params.clone() };
-        let adheres = |one: &Surfaces| one.population().is_adhesive();
-        let of = if models.last().is_some_and(adheres) { Surfaces::with_single_minimum } else { Surfaces::new };
-        models.push(of(&params)?);
-    }
-    let mut changed = [const { None }; INPUTS];
     let mut params = Params { work_of_adhesion: made[middle], ..params.clone() };
+    let most_probable = Surfaces::roughly(&params)?;
+    let of = |&work_of_adhesion: &f64| Surfaces::like(&most_probable, &Params { work_of_adhesion, ..params.clone() });
+    let mut models = made.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+    models[middle] = most_probable;
+    let mut changed = [const { None }; INPUTS];
     let is_wavy = params.waviness.height > 0.0;
     params.waviness.height = 0.0;
-    let even = is_wavy.then(|| Surfaces::new(&params)).transpose()?;
+    let even = is_wavy.then(|| Surfaces::roughly(&params)).transpose()?;
     for Input { at, deviation, change } in inputs(described, &params, machined, first) {
         // What is refused to one side is looked at on the other.
         changed[at] = [1.0, -1.0].into_iter().find_map(|sign| {
             let mut other = params.clone();
             change(&mut other, exp(sign * deviation));
-            Surfaces::with_single_minimum(&other).ok().map(|surfaces| (surfaces, sign))
+            Surfaces::like(&models[middle], &other).ok().map(|surfaces| (surfaces, sign))
         });
     }
     let is_told = usize::from(described.specimens.is_some());

@@ -21,6 +21,7 @@ use crate::model::Surfaces;
 use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
+use crate::numerics::quadrature::points;
 use crate::params::{Params, OF_OTHER_MATERIALS};
 use cases::{
     laws, Law, OfLaw, Terms, Work, AREA_INPUT, HARDNESS_INPUT, HERTZ, NOTHING, SLOPES, STIFFNESS, STRENGTH_INPUT,
@@ -39,8 +40,10 @@ pub use words::write;
 const SIZE_RATIO: f64 = 30.0;
 const SIZES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Pressure coefficients that are looked at, beside 0, up to so many of their deviations.
-const PRESSURES: u32 = 8;
+const PRESSURES: usize = 4;
 const MOST_PRESSURE: f64 = 3.0;
+/// Of no kind nodes differ in more than so many, works of adhesion included.
+const MOST_ALIKE: usize = 8;
 /// Of more points, those whose loads are nearest are taken together.
 const MOST_SOLVED: usize = 16;
 /// Points whose misfit over what is left is up to the first of these are as they should be; from the second on their errors grow until it
@@ -449,9 +452,9 @@ impl Estimate {
         let most = (1.0 / of_hertz).min(reach);
         let weight =
             |kappa: f64| if class.pressure_is_even { 1.0 } else { exp(-0.5 * (kappa / class.pressure).powi(2)) };
-        let kappas: Vec<f64> = (0..PRESSURES).map(|i| most * (f64::from(i) + 0.5) / f64::from(PRESSURES)).collect();
-        let all: f64 = kappas.iter().map(|&kappa| weight(kappa)).sum();
-        let pressing = kappas.into_iter().map(|kappa| (kappa * of_hertz, 0.5 * weight(kappa) / all, log_force));
+        let kappas = points::<PRESSURES>(0.0, most).map(|(kappa, part)| (kappa, part * weight(kappa)));
+        let all: f64 = kappas.iter().map(|(_, weight)| weight).sum();
+        let pressing = kappas.into_iter().map(|(kappa, weight)| (kappa * of_hertz, 0.5 * weight / all, log_force));
         std::iter::once((0.0, 0.5, log_force)).chain(pressing).collect()
     }
 
@@ -482,7 +485,7 @@ impl Estimate {
         let mut within = [0.0; PARTS];
         let (mut of_specimens, mut of_shape) = (0.0, 0.0);
         // The probability and the mean of all nodes that have one thing alike.
-        let mut alike = [[(0.0, 0.0); PRESSURES as usize + 1]; 5];
+        let mut alike = [[(0.0, 0.0); MOST_ALIKE]; 5];
         let (mut mixture, mut others) = (Gathered::default(), Gathered::default());
         let holding = || self.nodes.iter().filter(|node| load > 0.0 || node.work.work > 0.0);
         let least = HARDLY_LIKELY * holding().map(|node| node.weight).sum::<f64>();
@@ -682,7 +685,8 @@ impl Estimate {
                 means.push((1.0, quantity(&of.terms(&node.work))));
             }
             means.retain(|(_, mean)| !mean.is_nan());
-            let weight = weight / means.len() as f64;
+            let alike = 1.0 / means.len() as f64;
+            means.iter_mut().for_each(|mean| mean.0 = alike);
             let of = Normal { weight, mean: 0.0, deviation: (inputs + error * error).sqrt(), part: 1.0 };
             all.add(of, &means);
         }
@@ -707,9 +711,7 @@ impl Estimate {
     fn add_curve(&self, at: &[OfLaw], answer: &mut Answer) -> Result<(), Error> {
         let Curve { params, surfaces, failure } = &self.curve;
         let load = answer.load;
-        let is_like = |law: &Law| law.middle().params().contact_law == params.contact_law;
-        let near = self.laws.iter().zip(at).find(|(law, _)| is_like(law)).and_then(|(_, of)| of.separation());
-        let borne = match surfaces.borne_near(load, near) {
+        let borne = match surfaces.borne_near(load, self.separation(at)) {
             // Apart, or no number is small enough for what the mean of so rough surfaces has without a load.
             Err(_) if load <= 0.0 => None,
             borne => Some(borne?),
@@ -726,6 +728,18 @@ impl Estimate {
             None => force,
         };
         Ok(())
+    }
+
+    /// The separation that the law of the curve has, of what the laws made of a load.
+    fn separation(&self, at: &[OfLaw]) -> Option<f64> {
+        let is_like = |law: &Law| law.middle().params().contact_law == self.curve.params.contact_law;
+        self.laws.iter().zip(at).find(|(law, _)| is_like(law)).and_then(|(_, of)| of.separation())
+    }
+
+    /// The same of a load that was asked before.
+    fn separation_at(&self, load: f64) -> Option<f64> {
+        let kept = self.kept.borrow();
+        kept.iter().find(|one| one.load == load && !one.is_there).and_then(|one| self.separation(&one.of))
     }
 
     /// The strength of the curve, over that of its surfaces.
@@ -911,7 +925,8 @@ impl Estimate {
         let pressing = || loads.iter().copied().filter(|&load| load > 0.0);
         match (pressing().reduce(f64::min), pressing().reduce(f64::max)) {
             (Some(lightest), Some(heaviest)) => {
-                self.curve.surfaces.judged_as(&self.curve.params).check_loads(lightest, heaviest)
+                let [light, heavy] = [lightest, heaviest].map(|load| (load, self.separation_at(load)));
+                self.curve.surfaces.judged_as(&self.curve.params).check_loads_near(light, heavy)
             }
             _ => Ok(0),
         }

@@ -131,8 +131,13 @@ impl Solved {
     pub fn pulled(&self, at: &Seen, found: &mut Vec<f64>) {
         let with = self.with_points(at);
         found.clear();
-        let by = |pull: &[f64]| with.iter().zip(pull).map(|(a, b)| a * b).sum::<f64>();
-        found.extend(self.pulls.chunks_exact(with.len().max(1)).map(by));
+        match with[..] {
+            [with] => found.extend(self.pulls.iter().map(|pull| with * pull)),
+            _ => {
+                let by = |pull: &[f64]| with.iter().zip(pull).map(|(a, b)| a * b).sum::<f64>();
+                found.extend(self.pulls.chunks_exact(with.len().max(1)).map(by));
+            }
+        }
     }
 
     /// The covariance of y at a load with that at each point.
@@ -230,77 +235,78 @@ impl Normal {
 /// Many of them, of which those that are nearly alike are one with their mean and variance.
 #[derive(Debug, Default)]
 pub struct Gathered {
-    /// Of each with its class; a variance for the deviation.
-    found: Vec<(Class, Normal)>,
-    /// By class where it stands among those that are found, from 1; 0: nowhere.
-    places: Vec<u32>,
+    kinds: Vec<Kind>,
+    /// What is gathered with nothing.
+    alone: Vec<Normal>,
 }
 
-/// Which width and part in doubt, and the mean in steps.
-type Class = (u64, i64);
+/// Those whose deviations and parts in doubt are nearly the same.
+#[derive(Debug)]
+struct Kind {
+    alike: [u64; 2],
+    /// A mean among them, in the middle of cells, which are so wide.
+    from: f64,
+    width: f64,
+    cells: Box<[Cell; CELLS]>,
+    /// Sums of the weight, and of that times the part in doubt.
+    sums: [f64; 2],
+}
+
+const CELLS: usize = 512;
+/// Sums over those whose means are as near: of the weight, of that times how far the mean is off the middle of the cell, the square, and the variance.
+type Cell = [f64; 4];
 
 impl Gathered {
-    /// Adds some of one deviation, with their weights and means.
+    /// Adds some of one deviation, with their weights, of which the sum is 1, and means.
     pub fn add(&mut self, of: Normal, means: &[(f64, f64)]) {
+        // Deviations whose logarithms differ by less are alike, and parts in doubt; and means, in deviations.
         const FINENESS: f64 = 0.1;
-        // Within a class, wherever all of it is.
-        const BESIDE: f64 = 0.37;
-        // Numbers above it are cut off as they are rounded down.
-        const LARGE: f64 = 1e12;
-        let variance = of.deviation * of.deviation;
-        let width = (log(of.deviation.max(SHARPEST)) / FINENESS).floor();
-        let steps = 1.0 / (FINENESS * exp(FINENESS * width));
-        let kind = (width.to_bits() ^ of.part.to_bits()).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        const CELL: f64 = 0.3;
+        // The last bits of what is added to it are those of an integer.
+        const ROUNDING: f64 = 1.5 * (1_u64 << 52) as f64;
+        const MIDDLE: f64 = (CELLS / 2) as f64;
+        let rounded = |x: f64| (x / FINENESS).floor();
+        let width = rounded(log(of.deviation.max(SHARPEST)));
+        let alike = [width, rounded(of.part)].map(f64::to_bits);
+        let known = self.kinds.iter().position(|kind| kind.alike == alike);
+        let kind = known.unwrap_or_else(|| {
+            let (from, width) = (means.first().map_or(0.0, |first| first.1), CELL * exp(FINENESS * width));
+            self.kinds.push(Kind { alike, from, width, cells: Box::new([[0.0; 4]; CELLS]), sums: [0.0; 2] });
+            self.kinds.len() - 1
+        });
+        let kind = &mut self.kinds[kind];
+        // Quantiles of numbers are between them, so that these stay apart.
+        let (cells, variance) = (1.0 / kind.width, of.deviation * of.deviation);
+        let most = if of.deviation > SHARPEST { MIDDLE - 1.0 } else { -1.0 };
         for &(weight, mean) in means {
-            let one = Normal { weight: of.weight * weight, mean, deviation: variance, ..of };
-            let from = self.found.first().map_or(mean, |first| first.1.mean);
-            let step = (mean - from) * steps + BESIDE + LARGE;
-            // Quantiles of numbers are between them, so that these stay apart.
-            let step = if of.deviation > SHARPEST { step as i64 } else { self.found.len() as i64 };
-            self.put((kind, step), one);
-        }
-    }
-
-    #[inline]
-    fn put(&mut self, class: Class, one: Normal) {
-        if 2 * self.found.len() >= self.places.len() {
-            self.places = vec![0; 2 * self.places.len().max(128)];
-            for i in 0..self.found.len() {
-                let place = self.place(self.found[i].0);
-                self.places[place] = i as u32 + 1;
+            let (weight, place) = (of.weight * weight, (mean - kind.from) * cells);
+            if place.abs() >= most || place.is_nan() {
+                self.alone.push(Normal { weight, mean, ..of });
+                continue;
             }
+            let cell = place + ROUNDING;
+            let off = place - (cell - ROUNDING);
+            let [all, offs, squares, variances] =
+                &mut kind.cells[(cell.to_bits() as usize).wrapping_add(CELLS / 2) % CELLS];
+            *all += weight;
+            *offs += weight * off;
+            *squares += weight * off * off;
+            *variances += weight * variance;
         }
-        let place = self.place(class);
-        if self.places[place] == 0 {
-            self.found.push((class, one));
-            self.places[place] = self.found.len() as u32;
-            return;
-        }
-        let all = &mut self.found[self.places[place] as usize - 1].1;
-        let weight = all.weight + one.weight;
-        let (part, by) = (one.weight / weight.max(f64::MIN_POSITIVE), one.mean - all.mean);
-        all.deviation += part * (one.deviation - all.deviation + (1.0 - part) * by * by);
-        all.mean += part * by;
-        all.weight = weight;
-    }
-
-    /// Where a class is, or would be.
-    #[inline]
-    fn place(&self, class: Class) -> usize {
-        let last = self.places.len() - 1;
-        let mut place = (class.0.wrapping_add(class.1 as u64).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 32) as usize;
-        loop {
-            place &= last;
-            match self.places[place] {
-                0 => return place,
-                i if self.found[i as usize - 1].0 == class => return place,
-                _ => place += 1,
-            }
-        }
+        kind.sums = [kind.sums[0] + of.weight, kind.sums[1] + of.weight * of.part];
     }
 
     pub fn mixture(self) -> Mixture {
-        Mixture(self.found.into_iter().map(|(_, one)| Normal { deviation: one.deviation.sqrt(), ..one }).collect())
+        let mut all = self.alone;
+        for Kind { from, width, cells, sums: [of_kind, parts], .. } in &self.kinds {
+            for (i, &[weight, offs, squares, variances]) in cells.iter().enumerate().filter(|(_, cell)| cell[0] > 0.0) {
+                let (off, square) = (offs / weight, squares / weight);
+                let deviation = (variances / weight + width * width * (square - off * off).max(0.0)).sqrt();
+                let place = i as f64 - (CELLS / 2) as f64 + off;
+                all.push(Normal { weight, mean: from + width * place, deviation, part: parts / of_kind });
+            }
+        }
+        Mixture(all)
     }
 }
 

@@ -310,7 +310,7 @@ fn texts_say_what_was_found_what_it_rests_on_and_what_to_check() {
         ("asperity_count = 1e13\n", silicon, summits, &[1e-3], &["check: the nominal pressure is 0.001 Pa, and a steel sheet of 1 mm has 77 Pa: is load in N, and asperity_count a number"]),
         ("", STEEL, "[roughness]\nprocess = \"ground\"\nRa = 10e-6\n", &[10.0], &["check: Ra = 10 um: ground surfaces have 0.1 to 1.6 um: is it of this process"]),
         // What is told of the shape of the heights, and what more of it would be worth.
-        ("measured = [1e-2, 0.3]\n", SILICON, SMOOTH, &[1e-4], &["rests on: roughness: height and slope alone, as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at 0.0001 N to some 0.214 to"]),
+        ("measured = [1e-2, 0.3]\n", SILICON, SMOOTH, &[1e-4], &["rests on: roughness: height and slope alone, as of a Gaussian surface: a table of the height map (heights_at_scores, slopes_at_scores) narrows the band at 0.0001 N to some 0.213 to"]),
         ("measured = [1e-2, 0.3]\nheight_distribution = \"gaussian\"\n", SILICON, SMOOTH, &[1e-4], &["no rests on: roughness"]),
         ("measured = [1e-2, 0.3]\n", SILICON, "[roughness]\nSq = 5e-9\nSdq = 0.08\nSsk = -0.8\nSku = 4\n", &[1e-4], &["rests on: roughness: heights that are not Gaussian, and one slope\n", "no a table of the height map"]),
         ("measured = [1000, 0.16]\n", STEEL, ROUGH, &[10.0], &["no rests on: roughness", "no plateaus"]),

@@ -214,17 +214,20 @@ impl Surfaces {
         tolerance: f64,
     ) -> Result<(f64, Sums), Error> {
         self.validate_load(load)?;
-        let pull_off = self.pull_off_load();
-        if let Some(point) = self.branch.pull_off() {
-            if load == pull_off {
-                return Ok((point.separation, self.branch.sums(point.separation)));
+        if load <= 0.0 {
+            match self.branch.pull_off() {
+                Some(point) if load == self.pull_off_load() => {
+                    return Ok((point.separation, self.branch.sums(point.separation)));
+                }
+                None => {
+                    let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
+                    return Err(Error::out_of_range("load", load, allowed));
+                }
+                _ => {}
             }
-        } else if load == 0.0 {
-            let allowed = if self.params.work_of_adhesion > 0.0 { PULL_OFF_UNDERFLOWS } else { NO_ADHESION };
-            return Err(Error::out_of_range("load", load, allowed));
         }
         // x = load - pull-off; both are the caller's numbers, their difference is exact where it is small.
-        let log_excess = log(load - pull_off) - log(self.units.load);
+        let log_excess = log(load - self.branch.least_load() * self.units.load) - log(self.units.load);
         // A guess may lead nowhere where the load hardly changes with separation.
         let at = |guess| self.branch.at_log_excess(log_excess, guess, tolerance);
         at(guess()).or_else(|_| at(None))
@@ -248,19 +251,30 @@ impl Surfaces {
     /// # Errors
     /// Those of [`Model::state_at_load`], and [`Error::InvalidParameter`] if `lightest` is above `heaviest`.
     pub fn check_loads(&self, lightest: f64, heaviest: f64) -> Result<u64, Error> {
+        self.check_loads_near((lightest, None), (heaviest, None))
+    }
+
+    /// The same of loads with guesses of their separations.
+    pub(crate) fn check_loads_near(
+        &self,
+        (lightest, far): (f64, Option<f64>),
+        (heaviest, near): (f64, Option<f64>),
+    ) -> Result<u64, Error> {
         let (farthest, light) =
-            self.equilibrium_at(lightest, || None, BORNE).map_err(|error| error.of_load("lightest"))?;
+            self.equilibrium_at(lightest, || far, BORNE).map_err(|error| error.of_load("lightest"))?;
         if lightest == heaviest {
             return Ok(self.measures_of(lightest, farthest, &light)?.warnings());
         }
-        let (nearest, heavy) =
-            self.equilibrium_at(heaviest, || Some(farthest), BORNE).map_err(|error| error.of_load("heaviest"))?;
+        let (nearest, heavy) = self
+            .equilibrium_at(heaviest, || near.or(Some(farthest)), BORNE)
+            .map_err(|error| error.of_load("heaviest"))?;
         if lightest > heaviest {
             return Err(Error::invalid("lightest", lightest, "must not be above heaviest"));
         }
         let ends = self.measures_of(lightest, farthest, &light)?.warnings()
             | self.measures_of(heaviest, nearest, &heavy)?.warnings();
-        let step = NEAR_STEPS[usize::from(self.params.waviness.height > 0.0)];
+        let is_smooth = self.params.waviness.height > 0.0 || self.population().heights().is_log_concave();
+        let step = NEAR_STEPS[usize::from(is_smooth)];
         Ok(ends | warnings_between((nearest, farthest), step, |d| self.measures_at(d))?)
     }
 

@@ -406,12 +406,20 @@ impl Surfaces {
         Self::with_branch(params, Branch::new)
     }
 
-    /// The same of surfaces like others whose load has a single minimum, as far as they are asked here.
+    /// The same, of which sums are rough.
     ///
     /// # Errors
     /// As [`Surfaces::new`].
-    pub(crate) fn with_single_minimum(params: &Params) -> Result<Self, Error> {
-        Self::with_branch(params, Branch::with_single_minimum)
+    pub(crate) fn roughly(params: &Params) -> Result<Self, Error> {
+        Self::with_branch(params, |population| Branch::new(population.summed(true)))
+    }
+
+    /// The same of surfaces like others, of which hardly any but loads that press are asked.
+    ///
+    /// # Errors
+    /// As [`Surfaces::new`].
+    pub(crate) fn like(other: &Self, params: &Params) -> Result<Self, Error> {
+        Self::with_branch(params, |population| Branch::like(&other.branch, population))
     }
 
     fn with_branch(params: &Params, branch: impl Fn(Population) -> Result<Branch, Error>) -> Result<Self, Error> {
@@ -421,12 +429,17 @@ impl Surfaces {
         if params.waviness.height > 0.0 {
             let (places, width) = params.waviness.places(units.length);
             let stiffness_of_radius = 2.0 * groups.alpha * groups.beta;
-            let even = Law::even(&branch, places[0].0)?;
+            let even = Law::even(&branch.summed(false), places[0].0)?;
             branch = branch.on_waves(Waves::new(even, places, width / groups.nominal_area, stiffness_of_radius));
         }
         let inverse_cap = 1.0 / params.max_friction_coefficient.min(INFINITE_COEFFICIENT);
         let heaviest = (HEAVIEST_LOAD * units.load).min(TAMEST);
         Ok(Self { params: params.clone(), groups, branch, units, inverse_cap, heaviest, largest_load: 0.0 })
+    }
+
+    /// As [`Population::summed`].
+    pub(crate) fn summed(&self, is_rough: bool) -> Self {
+        Self { branch: self.branch.summed(is_rough), ..self.clone() }
     }
 
     /// The parameters of the surfaces.
@@ -452,9 +465,8 @@ impl Surfaces {
         if !finite(load) {
             return Err(Error::InvalidLoad { name: LOAD, value: load });
         }
-        let pull_off = self.pull_off_load();
-        if load < pull_off {
-            return Err(Error::Separated { name: LOAD, load, pull_off });
+        if load < 0.0 && load < self.pull_off_load() {
+            return Err(Error::Separated { name: LOAD, load, pull_off: self.pull_off_load() });
         }
         if load > self.heaviest {
             let allowed = "must be below 1e80 composite_modulus burgers_vector^2 asperity_count";

@@ -132,7 +132,7 @@ fn shear_strength(hardness: f64) -> f64 {
 }
 
 /// How far apart the states are that are looked at [sigma], next to the middle of the heights and to the lightest load, of surfaces and of
-/// those on waves, which are means over many separations ...
+/// those whose heights have one hump, or on waves, which are means over many separations ...
 pub const NEAR_STEPS: [f64; 2] = [0.1, 0.5];
 /// ... and up to this distance from both; farther off, by this part of what the distance exceeds it: the contacts change
 /// slowly there.

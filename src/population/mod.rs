@@ -91,6 +91,8 @@ pub struct Population {
     lower_cut: f64,
     /// What lies above this height is no number.
     highest: f64,
+    /// Whether sums are asked for to some 1e-6 only.
+    is_rough: bool,
     /// Where radii are equal: contacts at nodes, once sums are asked for.
     nodes: Option<Arc<OnceLock<NodeTable>>>,
 }
@@ -197,7 +199,18 @@ impl Population {
             deepest,
             lower_cut,
             highest,
+            is_rough: false,
         })
+    }
+
+    /// The same population, of which sums are to all digits, or to some 1e-6 at half the cost.
+    pub fn summed(&self, is_rough: bool) -> Self {
+        Self { is_rough, ..self.clone() }
+    }
+
+    /// Whether sums are rough.
+    pub fn is_rough(&self) -> bool {
+        self.is_rough
     }
 
     /// The same summits with other slip stresses at the same radii.
@@ -279,9 +292,10 @@ impl Population {
         sums
     }
 
-    /// The same population without what is tabulated of it, which would not follow another law, other radii or other kinks.
+    /// The same population, of sums to all digits, without what is tabulated of it, which would not follow another law, other radii or
+    /// other kinks.
     fn without_tables(&self) -> Self {
-        Self { nodes: None, ..self.clone() }
+        Self { nodes: None, is_rough: false, ..self.clone() }
     }
 
     /// The same population summed in panels that end at other kinks too.

@@ -17,8 +17,8 @@ pub struct OneSummit {
     break_away: f64,
     /// Parameter of its law, overlap, and the slope of the one by the other, where it was last asked for.
     before: (f64, f64, f64),
-    /// What a table of several radii has of it.
-    rows: Option<Box<Rows>>,
+    /// Where a table has it.
+    place: Option<(usize, f64)>,
 }
 
 /// The load of a summit in E* b^2, and its slope by overlap.
@@ -32,10 +32,12 @@ pub struct Pressed {
 /// are smooth: each with what its slope makes over a step. Between rows there are cubics.
 type Rows = [[f64; 4]; ROWS];
 const ROWS: usize = 33;
+const LOAD: usize = 0;
+const PARAMETER: usize = 2;
 const UNASKED: (f64, f64, f64) = (f64::NAN, 0.0, 0.0);
 
 /// Loads of summits in contact, where it takes a solution of equations to have them: rows for some radii, in equal steps of their
-/// logarithm, between which there are cubics too. What is read is so to some 1e-6.
+/// logarithm, between which there are straight lines. What is read is so to some 1e-5.
 #[derive(Debug)]
 pub struct LoadTable {
     step: f64,
@@ -46,52 +48,40 @@ pub struct LoadTable {
 
 impl LoadTable {
     /// A radius and the next differ by no more than this.
-    const FINENESS: f64 = 0.06;
+    const FINENESS: f64 = 0.03;
     /// The first slope is that next to break-away, where the overlap has none.
     const NEXT_TO_BREAK_AWAY: f64 = 1e-4;
 
-    /// The rows of all summits, where their radii are equal.
-    fn of_all(&self) -> Option<&Rows> {
-        self.of_radii.first().filter(|_| self.of_radii.len() == 1)
-    }
-
-    /// The rows of a radius where there are several; `None` of one outside.
-    fn of(&self, g: f64) -> Option<Box<Rows>> {
+    /// Which rows a radius is above, and what part of the way to the next; `None` of one outside.
+    fn place(&self, g: f64) -> Option<(usize, f64)> {
+        let last = self.of_radii.len() - 1;
+        if last == 0 {
+            return Some((0, 0.0));
+        }
         let place = (log(g) - self.log_least) / self.log_step;
-        if self.of_radii.len() == 1 || !(place >= 0.0 && place <= (self.of_radii.len() - 1) as f64) {
-            return None;
-        }
-        let first = (place as usize).saturating_sub(1).min(self.of_radii.len() - 4);
-        let t = place - first as f64;
-        // Lagrange's polynomials of four points.
-        let [a, b, c, d] = [t, t - 1.0, t - 2.0, t - 3.0];
-        let weights = [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0];
-        let [one, two, three, four] = std::array::from_fn(|i| &self.of_radii[first + i]);
-        let mut rows = Box::new([[0.0; 4]; ROWS]);
-        for (k, row) in rows.iter_mut().enumerate() {
-            for (i, number) in row.iter_mut().enumerate() {
-                let [p, q, r, s] = weights;
-                *number = (p * one[k][i] + q * two[k][i]) + (r * three[k][i] + s * four[k][i]);
-            }
-        }
-        Some(rows)
+        let first = (place as usize).min(last - 1);
+        (place >= 0.0 && place <= last as f64).then_some((first, place - first as f64))
     }
-}
 
-/// The load by the root of the overlap beyond break-away, over a step of the table, and the parameter; `None` beyond the rows.
-#[inline]
-fn read(rows: &Rows, step: f64, root: f64) -> Option<(Pressed, f64)> {
-    let place = root / step;
-    let row = place as usize;
-    let [from, to] = [rows.get(row)?, rows.get(row + 1)?];
-    let t = place - row as f64;
-    let cubic = |i: usize| {
-        let (rise, begin, end) = (to[i] - from[i], from[i + 1], to[i + 1]);
-        let (square, cube) = (3.0 * rise - 2.0 * begin - end, begin + end - 2.0 * rise);
-        (from[i] + t * (begin + t * (square + t * cube)), begin + t * (2.0 * square + 3.0 * t * cube))
-    };
-    let (load, by_place) = cubic(0);
-    Some((Pressed { load, by_overlap: by_place / (2.0 * root * step) }, cubic(2).0))
+    /// The load by the root of the overlap beyond break-away, or the parameter, and its slope over a step; `None` beyond the rows.
+    #[inline]
+    fn read(&self, what: usize, (first, part): (usize, f64), root: f64) -> Option<(f64, f64)> {
+        let place = root / self.step;
+        let row = place as usize;
+        let t = place - row as f64;
+        let of = |rows: &Rows| {
+            let [from, to] = [rows.get(row)?, rows.get(row + 1)?];
+            let (rise, begin, end) = (to[what] - from[what], from[what + 1], to[what + 1]);
+            let (square, cube) = (3.0 * rise - 2.0 * begin - end, begin + end - 2.0 * rise);
+            Some((from[what] + t * (begin + t * (square + t * cube)), begin + t * (2.0 * square + 3.0 * t * cube)))
+        };
+        let (mut value, mut slope) = of(&self.of_radii[first])?;
+        if part > 0.0 {
+            let (next, slope_of_next) = of(&self.of_radii[first + 1])?;
+            (value, slope) = (value + part * (next - value), slope + part * (slope_of_next - slope));
+        }
+        Some((value, slope))
+    }
 }
 
 impl OneSummit {
@@ -113,7 +103,7 @@ impl Population {
         if self.most_pull == 0.0 || !(0.0..=WIDEST).contains(&width) || has_fold(least) != has_fold(most) {
             return None;
         }
-        let radii = if width > 0.0 { 3 + (width / LoadTable::FINENESS) as usize } else { 0 };
+        let radii = if width > 0.0 { 1 + (width / LoadTable::FINENESS) as usize } else { 0 };
         let log_step = width / radii.max(1) as f64;
         let step = (largest - self.law.break_away(most).overlap.min(self.deepest)).max(0.0).sqrt() / (ROWS - 1) as f64;
         let of_radii: Vec<Rows> = (0..=radii).map(|i| self.rows(exp(log_least + i as f64 * log_step), step)).collect();
@@ -130,7 +120,7 @@ impl Population {
     /// The rows of a radius.
     fn rows(&self, g: f64, step: f64) -> Rows {
         let break_away = self.law.break_away(g).overlap;
-        let mut summit = OneSummit { depth: 0.0, g, break_away, before: UNASKED, rows: None };
+        let mut summit = OneSummit { depth: 0.0, g, break_away, before: UNASKED, place: None };
         let mut rows = [[0.0; 4]; ROWS];
         for (i, row) in rows.iter_mut().enumerate().rev() {
             let over = if i == 0 { LoadTable::NEXT_TO_BREAK_AWAY } else { 0.0 };
@@ -153,7 +143,7 @@ impl Population {
         let g = self.factor_of_one(z, sharper);
         let equal = self.radius.is_constant() && sharper == 0.0;
         let break_away = if equal { self.deepest } else { self.law.break_away(g).overlap };
-        OneSummit { depth, g, break_away, before: UNASKED, rows: table.and_then(|table| table.of(g)) }
+        OneSummit { depth, g, break_away, before: UNASKED, place: table.and_then(|table| table.place(g)) }
     }
 
     /// The load of a summit at an overlap on the branch of unloading: in contact down to its break-away, and below attracted
@@ -162,11 +152,9 @@ impl Population {
     pub fn load_of_one(&self, summit: &mut OneSummit, overlap: f64, table: Option<&LoadTable>) -> Pressed {
         if overlap >= summit.break_away {
             let root = (overlap - summit.break_away).sqrt();
-            let told =
-                table.and_then(|table| read(summit.rows.as_deref().or_else(|| table.of_all())?, table.step, root));
-            if let Some((pressed, parameter)) = told {
-                summit.before = (parameter, overlap, 0.0);
-                return pressed;
+            let told = table.zip(summit.place).and_then(|(table, place)| Some((table, table.read(LOAD, place, root)?)));
+            if let Some((table, (load, by_place))) = told {
+                return Pressed { load, by_overlap: by_place / (2.0 * root * table.step) };
             }
             let contact = self.contact_of_one(summit, overlap);
             return Pressed { load: contact.load, by_overlap: contact.by_s.load * contact.s_by_overlap() };
@@ -175,10 +163,26 @@ impl Population {
         attracted.map_or(Pressed::default(), |one| Pressed { load: one.load, by_overlap: one.load_by_overlap })
     }
 
-    /// A summit at an overlap with all that the sums take of it; `None` out of contact.
-    pub fn contact_at(&self, summit: &mut OneSummit, overlap: f64) -> Option<Summit> {
+    /// The parameter that a table has of a summit.
+    fn parameter_of_one(&self, summit: &OneSummit, overlap: f64, table: Option<&LoadTable>) -> Option<f64> {
+        let over = (overlap >= summit.break_away).then_some(overlap - summit.break_away)?;
+        Some(table?.read(PARAMETER, summit.place?, over.sqrt())?.0)
+    }
+
+    /// Begins at what a table has of a summit when that is asked for exactly.
+    pub fn begin_with(&self, summit: &mut OneSummit, overlap: f64, table: Option<&LoadTable>) {
+        if let Some(parameter) = self.parameter_of_one(summit, overlap, table) {
+            summit.before = (parameter, overlap, 0.0);
+        }
+    }
+
+    /// A summit at an overlap with all that the sums take of it; `None` out of contact. What a table has of it is taken from there.
+    pub fn contact_at(&self, summit: &mut OneSummit, overlap: f64, table: Option<&LoadTable>) -> Option<Summit> {
         (overlap >= summit.break_away).then(|| {
-            let contact = self.contact_of_one(summit, overlap);
+            let contact = match self.parameter_of_one(summit, overlap, table) {
+                Some(parameter) => self.law.at(parameter, summit.g),
+                None => self.contact_of_one(summit, overlap),
+            };
             Summit::new(&contact, self.slip.friction(&contact))
         })
     }

@@ -33,6 +33,8 @@ const PART_BETWEEN_SCORES: f64 = 0.08;
 /// What grows by fewer e-folds over a panel is summed as closely by 6 points, and by 10.
 const FEW_POINTS: f64 = 1.5;
 const SOME_POINTS: f64 = 5.0;
+/// What is summed roughly has panels that count as this part of what they are.
+const PART_OF_ROUGH: f64 = 0.019;
 /// A panel that is longer than it should be by no more than this factor is taken.
 const LENGTH_SLACK: f64 = 1.05;
 /// Twice the 32nd root of 32!, by which e-folds of an exponential are divided; and what may be left of a change of dz/ds.
@@ -127,6 +129,9 @@ impl Population {
                 _ => 1.0,
             },
         };
+        if self.is_rough {
+            panel.part *= PART_OF_ROUGH;
+        }
         panel.is_eased = self.is_onset(kink) || self.is_onset(panel.kink);
         panel
     }

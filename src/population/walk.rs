@@ -17,6 +17,7 @@ const LONGER_PER_FOLD: f64 = 0.02;
 pub(super) const PART_AT_LOWER_END: f64 = 0.1;
 /// What is less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE_REST: f64 = 1e-12;
+const NEGLIGIBLE_TO_ROUGH: f64 = 1e-7;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
 const STEEPEST_DENSITY: f64 = 1e9;
 
@@ -162,7 +163,8 @@ impl Population {
                 true => (1.0 / (self.highest - z), self.highest - z),
                 false => (-self.heights.log_density_slope(z), 0.0),
             };
-            density * importance(overlap + rise) <= NEGLIGIBLE_REST * progress.total * rate
+            let rest = if self.is_rough { NEGLIGIBLE_TO_ROUGH } else { NEGLIGIBLE_REST };
+            density * importance(overlap + rise) <= rest * progress.total * rate
         }
     }
 

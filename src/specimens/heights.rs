@@ -12,9 +12,10 @@ use crate::numerics::elementary::{exp, expm1, log};
 use crate::numerics::hermite::Cubic;
 use crate::numerics::quadrature;
 
-/// Between two heights of the table the logit of the fraction above and the height itself change by no more, the height over 1 or over its size; what is read
-/// between them is within some 1e-8 sigma.
+/// Between two heights of the table the logit of the fraction above and the height itself change by no more, the height over 1 or over its size;
+/// where the one is more than its step over `OF_LOGIT` by that part of it. What is read between them is within some 1e-8 sigma.
 const STEPS: [f64; 2] = [0.25, 0.125];
+const OF_LOGIT: f64 = 0.025;
 /// Or they are as close as this.
 const CLOSEST: f64 = 1e-12;
 /// No specimen has a summit so high that less than this part of all is higher.
@@ -95,7 +96,9 @@ impl Heights {
             return;
         }
         let (width, size) = (to.0 - from.0, 1.0 + from.0.abs().min(to.0.abs()));
-        if width > CLOSEST * size && (logit(from) - logit(to) > STEPS[0] || width > STEPS[1] * size) {
+        let (upper, lower) = (logit(from), logit(to));
+        let step = STEPS[0].max(OF_LOGIT * upper.abs().min(lower.abs()));
+        if width > CLOSEST * size && (upper - lower > step || width > STEPS[1] * size) {
             let middle = 0.5 * (from.0 + to.0);
             // The half with fewer summits is summed, and the other is the rest.
             let (upper, lower) = if from.1 < from.2 {

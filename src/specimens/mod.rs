@@ -186,7 +186,7 @@ impl Surfaces {
                         approach = one.unloaded(before, loads[k] / of_one)?;
                         if let Some(approach) = approach {
                             let at = if known.is_none() { one.exact(approach, loads[k] / of_one)? } else { approach };
-                            found[k] = Some(self.standing(&mut one, at)?);
+                            found[k] = Some(self.standing(&mut one, at, known.is_some())?);
                         }
                     }
                 }
@@ -226,8 +226,8 @@ impl Surfaces {
         Ok(Some(Sphere { number, sharper: summit_radius / radius }))
     }
 
-    fn standing(&self, one: &mut Specimen, approach: f64) -> Result<Standing, Error> {
-        let contacts = one.contacts(approach)?;
+    fn standing(&self, one: &mut Specimen, approach: f64, by_table: bool) -> Result<Standing, Error> {
+        let contacts = one.contacts(approach, by_table)?;
         // Summits on a sphere have neighbours on one side.
         let count = self.units().count;
         let lone = Sums {

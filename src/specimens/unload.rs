@@ -20,6 +20,8 @@ const MOST_STEPS: u32 = 100_000;
 /// A specimen is pressed until it carries more than its load by approaches that grow by this.
 const GROWTH: f64 = 1.3;
 const FIRST_PRESS: f64 = 0.05;
+/// Of an interval in which the load is least so many golden sections leave 1e-5, over which it is the same to rounding.
+const SECTIONS: u32 = 24;
 /// Summits that may be drawn for one specimen, and for all.
 pub const MOST_DRAWN: f64 = 1e7;
 
@@ -192,14 +194,15 @@ impl<'a> Specimen<'a> {
         Ok(loads)
     }
 
-    /// The contacts at an approach.
-    pub fn contacts(&mut self, approach: f64) -> Result<Contacts, Error> {
+    /// The contacts at an approach, if so asked as the table has them.
+    pub fn contacts(&mut self, approach: f64, by_table: bool) -> Result<Contacts, Error> {
+        let table = self.table.filter(|_| by_table);
         let near = self.near(approach)?;
         let mut all = Contacts::default();
         for summit in &mut self.drawn.all[..near] {
             let overlap = approach - summit.depth;
-            let Some(one) = self.population.contact_at(summit, overlap) else {
-                all.stiffness += self.population.load_of_one(summit, overlap, None).by_overlap;
+            let Some(one) = self.population.contact_at(summit, overlap, table) else {
+                all.stiffness += self.population.load_of_one(summit, overlap, table).by_overlap;
                 continue;
             };
             all.stiffness += one.load_by_overlap;
@@ -260,6 +263,9 @@ impl<'a> Specimen<'a> {
     /// farther.
     pub fn exact(&mut self, mut approach: f64, load: f64) -> Result<f64, Error> {
         const FARTHEST: f64 = 1e-4;
+        for summit in &mut self.drawn.all {
+            self.population.begin_with(summit, approach - summit.depth, self.table);
+        }
         for _ in 0..u32::from(self.table.is_some()) * 2 {
             let here = self.loads_by(approach, None)?;
             let step = (here.load - load) / (here.falls - here.rises);
@@ -322,13 +328,20 @@ impl<'a> Specimen<'a> {
         // By golden sections.
         const PART: f64 = 0.381_966_011_250_105_1;
         let (mut lower, mut upper) = (at - step, at + step);
-        for _ in 0..40 {
-            let [left, right] = [lower + PART * (upper - lower), upper - PART * (upper - lower)];
-            let [on_left, on_right] = [self.loads(left)?.load, self.loads(right)?.load];
-            for (load, approach) in [(on_left, left), (on_right, right)] {
-                (least, at) = if load < least { (load, approach) } else { (least, at) };
+        let mut on = |approach: f64| -> Result<(f64, f64), Error> {
+            let load = self.loads(approach)?.load;
+            (least, at) = if load < least { (load, approach) } else { (least, at) };
+            Ok((approach, load))
+        };
+        let (mut left, mut right) = (on(lower + PART * (upper - lower))?, on(upper - PART * (upper - lower))?);
+        for _ in 0..SECTIONS {
+            if left.1 < right.1 {
+                (upper, right) = (right.0, left);
+                left = on(lower + PART * (upper - lower))?;
+            } else {
+                (lower, left) = (left.0, right);
+                right = on(upper - PART * (upper - lower))?;
             }
-            *(if on_left < on_right { &mut upper } else { &mut lower }) = if on_left < on_right { right } else { left };
         }
         // At its minimum the load hardly depends on where that is.
         Ok(if self.table.is_some() { -self.loads_by(at, None)?.load } else { -least })
