@@ -14,18 +14,18 @@ const LAST_BITS: f64 = 1e-18;
 /// `f` must change sign between the ends; where it does not, the end with the smaller |f| is the answer.
 pub fn bracketed(mut f: impl FnMut(f64) -> f64, lower: f64, upper: f64) -> f64 {
     let (at_upper, at_lower) = (f(upper), f(lower));
-    from_part(f, (lower, at_lower), (upper, at_upper), 0.5)
+    from_part(&mut f, (lower, at_lower), (upper, at_upper), 0.5)
 }
 
 /// The same where the values at both ends are known, of a function that is nearly straight.
-pub fn between(f: impl FnMut(f64) -> f64, lower: (f64, f64), upper: (f64, f64)) -> f64 {
+pub fn between(mut f: impl FnMut(f64) -> f64, lower: (f64, f64), upper: (f64, f64)) -> f64 {
     let straight = (upper.1 / (upper.1 - lower.1)).clamp(0.01, 0.99);
-    from_part(f, lower, upper, if straight.is_nan() { 0.5 } else { straight })
+    from_part(&mut f, lower, upper, if straight.is_nan() { 0.5 } else { straight })
 }
 
-/// The same from a part of the bracket, from its upper end.
+/// The same from a part of the bracket, from its upper end; compiled once for all functions, of which there are some thirty.
 fn from_part(
-    mut f: impl FnMut(f64) -> f64,
+    f: &mut dyn FnMut(f64) -> f64,
     (lower, at_lower): (f64, f64),
     (upper, at_upper): (f64, f64),
     first: f64,

@@ -33,18 +33,18 @@ impl Population {
         }
         if !self.radius.is_constant() {
             for radius in self.slip.kinks() {
-                kinks.extend(self.separations_where(|z| {
+                kinks.extend(self.separations_where(&|z| {
                     let (g, g_rate) = self.radius.at(z);
                     let contact = self.contact_of_radius(radius, g)?;
                     Some((Point { z, g_rate, contact }.radius_change(), z - contact.overlap))
                 }));
-                kinks.extend(self.separations_where(|z| {
+                kinks.extend(self.separations_where(&|z| {
                     let edge = Edge::at(&*self.law, &self.radius, z).point.contact;
                     Some((edge.radius - radius, z - edge.overlap))
                 }));
             }
             for overlap in self.kinks_of_contact.into_iter().filter(|kink| kink.is_finite()) {
-                kinks.extend(self.separations_where(|z| {
+                kinks.extend(self.separations_where(&|z| {
                     let (g, g_rate) = self.radius.at(z);
                     Some((1.0 - overlap * g_rate, z - overlap * g))
                 }));
@@ -72,7 +72,7 @@ impl Population {
     }
 
     /// The separations, which `at` gives as its second, at the heights where its first changes sign.
-    pub(super) fn separations_where(&self, at: impl Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
+    pub(super) fn separations_where(&self, at: &dyn Fn(f64) -> Option<(f64, f64)>) -> Vec<f64> {
         let value = |z: f64| at(z).map(|(value, _)| value);
         let looks: Vec<_> = self.radius.looks(self.lower_cut, self.highest).map(|z| (z, value(z))).collect();
         let passed = looks.windows(2).filter_map(|between| {

@@ -79,7 +79,7 @@ impl Population {
             let passes = |z: f64| Some(from + (self.parts_at(z) - from) * (1.0 - left(z)?));
             kinks.extend(heights.iter().filter_map(|&z| passes(z)));
             if !self.radius.is_constant() {
-                kinks.extend(self.separations_where(|z| {
+                kinks.extend(self.separations_where(&|z| {
                     let lost = passes(z)? - from;
                     let (g, g_rate) = self.radius.at(z);
                     let contact = Unloaded { lost, ..law.clone() }.at_overlap(z - from - lost, g, 0.0);
@@ -95,6 +95,6 @@ impl Population {
         if self.radius.is_constant() {
             return vec![root::bracketed(&f, self.lower_cut, self.highest)];
         }
-        self.separations_where(|z| Some((f(z), z)))
+        self.separations_where(&|z| Some((f(z), z)))
     }
 }
