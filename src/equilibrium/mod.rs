@@ -19,8 +19,6 @@ use fall::Fall;
 use pull_off::End;
 use std::sync::{Arc, OnceLock};
 
-/// No separation on the branch is smaller, in sigma: the softest summits that flow carry more than the heaviest load there.
-const CLOSEST: f64 = -1e90;
 /// ln(load - pull-off load) is met as far as rounding lets it, or to this where steps no longer shrink.
 const LOG_TOLERANCE: f64 = 1e-11;
 /// Where the load is above pull-off by more than this part of that load, their difference has all digits that it needs.
@@ -291,10 +289,8 @@ impl Branch {
         at: &dyn Fn(f64) -> BranchPoint,
     ) -> Result<(f64, Sums), Error> {
         let failure = Error::NotConverged { what: "ln(load - pull-off load)", value: target };
-        let (mut separation, mut lower, mut upper) = match guess {
-            Some(guess) => (guess.min(self.end_if_known().farthest), CLOSEST, self.end_if_known().farthest),
-            None => self.bracket(target, at).ok_or(failure.clone())?,
-        };
+        let (mut lower, mut upper) = (f64::NEG_INFINITY, self.end_if_known().farthest);
+        let mut separation = guess.map_or(upper.min(1.0) - 1.0, |guess| guess.min(upper));
         let mut last_step = f64::MAX;
         for _ in 0..MOST_STEPS {
             let BranchPoint { log_excess, rate, sums, .. } = at(separation);
@@ -317,7 +313,6 @@ impl Branch {
             let step = (next - separation).abs();
             if residual.abs() <= tolerance.max(4.0 * f64::EPSILON)
                 || step <= resolution
-                || upper - lower <= resolution
                 || (residual.abs() < LOG_TOLERANCE && step >= 0.5 * last_step)
             {
                 return Ok((separation, sums));
@@ -326,23 +321,6 @@ impl Branch {
             separation = next;
         }
         Err(failure)
-    }
-
-    /// A separation on the heavier side of a load, and a bracket: leftwards from where the branch ends or the middle of the
-    /// heights.
-    fn bracket(&self, target: f64, at: &dyn Fn(f64) -> BranchPoint) -> Option<(f64, f64, f64)> {
-        let mut upper = self.end_if_known().farthest;
-        let mut lower = upper.min(1.0) - 1.0;
-        let mut step = 2.0;
-        while at(lower).log_excess < target {
-            upper = lower;
-            lower -= step;
-            step *= 4.0;
-            if lower < CLOSEST {
-                return None;
-            }
-        }
-        Some((lower, lower, upper))
     }
 }
 
