@@ -1,19 +1,16 @@
 //! The load minus the pull-off load next to pull-off, where the difference of two loads has too few digits: integrated from the slope
 //! of the load, in pieces that are measured.
 
-use super::PullOff;
+use super::{PullOff, FARTHEST_FALL};
 use crate::numerics::quadrature::integrate_short;
 use crate::population::Population;
 
-/// Where the difference is this part of the pull-off load it is first compared with the integral,
+/// Where the difference is this part of the pull-off load it is first compared with the integral.
 const FIRST_COMPARED: f64 = 1e-3;
-/// and at the latest, if the loads have so few digits that the two do not agree before, where it is this part.
-const LAST_COMPARED: f64 = 1e-2;
 /// The difference and the integral agree to this, rounding apart; and a piece with its halves, relative to the fall from where it begins.
 const AGREEMENT: f64 = 3e-8;
-/// How well a load is known, relative to what presses and what pulls: at best,
-const LOAD_ROUNDING: f64 = 3e-14;
-/// and at worst. A larger difference is a layer next to pull-off, so thin that all points of the pieces lie beyond it.
+/// How well a load is known at worst, relative to what presses and what pulls. A larger difference is a layer next to pull-off, so thin
+/// that all points of the pieces lie beyond it.
 const NOISE: f64 = 1e-10;
 /// A stretch that takes more pieces is not smooth: a shorter one is tried.
 const MOST_PIECES_OF_FALL: usize = 40;
@@ -47,8 +44,7 @@ impl Fall {
             }
             // From a layer outwards again: with twice the distance the fall is four times as large at most.
             while 4.0 * excess < FIRST_COMPARED * -pull_off.load
-                || fall.distance_from(excess) > AGREEMENT * excess + LOAD_ROUNDING * size
-                    && excess < LAST_COMPARED * -pull_off.load
+                || fall.distance_from(excess) > AGREEMENT * excess && 4.0 * excess < FARTHEST_FALL * -pull_off.load
             {
                 step *= 2.0;
                 excess = excess_at(step);
