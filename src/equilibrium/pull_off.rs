@@ -15,8 +15,6 @@ const WIDEST_STEP: f64 = 0.25;
 const PART_OF_TANGENT: f64 = 0.8;
 /// A minimum narrower than this is not looked for.
 const NARROWEST_STEP: f64 = 0.02;
-/// From where the load rises, the branch is looked for in steps back of no more than this, relative to 1 or the separation.
-const FARTHEST_STEP: f64 = 100.0;
 /// A bracket is looked at in so many parts for an earlier and shallower minimum.
 const BRACKET_PARTS: u32 = 16;
 /// Where heights end, the load is looked at up to this far from where nothing is left, relative to it.
@@ -72,22 +70,15 @@ impl End {
     /// # Errors
     /// As [`End::of`].
     pub fn before(population: &Population, off_branch: f64) -> Result<Self, Error> {
-        let failure = Error::NotConverged { what: "separation at pull-off", value: off_branch };
         let mut rising = off_branch;
         while falls(population, rising)? {
             rising += NARROWEST_STEP;
             if rising > population.farthest() {
-                return Err(failure);
+                return Err(Error::NotConverged { what: "separation at pull-off", value: off_branch });
             }
         }
-        let mut step = 0.05 * NARROWEST_STEP;
-        while step < FARTHEST_STEP * (1.0 + off_branch.abs()) {
-            if falls(population, rising - step)? {
-                return Self::within(population, (rising - step, rising));
-            }
-            step *= 2.0;
-        }
-        Err(failure)
+        let (falling, _) = falling_before(population, rising, 0.05 * NARROWEST_STEP)?;
+        Self::within(population, (falling, rising))
     }
 
     /// Within a bracket of separations between which the load stops falling.
@@ -118,29 +109,19 @@ impl End {
 /// number.
 fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option<(f64, f64)>, Error> {
     let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
-    let mut back = FIRST_STEP;
     let mut sums = sums_at(population, here)?;
-    while sums.load_slope >= 0.0 {
-        here -= back;
-        back *= 1.5;
-        sums = sums_at(population, here)?;
+    if sums.load_slope >= 0.0 {
+        (here, sums) = falling_before(population, here, FIRST_STEP)?;
     }
     let farthest = match single {
         true => population.farthest(),
         false => population.farthest().min(FARTHEST_SCAN * population.range_of_adhesion()),
     };
-    let ends = population.heights().support().1.is_finite();
     let mut step = if single { FIRST_STEP } else { scan_step(population) };
     while here < farthest {
         // A load that presses and falls ever more slowly is 0 no sooner than its slope says.
-        let mut next = here + if single { step } else { step.max(PART_OF_TANGENT * (sums.load() / -sums.load_slope)) };
-        // Beyond where nothing touches or attracts any more there is no slope to be seen.
-        if ends && next > here + 0.5 * (farthest - here) {
-            next = here + 0.5 * (farthest - here);
-            if farthest - next < NEAREST_TO_END * (1.0 + farthest.abs()) {
-                return Ok(None);
-            }
-        }
+        let step_on = if single { step } else { step.max(PART_OF_TANGENT * (sums.load() / -sums.load_slope)) };
+        let next = farthest.min(here + step_on);
         sums = sums_at(population, next)?;
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left.
@@ -196,11 +177,24 @@ fn is_past_minimum(sums: &Sums) -> bool {
 /// The first part of a bracket across which the slope changes sign.
 fn first_bracket(population: &Population, lower: f64, upper: f64) -> Result<(f64, f64), Error> {
     let at = |part: u32| lower + (upper - lower) * f64::from(part) / f64::from(BRACKET_PARTS);
-    let mut first = 1;
-    while first < BRACKET_PARTS && falls(population, at(first))? {
-        first += 1;
+    for part in 1..BRACKET_PARTS {
+        if !falls(population, at(part))? {
+            return Ok((at(part - 1), at(part)));
+        }
     }
-    Ok((at(first - 1), at(first)))
+    Ok((at(BRACKET_PARTS - 1), upper))
+}
+
+/// A separation before one from which on the load rises, at which it falls, and the sums there: in steps that grow from this.
+fn falling_before(population: &Population, rising: f64, first_step: f64) -> Result<(f64, Sums), Error> {
+    let mut step = first_step;
+    loop {
+        let sums = sums_at(population, rising - step)?;
+        if sums.load_slope < 0.0 {
+            return Ok((rising - step, sums));
+        }
+        step *= 2.0;
+    }
 }
 
 /// Whether the load falls as separation grows.
