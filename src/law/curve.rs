@@ -9,7 +9,7 @@ use super::coordinate::Coordinate;
 use super::panel::{CurvePanel, PerQuantity, Sample};
 use super::planes::{Planes, PlanesPanel};
 use super::position::Positions;
-use super::states::{Knots, States, Stretch, Unfollowed};
+use super::states::{States, Stretch, Unfollowed};
 use super::tolerance::larger;
 use super::{Quantity, Reach};
 use crate::equilibrium::{Branch, Local};
@@ -83,12 +83,11 @@ impl Curve {
     /// Follows the branch from the heaviest load of a reach to pull-off, or to the lightest load of the reach where there is none. An
     /// anchor is a separation and its gap.
     pub fn new(branch: &Branch, reach: &Reach, anchor: Option<(f64, f64)>) -> Result<Self, Unfollowed> {
-        let pull_off = branch.pull_off().filter(|_| reach.has_pull_off);
-        let log_pull_off = pull_off.map(|point| log(-point.load));
+        let log_pull_off = reach.pull_off.map(|point| log(-point.load));
         let coordinate = Coordinate { log_pull_off, pull_off: branch.pull_off_load() };
-        let positions = Positions::of(branch, reach.has_pull_off);
+        let positions = Positions::of(branch, reach.pull_off.is_some());
         let mut states = States::new(branch, coordinate, positions);
-        let Knots { states: knots, kinks } = states.knots(reach)?;
+        let (knots, kinks) = states.knots(reach)?;
         let most_states = MOST_STATES + MOST_STATES_PER_KINK * kinks.len();
         let error = [0.0; Quantity::COUNT];
         let mut curve = Self { coordinate, positions, panels: Vec::new(), kinks, error, planes: None };

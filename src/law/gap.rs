@@ -57,7 +57,7 @@ impl Gap {
     pub fn new(branch: &Branch, curve: &Curve, reach: Reach, lengths: Lengths, unit_load: f64) -> Self {
         let (begin, end) = curve.separation_range();
         // Next to pull-off the curve may end a few last bits before.
-        let pull_off = branch.pull_off().filter(|_| reach.has_pull_off);
+        let pull_off = reach.pull_off;
         let first = match pull_off {
             Some(point) => point.separation,
             None => curve.separation(reach.log_lightest).unwrap_or(end),

@@ -20,7 +20,7 @@ mod states;
 mod table;
 pub mod tolerance;
 
-use crate::equilibrium::{Branch, Even, Local};
+use crate::equilibrium::{Branch, Even, Local, PullOff};
 use crate::memory::Limits;
 use crate::numerics::elementary::{exp, log, log1p};
 use crate::population::Sums;
@@ -121,8 +121,8 @@ pub struct Scale {
 pub struct Reach {
     log_lightest: f64,
     log_heaviest: f64,
-    /// Whether pull-off itself is.
-    has_pull_off: bool,
+    /// Pull-off itself, if there is one that counts.
+    pull_off: Option<PullOff>,
     most_rows: usize,
 }
 
@@ -130,17 +130,16 @@ impl Reach {
     fn of(branch: &Branch) -> Self {
         let population = &*branch.population().at_first_loading();
         let half = population.at_separation(-population.heights().origin()).load().abs();
-        let pull_off = -branch.pull_off_load();
-        let has_pull_off = pull_off > LIGHTEST_PULL_OFF * half;
-        let lightest = if has_pull_off { LIGHTEST_OF_PULL_OFF * pull_off } else { LIGHTEST_OF_HALF * half };
+        let pull_off = branch.pull_off().filter(|point| -point.load > LIGHTEST_PULL_OFF * half);
+        let lightest = pull_off.map_or(LIGHTEST_OF_HALF * half, |point| LIGHTEST_OF_PULL_OFF * -point.load);
         let depth = (DEEPEST_OF_RADIUS * population.mean_radius()).min(DEEPEST);
         let pressed = population.at_separation(-population.heights().origin() - depth).load();
-        let heaviest = (HEAVIEST_OF_PULL_OFF * pull_off).max(HEAVIEST_OF_HALF * half).max(pressed);
+        let heaviest = (HEAVIEST_OF_PULL_OFF * -branch.pull_off_load()).max(HEAVIEST_OF_HALF * half).max(pressed);
         Self {
             // By a row more, so that whole rows reach as far.
             log_lightest: log(lightest) - ROW,
             log_heaviest: log(heaviest) + ROW,
-            has_pull_off,
+            pull_off,
             most_rows: MOST_ROWS + MOST_ROWS_PER_KINK * branch.kinks().len(),
         }
     }

@@ -61,12 +61,6 @@ impl Stretch {
     }
 }
 
-/// The states between which panels lie at first, in ascending order, and separation and ln x of the kinks among them.
-pub struct Knots {
-    pub states: Vec<Sample>,
-    pub kinks: Vec<(f64, f64)>,
-}
-
 /// Asks a branch for states.
 pub struct States<'a> {
     pub branch: &'a Branch,
@@ -100,15 +94,20 @@ impl<'a> States<'a> {
     /// The state at a position on the branch, of which this is the separation.
     fn of(&mut self, position: f64, separation: f64) -> Result<Sample, Unfollowed> {
         self.count += 1;
-        let BranchPoint { log_excess, rate, sums, gap } = self.branch.point(separation);
+        let point = self.branch.point(separation);
         // A load below that of the end is as far above it as can be told.
-        if !(rate < 0.0 && sums.friction > 0.0 && log_excess > log(f64::MIN_POSITIVE)) {
+        if !(point.rate < 0.0 && point.sums.friction > 0.0 && point.log_excess > log(f64::MIN_POSITIVE)) {
             return Err(Unfollowed { separation });
         }
+        Ok(self.sample(position, separation, point))
+    }
+
+    fn sample(&self, position: f64, separation: f64, point: BranchPoint) -> Sample {
+        let BranchPoint { log_excess, rate, sums, gap } = point;
         let (s, s_rate) = self.coordinate.at(log_excess);
         let values = Quantity::ALL.map(|quantity| quantity.of(&sums));
         let position_rate = self.positions.rates(separation).0;
-        Ok(Sample {
+        Sample {
             separation,
             position,
             gap,
@@ -120,7 +119,7 @@ impl<'a> States<'a> {
             load_by_s: self.coordinate.load_by_s(s),
             log_value: values.map(|(value, _)| log(value)),
             slope: values.map(|(value, slope)| slope / value / rate / s_rate),
-        })
+        }
     }
 
     /// A state as it is beyond it: at the largest load the slopes are those of unloading.
@@ -132,29 +131,14 @@ impl<'a> States<'a> {
         Ok(Sample { s: state.s, log_excess: state.log_excess, log_value: state.log_value, ..beyond })
     }
 
-    /// Pull-off itself, if the branch ends there.
-    fn pull_off(&self) -> Option<Sample> {
-        self.coordinate.log_pull_off?;
-        let PullOff { separation, sums, .. } = self.branch.pull_off()?;
-        let position_rate = self.positions.rates(separation).0;
-        Some(Sample {
-            separation,
-            position: self.positions.position(separation),
-            gap: None,
-            gap_rate: position_rate,
-            crowding: (sums.crowding.0, sums.crowding.1 * position_rate),
-            log_excess: f64::NEG_INFINITY,
-            s: 0.0,
-            s_by_position: f64::NAN,
-            load_by_s: 0.0,
-            log_value: Quantity::ALL.map(|quantity| log(quantity.of(&sums).0)),
-            slope: [f64::NAN; Quantity::COUNT],
-        })
-    }
-
-    /// From beyond the heaviest load of a reach to pull-off, or beyond the lightest; and at kinks.
-    pub fn knots(&mut self, reach: &Reach) -> Result<Knots, Unfollowed> {
-        let end = self.pull_off();
+    /// The states between which panels lie at first, in ascending order, from beyond the heaviest load of a reach to pull-off, or beyond
+    /// the lightest; and separation and ln x of the kinks among them.
+    pub fn knots(&mut self, reach: &Reach) -> Result<(Vec<Sample>, Vec<(f64, f64)>), Unfollowed> {
+        // Slopes by x are no numbers at pull-off.
+        let end = reach.pull_off.map(|PullOff { separation, sums, .. }| {
+            let point = BranchPoint { log_excess: f64::NEG_INFINITY, rate: f64::NAN, sums, gap: None };
+            self.sample(self.positions.position(separation), separation, point)
+        });
         let middle = self.positions.position(-self.branch.population().heights().origin());
         let farthest = end.map_or(self.positions.position(self.branch.farthest()), |end| end.position);
         let largest = self.branch.population().largest();
@@ -185,7 +169,7 @@ impl<'a> States<'a> {
         states.extend(end);
         states.sort_by(|a, b| a.position.total_cmp(&b.position));
         let kinks = self.add_kinks(&mut states)?;
-        Ok(Knots { states, kinks })
+        Ok((states, kinks))
     }
 
     /// Adds states at kinks between others; separation and ln x of those on the branch.
