@@ -8,7 +8,7 @@ use super::row::{coefficients, polynomial, Row, ROW_NODES};
 use super::table::Table;
 use super::LOAD_FRACTION;
 use crate::numerics::elementary::{exp, log, log1p};
-use crate::numerics::float_bits::{moderate, MANTISSA_BITS, MODERATE};
+use crate::numerics::float_bits::{moderate, power_of_two, MANTISSA_BITS, MODERATE};
 use crate::numerics::neighbours::Neighbours;
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::RangeInclusive;
@@ -19,8 +19,6 @@ const ROWS: usize = 1 << LOAD_FRACTION;
 pub const DIGIT_BITS: u32 = 4;
 pub const DIGIT: usize = 1 << DIGIT_BITS;
 const DIGITS: usize = 3;
-/// Subnormal numbers are multiplied by 2 to this power.
-const SUBNORMAL: u64 = 54;
 /// No number has these exponent bits.
 const NO_EXPONENT: RangeInclusive<u64> = 1 << 12..=1 << 12;
 
@@ -40,10 +38,8 @@ impl Beyond {
         // The next number below: the end is not of the last row.
         let (first, last) = (table.begin_of(0), table.begin_of(table.row_count).below());
         let at = |x: f64| table.at_excess(x).unwrap_or((f64::NAN, f64::NAN));
-        let light = match at_pull_off {
-            Some(base) => Continuation::new(table.pull_off, first, at(first), base, false),
-            None => Continuation::new(table.pull_off, first, (0.0, 0.0), 0.0, false),
-        };
+        let (base, at_first) = at_pull_off.map_or((0.0, (0.0, 0.0)), |base| (base, at(first)));
+        let light = Continuation::new(table.pull_off, first, at_first, base, false);
         let heavy = Continuation::new(heavy_origin, last + (table.pull_off - heavy_origin), at(last), 0.0, true);
         Self { ends: [light, heavy], begin: first }
     }
@@ -57,7 +53,7 @@ impl Beyond {
     #[inline(always)]
     pub fn at_moderate(&self, argument: f64) -> (f64, f64) {
         let end = self.end(argument);
-        end.at_normal(argument - end.origin, 0)
+        end.at_normal(argument - end.origin)
     }
 
     /// Whether finding them there can raise no floating-point exception but "inexact".
@@ -103,7 +99,7 @@ impl Continuation {
         let gain = value - base;
         let power = if gain > 0.0 { slope * x / gain } else { 0.0 };
         let binade = x.to_bits() >> MANTISSA_BITS;
-        let log_mantissa = log(Self::mantissa(x));
+        let log_mantissa = log(x / power_of_two(binade));
         // (x/end)^p and its slope by the mantissa.
         let at = |mantissa: f64| {
             let value = exp(power * (log1p(mantissa - 1.0) - log_mantissa));
@@ -133,17 +129,16 @@ impl Continuation {
     pub fn at(&self, argument: f64) -> (f64, f64) {
         let x = argument - self.origin;
         if x >= f64::MIN_POSITIVE {
-            return self.at_normal(x, 0);
+            return self.at_normal(x);
         }
-        let scale = (1_u64 << SUBNORMAL) as f64;
-        let (value, slope) = self.at_normal(x * scale, SUBNORMAL);
-        (value, slope * scale)
+        // To the first number that has all digits, straight.
+        let (value, slope) = self.at_normal(f64::MIN_POSITIVE);
+        (self.base + x / f64::MIN_POSITIVE * (value - self.base), slope)
     }
 
-    /// The value and its slope by a normal number, which is 2^`shift` times what is meant.
     #[inline(always)]
-    fn at_normal(&self, x: f64, shift: u64) -> (f64, f64) {
-        let mut binades = (self.binade + shift).abs_diff(x.to_bits() >> MANTISSA_BITS) as usize;
+    fn at_normal(&self, x: f64) -> (f64, f64) {
+        let mut binades = self.binade.abs_diff(x.to_bits() >> MANTISSA_BITS) as usize;
         let mut factor = 1.0;
         for factors in &self.factors {
             factor *= factors[binades & (DIGIT - 1)];
@@ -155,32 +150,22 @@ impl Continuation {
         let of_mantissa = x.to_bits() & Table::MANTISSA;
         let t = f64::from_bits(of_mantissa & Table::within_row(Self::shift()) | Table::ONE) - 1.0;
         let (value, rate) = polynomial(&self.rows[(of_mantissa >> Self::shift()) as usize].0, t);
-        let per_mantissa = f64::from_bits(Table::TWICE_BIAS - (x.to_bits() - of_mantissa));
-        (self.base + factor * value, factor * rate * per_mantissa)
-    }
-
-    fn mantissa(x: f64) -> f64 {
-        f64::from_bits(x.to_bits() & Table::MANTISSA | Table::ONE)
+        (self.base + factor * value, factor * rate * Table::per_mantissa(x))
     }
 }
 
-/// The exponent bits of x of which G x^p and its slope are moderate, or 0: from the binade in which G x^p is `gain`, as far as the power
-/// leads to. None if they are not there.
+/// The exponent bits of x of which x, G x^p and its slope are moderate, or 0: from the binade in which G x^p is `gain`, on to lighter or to
+/// heavier loads. None if they are not there.
 fn moderate_binades(binade: u64, gain: f64, power: f64, is_heavy: bool) -> RangeInclusive<u64> {
-    let [least, most] = MODERATE.map(|end| end.to_bits() >> MANTISSA_BITS);
     let log2 = |x: f64| if x > 0.0 { LOG2_E * log(x) } else { 0.0 };
-    let (log_gain, log_power, most_log) = (log2(gain), log2(power), log2(MODERATE[1]));
-    let is_moderate = |exponent: &u64| {
-        let binades = *exponent as f64 - binade as f64;
-        let (rise, x) = (log_gain + power * binades, *exponent as f64 - f64::from(f64::MAX_EXP - 1));
-        gain == 0.0 || (rise.abs() <= most_log && (rise + log_power - x).abs() <= most_log)
-    };
-    let last = if power != 0.0 && !moderate(power) {
-        None
-    } else if is_heavy {
-        (binade.max(least)..=most).take_while(is_moderate).last()
-    } else {
-        (least..=binade.min(most)).rev().take_while(is_moderate).last()
-    };
-    last.map_or(NO_EXPONENT, |last| binade.min(last)..=binade.max(last))
+    let (x, log_gain) = (log2(power_of_two(binade)), log2(gain));
+    // Each as a logarithm, and what that changes by per binade.
+    let numbers = [(x, 1.0), (log_gain, power), (log_gain + log2(power) - x, power - 1.0)];
+    let reach = numbers.map(|(log, rate)| (log2(MODERATE[1]) - log.abs()) / rate.abs());
+    let binades = reach.into_iter().fold(f64::INFINITY, f64::min);
+    match binades >= 0.0 && (power == 0.0 || moderate(power)) {
+        false => NO_EXPONENT,
+        true if is_heavy => binade..=binade + binades as u64,
+        true => binade - binades as u64..=binade,
+    }
 }
