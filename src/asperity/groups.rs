@@ -28,6 +28,11 @@ impl Groups {
         4.5 / PI * self.beta * self.gamma * self.gamma * cube / self.alpha
     }
 
+    /// 2 E* a, in E* b^2 per standard deviation of height, of a contact of the radius b.
+    pub fn stiffness_of_radius(&self) -> f64 {
+        2.0 * self.alpha * self.beta
+    }
+
     /// The range of adhesion in standard deviations of height, h/sigma.
     pub fn reach(&self) -> f64 {
         1.0 / (self.alpha * self.beta * self.b_over_h)

@@ -8,7 +8,8 @@
 //! Between two heights of the table the score is a monotone cubic of height, and ln t and ln s are monotone cubics of the score;
 //! beyond both ends T is straight, and t and s are constant. All of them have continuous slopes.
 
-use super::{HeightDistribution, LN_SQRT_2_PI};
+use super::gaussian::GAUSSIAN;
+use super::{HeightDistribution, Outline, LN_SQRT_2_PI};
 use crate::error::Error;
 use crate::numerics::elementary::{exp, exp_each, log};
 use crate::numerics::float_bits::finite;
@@ -57,9 +58,7 @@ pub struct AtScores {
     changes: [f64; SCORES + 1],
     /// The largest slope of the table, over which ln s is.
     steepest: f64,
-    mode: f64,
-    skew: f64,
-    kurtosis: f64,
+    outline: Outline,
 }
 
 /// What a table says of its surface, in the units of the table.
@@ -122,8 +121,8 @@ impl AtScores {
         found.log_count = found.log_count.map(|cubic| cubic.raised(-log(count)));
         found.flat = -log(count * FLATTEST * 2.0_f64.sqrt().sqrt());
         found.steepest = steepest;
-        [found.skew, found.kurtosis] = found.moments(|z| [z * z * z, z * z * z * z]);
-        found.mode = found.highest_rise();
+        let [skew, kurtosis] = found.moments(|z| [z * z * z, z * z * z * z]);
+        found.outline = Outline { last_mode: found.highest_rise(), skew, kurtosis, ..found.outline };
         found.changes = found.each_change();
         Ok((found, whole))
     }
@@ -155,9 +154,7 @@ impl AtScores {
             flat: f64::INFINITY,
             steepest: 1.0,
             changes: [0.0; SCORES + 1],
-            mode: 0.0,
-            skew: 0.0,
-            kurtosis: 3.0,
+            outline: Outline { is_log_concave: false, part_of_panel: PART_OF_PANEL, ..GAUSSIAN },
         }
     }
 
@@ -343,8 +340,8 @@ fn at(spline: &Spline, g: f64) -> [f64; 3] {
 }
 
 impl HeightDistribution for AtScores {
-    fn support(&self) -> (f64, f64) {
-        (f64::NEG_INFINITY, f64::INFINITY)
+    fn outline(&self) -> &Outline {
+        &self.outline
     }
 
     fn log_density(&self, z: f64) -> f64 {
@@ -378,22 +375,6 @@ impl HeightDistribution for AtScores {
 
     fn breakpoints(&self) -> &[f64] {
         &self.knots
-    }
-
-    fn part_of_panel(&self) -> f64 {
-        PART_OF_PANEL
-    }
-
-    fn last_mode(&self) -> f64 {
-        self.mode
-    }
-
-    fn skew(&self) -> f64 {
-        self.skew
-    }
-
-    fn kurtosis(&self) -> f64 {
-        self.kurtosis
     }
 
     fn at_scores(self: Arc<Self>) -> Option<Arc<AtScores>> {

@@ -1,14 +1,27 @@
 //! Gaussian heights, eq (17).
 
-use super::{HeightDistribution, LN_SQRT_2_PI};
+use super::{HeightDistribution, Outline, LN_SQRT_2_PI};
+
+/// That of the standard normal distribution.
+pub const GAUSSIAN: Outline = Outline {
+    origin: 0.0,
+    support: (f64::NEG_INFINITY, f64::INFINITY),
+    last_mode: 0.0,
+    skew: 0.0,
+    kurtosis: 3.0,
+    is_log_concave: true,
+    is_piecewise_polynomial: false,
+    power_at_lower_end: None,
+    part_of_panel: 1.0,
+};
 
 /// The standard normal distribution.
 #[derive(Debug)]
 pub struct Gaussian;
 
 impl HeightDistribution for Gaussian {
-    fn support(&self) -> (f64, f64) {
-        (f64::NEG_INFINITY, f64::INFINITY)
+    fn outline(&self) -> &Outline {
+        &GAUSSIAN
     }
 
     fn log_density(&self, z: f64) -> f64 {
@@ -21,21 +34,5 @@ impl HeightDistribution for Gaussian {
 
     fn distance_to_singularity(&self, _z: f64) -> f64 {
         f64::INFINITY
-    }
-
-    fn last_mode(&self) -> f64 {
-        0.0
-    }
-
-    fn is_log_concave(&self) -> bool {
-        true
-    }
-
-    fn skew(&self) -> f64 {
-        0.0
-    }
-
-    fn kurtosis(&self) -> f64 {
-        3.0
     }
 }

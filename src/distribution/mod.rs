@@ -22,16 +22,35 @@ use weibull::Weibull;
 /// ln (2 pi)^(1/2).
 const LN_SQRT_2_PI: f64 = 0.918_938_533_204_672_8;
 
-/// A standardised distribution of summit heights. One family is one file; the sums over the population need nothing else.
-pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
+/// What of a distribution does not depend on height.
+#[derive(Debug, Clone)]
+pub struct Outline {
     /// The height above the mean from which heights are measured: 0, or the upper end of the support where light loads
     /// depend on the distance to it.
-    fn origin(&self) -> f64 {
-        0.0
-    }
-
+    pub origin: f64,
     /// The ends of the support, infinite where it has none.
-    fn support(&self) -> (f64, f64);
+    pub support: (f64, f64),
+    /// The height above which the density only falls.
+    pub last_mode: f64,
+    /// Third standardised moment.
+    pub skew: f64,
+    /// Fourth standardised moment.
+    pub kurtosis: f64,
+    /// Whether ln phi is concave: then the load of equal summits has one minimum.
+    pub is_log_concave: bool,
+    /// Whether the density is a polynomial of low degree between two breakpoints: then one panel reaches from one to the
+    /// next, however steep ln phi is where the density vanishes.
+    pub is_piecewise_polynomial: bool,
+    /// The exponent p of phi ~ (z - lower end)^p, where the density is such a power at the lower end.
+    pub power_at_lower_end: Option<f64>,
+    /// What part of a panel serves that would serve if the logarithm of the density were a polynomial of low degree.
+    pub part_of_panel: f64,
+}
+
+/// A standardised distribution of summit heights. One family is one file; the sums over the population need nothing else.
+pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
+    /// What of it does not depend on height.
+    fn outline(&self) -> &Outline;
 
     /// ln phi(z); minus infinity outside the support. At an end of the support it is the limit from within.
     fn log_density(&self, z: f64) -> f64;
@@ -54,40 +73,25 @@ pub trait HeightDistribution: std::fmt::Debug + Send + Sync {
         &[]
     }
 
-    /// What part of a panel serves that would serve if the logarithm of the density were a polynomial of low degree.
-    fn part_of_panel(&self) -> f64 {
-        1.0
-    }
-
-    /// Whether the density is a polynomial of low degree between two breakpoints: then one panel reaches from one to the
-    /// next, however steep ln phi is where the density vanishes.
-    fn is_piecewise_polynomial(&self) -> bool {
-        false
-    }
-
-    /// The exponent p of phi ~ (z - lower end)^p, where the density is such a power at the lower end.
-    fn power_at_lower_end(&self) -> Option<f64> {
-        None
-    }
-
-    /// The height above which the density only falls.
-    fn last_mode(&self) -> f64;
-
-    /// Whether ln phi is concave: then the load of equal summits has one minimum.
-    fn is_log_concave(&self) -> bool {
-        false
-    }
-
-    /// Third standardised moment.
-    fn skew(&self) -> f64;
-
-    /// Fourth standardised moment.
-    fn kurtosis(&self) -> f64;
-
     /// The table of the surface where radii follow from it too.
     fn at_scores(self: Arc<Self>) -> Option<Arc<AtScores>> {
         None
     }
+}
+
+/// Variance, skew and kurtosis of what is at these distances from its mean, with their weights.
+fn moments(distances: impl Iterator<Item = (f64, f64)>) -> [f64; 3] {
+    let (mut all, mut sums) = (0.0, [0.0; 3]);
+    for (weight, distance) in distances {
+        all += weight;
+        let mut term = weight * distance;
+        for sum in &mut sums {
+            term *= distance;
+            *sum += term;
+        }
+    }
+    let [second, third, fourth] = sums.map(|sum| sum / all);
+    [second, third / (second * second.sqrt()), fourth / (second * second)]
 }
 
 /// The family of the distribution of summit heights.

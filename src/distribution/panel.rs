@@ -27,8 +27,8 @@ const SMALLEST_LOG_DENSITY: f64 = -700.0;
 const TAIL: f64 = 20.0;
 /// It begins so far above the mode, in sigma.
 const TAIL_BEGINS: f64 = 0.5;
-/// The first panel above a lower end where the density is a power, in sigma: a density that is not a power alone is a power
-/// series in the height above the end over so small a part of the distribution.
+/// The first panel above a lower end where the density is a power, in sigma and in lengths over which what is summed is smooth: both
+/// are power series in the height above the end over so small a part.
 const LOWER_END: f64 = 0.1;
 /// No sum needs as many panels; it bounds the time of a call. A sum that does is no number.
 pub const MOST_PANELS_OF_SUM: usize = 6000;
@@ -36,20 +36,12 @@ pub const MOST_PANELS_OF_SUM: usize = 6000;
 /// How far above z one panel of 16 Gauss points may reach, never past the next breakpoint.
 pub fn panel_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
     let length = next_breakpoint(heights, z) - z;
-    match heights.is_piecewise_polynomial()
+    match heights.outline().is_piecewise_polynomial
         || length < f64::INFINITY && is_smooth(heights, z, smoothness(heights, z), z + length, 1.0)
     {
         true => length,
-        false => length.min(smooth_reach(heights, z)),
+        false => length.min(smooth_length(heights, z)),
     }
-}
-
-/// The same as if there were no breakpoints.
-pub fn smooth_reach(heights: &dyn HeightDistribution, z: f64) -> f64 {
-    if heights.is_piecewise_polynomial() {
-        return f64::INFINITY;
-    }
-    smooth_length(heights, z)
 }
 
 /// The panels from one height up to another, by their ends.
@@ -70,7 +62,7 @@ pub fn is_one_panel(heights: &dyn HeightDistribution, from: f64, to: f64, longer
     if to > next_breakpoint(heights, from) + slack(to) {
         return false;
     }
-    heights.is_piecewise_polynomial()
+    heights.outline().is_piecewise_polynomial
         || to - from <= SHORTEST_PANEL
         || is_smooth(heights, from, smoothness(heights, from), to, longer)
 }
@@ -82,15 +74,13 @@ pub fn lower_cut(heights: &dyn HeightDistribution) -> f64 {
 }
 
 fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
-    let (lowest, _) = heights.support();
-    if heights.is_piecewise_polynomial() {
+    let (lowest, _) = heights.outline().support;
+    if heights.outline().is_piecewise_polynomial {
         return lowest;
     }
-    let mode = heights.last_mode();
-    let margin = log_density_above(heights, fall);
-    let from = if lowest.is_finite() { lowest } else { outwards(mode, -1.0, |z| margin(z) < 0.0) };
-    let cut = if margin(from) < 0.0 { root::bracketed(margin, from, mode) } else { from };
-    match heights.power_at_lower_end() {
+    let mode = heights.outline().last_mode;
+    let cut = root::beyond(log_density_above(heights, fall), mode, -1.0, lowest);
+    match heights.outline().power_at_lower_end {
         Some(_) if cut < lowest + LOWER_END => lowest,
         _ => cut,
     }
@@ -98,25 +88,23 @@ fn lower_cut_at(heights: &dyn HeightDistribution, fall: f64) -> f64 {
 
 /// Above this height the density is no number.
 pub fn upper_cut(heights: &dyn HeightDistribution) -> f64 {
-    let ((_, highest), mode) = (heights.support(), heights.last_mode());
+    let ((_, highest), mode) = (heights.outline().support, heights.outline().last_mode);
     if highest.is_finite() {
         return highest;
     }
     let above = |z: f64| (heights.log_density(z) - SMALLEST_LOG_DENSITY).max(-1e3);
-    root::bracketed(above, mode, outwards(mode, 1.0, |z| above(z) <= 0.0))
+    root::beyond(above, mode, 1.0, highest)
 }
 
 /// A panel length that serves the upper tail, from half a sigma above the mode to where ln phi is 20 below its largest
 /// value, wherever it lies. It is as short as the steepest part needs: next to the upper end of a support very short.
 pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
-    let (lowest, highest) = heights.support();
-    if heights.is_piecewise_polynomial() {
+    let (lowest, highest) = heights.outline().support;
+    if heights.outline().is_piecewise_polynomial {
         return highest - lowest;
     }
-    let mode = heights.last_mode();
-    let margin = log_density_above(heights, TAIL);
-    let to = if highest.is_finite() { highest } else { outwards(mode, 1.0, |z| margin(z) < 0.0) };
-    let top = root::bracketed(margin, mode, to);
+    let mode = heights.outline().last_mode;
+    let top = root::beyond(log_density_above(heights, TAIL), mode, 1.0, highest);
     let (mut z, mut shortest) = (top.min(mode + TAIL_BEGINS), smooth_length(heights, top));
     while z < top {
         let length = smooth_length(heights, z);
@@ -128,7 +116,7 @@ pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
 
 /// ln phi over that so far below its largest value.
 fn log_density_above(heights: &dyn HeightDistribution, fall: f64) -> impl Fn(f64) -> f64 + '_ {
-    let least = heights.log_density(heights.last_mode()) - fall;
+    let least = heights.log_density(heights.outline().last_mode) - fall;
     // Finite where the density is 0.
     move |z| (heights.log_density(z) - least).max(-1e3)
 }
@@ -145,11 +133,15 @@ pub struct LowerEndPanel {
 }
 
 impl LowerEndPanel {
-    /// The panel of these heights where a range begins, no longer than `longest`; `None` unless that is a lower end at which
-    /// the density is a power.
-    pub fn new(heights: &dyn HeightDistribution, from: f64, longest: f64) -> Option<Self> {
-        let (lower_end, exponent) = (heights.support().0, heights.power_at_lower_end()?);
-        let panel = Self { length: longest.min(LOWER_END), lower_end, power: (9.0 / (exponent + 1.0)).max(1.0) };
+    /// The panel of these heights where a range of some length begins, over which what is summed is smooth as far as `smooth`;
+    /// `None` unless that is a lower end at which the density is a power.
+    pub fn new(heights: &dyn HeightDistribution, from: f64, range: f64, smooth: f64) -> Option<Self> {
+        let (lower_end, exponent) = (heights.outline().support.0, heights.outline().power_at_lower_end?);
+        let panel = Self {
+            length: range.min(LOWER_END * smooth.min(1.0)),
+            lower_end,
+            power: (9.0 / (exponent + 1.0)).max(1.0),
+        };
         (from <= lower_end).then_some(panel)
     }
 
@@ -170,20 +162,14 @@ impl LowerEndPanel {
     }
 }
 
-/// The first of a row of ever larger steps away from a height at which something holds.
-fn outwards(z: f64, direction: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    let mut step = 1.0;
-    while !holds(z + direction * step) && step < 1e100 {
-        step *= 2.0;
-    }
-    z + direction * step
-}
-
 /// How far above z one panel may reach, breakpoints apart.
-fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
+pub fn smooth_length(heights: &dyn HeightDistribution, z: f64) -> f64 {
+    if heights.outline().is_piecewise_polynomial {
+        return f64::INFINITY;
+    }
     let begin @ [distance, slope] = smoothness(heights, z);
     // Far from the mode densities change over lengths like the distance from there.
-    let far = (z - heights.last_mode()).abs().max(4.0);
+    let far = (z - heights.outline().last_mode).abs().max(4.0);
     let longest = far.min(OVER_DISTANCE * distance).min(MOST_DENSITY_E_FOLDS / slope.abs());
     let mut length = longest.max(SHORTEST_PANEL);
     while length > SHORTEST_PANEL && !is_smooth(heights, z, begin, z + length, 1.0) {
@@ -198,7 +184,7 @@ fn smoothness(heights: &dyn HeightDistribution, z: f64) -> [f64; 2] {
 }
 
 fn is_smooth(heights: &dyn HeightDistribution, from: f64, begin: [f64; 2], to: f64, longer: f64) -> bool {
-    let length = (to - from) / (longer * heights.part_of_panel());
+    let length = (to - from) / (longer * heights.outline().part_of_panel);
     let is_gentle = |&[distance, slope]: &[f64; 2]| {
         length <= OVER_DISTANCE * distance && length * slope.abs() <= MOST_DENSITY_E_FOLDS
     };
@@ -211,11 +197,13 @@ fn is_smooth(heights: &dyn HeightDistribution, from: f64, begin: [f64; 2], to: f
     };
     // A slope that only falls changes over either half by no more than over both.
     ends().is_some_and(|(middle, end)| {
-        heights.is_log_concave() && is_straight(begin, end) || is_straight(begin, middle) && is_straight(middle, end)
+        heights.outline().is_log_concave && is_straight(begin, end)
+            || is_straight(begin, middle) && is_straight(middle, end)
     })
 }
 
-fn next_breakpoint(heights: &dyn HeightDistribution, z: f64) -> f64 {
+/// The next height at which the density or a derivative of it jumps.
+pub fn next_breakpoint(heights: &dyn HeightDistribution, z: f64) -> f64 {
     let breakpoints = heights.breakpoints();
     let z = z + slack(z);
     breakpoints.get(breakpoints.partition_point(|&point| point <= z)).copied().unwrap_or(f64::INFINITY)
@@ -240,19 +228,19 @@ mod tests {
             let mut term = fraction;
             for moment in &mut moments {
                 *moment += term;
-                term *= z + heights.origin();
+                term *= z + heights.outline().origin;
             }
         };
-        let (_, highest) = heights.support();
+        let (_, highest) = heights.outline().support;
         // The fourth moment needs more of a heavy tail than other sums.
         let is_left = log_density_above(heights, 3.0 * MOST_LOG_FALL);
         let mut z = lower_cut_at(heights, 3.0 * MOST_LOG_FALL);
-        if let Some(lower_end) = LowerEndPanel::new(heights, z, f64::MAX) {
+        if let Some(lower_end) = LowerEndPanel::new(heights, z, f64::MAX, f64::MAX) {
             lower_end.nodes(heights).into_iter().for_each(|(rise, fraction)| add(z + rise, fraction));
             z += lower_end.length;
             count += 1;
         }
-        let counts = |&(z, _): &(f64, f64)| z < heights.last_mode() || is_left(z) > 0.0;
+        let counts = |&(z, _): &(f64, f64)| z < heights.outline().last_mode || is_left(z) > 0.0;
         for (from, to) in panels(heights, z, highest).take_while(counts) {
             nodes(from, to).for_each(|(x, weight)| add(x, weight * exp(heights.log_density(x))));
             count += 1;
@@ -265,7 +253,9 @@ mod tests {
     fn panels_give_the_moments_of_heights() {
         for heights in families() {
             let (found, count) = moments(&*heights);
-            for (power, expected) in [1.0, 0.0, 1.0, heights.skew(), heights.kurtosis()].into_iter().enumerate() {
+            for (power, expected) in
+                [1.0, 0.0, 1.0, heights.outline().skew, heights.outline().kurtosis].into_iter().enumerate()
+            {
                 let error = (found[power] - expected) / expected.abs().max(1.0);
                 assert!(error.abs() < 1e-11, "moment {power}: {error:e} in {count} panels of {heights:?}");
             }

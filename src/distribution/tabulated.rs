@@ -6,7 +6,8 @@
 //! cubic Hermite interpolant of its values at the heights with the densities as slopes, and monotonic; no density is
 //! negative, and none is larger than all of the table. Zero densities at the ends are left out up to the last one.
 
-use super::HeightDistribution;
+use super::gaussian::GAUSSIAN;
+use super::{HeightDistribution, Outline};
 use crate::error::Error;
 use crate::numerics::elementary::log;
 use crate::numerics::float_bits::finite;
@@ -30,10 +31,7 @@ pub struct Tabulated {
     knots: Vec<f64>,
     /// The density between each and the next.
     pieces: Vec<DensityPiece>,
-    mode: f64,
-    origin: f64,
-    skew: f64,
-    kurtosis: f64,
+    outline: Outline,
 }
 
 /// The density on a piece of the support: (1 - t) lower + t upper + t (1 - t) bulge with t from 0 to 1.
@@ -99,15 +97,18 @@ impl Tabulated {
             |p: &DensityPiece| DensityPiece { lower: p.lower * scale, upper: p.upper * scale, bulge: p.bulge * scale };
         let last_rise = relative.windows(2).rposition(|ends| ends[1] > ends[0]);
         let knots: Vec<f64> = part.iter().map(|x| (x - zero) / deviation).collect();
-        let pieces: Vec<DensityPiece> = pieces.iter().map(scaled).collect();
-        Ok(Self {
-            mode: knots[last_rise.map_or(0, |i| i + 1)],
-            knots,
-            pieces,
+        let outline = Outline {
             origin,
+            support: (knots[0], knots[knots.len() - 1]),
+            last_mode: knots[last_rise.map_or(0, |i| i + 1)],
             skew: moment(&|x| square(x) * (x - mean)) / mass / (variance * deviation),
             kurtosis: moment(&|x| square(x) * square(x)) / mass / (variance * variance),
-        })
+            is_log_concave: false,
+            is_piecewise_polynomial: true,
+            ..GAUSSIAN
+        };
+        let pieces = pieces.iter().map(scaled).collect();
+        Ok(Self { knots, pieces, outline })
     }
 
     /// The piece that holds a height of the support; at a height of the table the one below it.
@@ -120,7 +121,7 @@ impl Tabulated {
     }
 
     fn density(&self, z: f64) -> f64 {
-        let (lower, upper) = self.support();
+        let (lower, upper) = self.outline.support;
         if z < lower || z > upper {
             return 0.0;
         }
@@ -129,12 +130,8 @@ impl Tabulated {
 }
 
 impl HeightDistribution for Tabulated {
-    fn origin(&self) -> f64 {
-        self.origin
-    }
-
-    fn support(&self) -> (f64, f64) {
-        (self.knots[0], self.knots[self.knots.len() - 1])
+    fn outline(&self) -> &Outline {
+        &self.outline
     }
 
     fn log_density(&self, z: f64) -> f64 {
@@ -171,22 +168,6 @@ impl HeightDistribution for Tabulated {
 
     fn breakpoints(&self) -> &[f64] {
         &self.knots
-    }
-
-    fn is_piecewise_polynomial(&self) -> bool {
-        true
-    }
-
-    fn last_mode(&self) -> f64 {
-        self.mode
-    }
-
-    fn skew(&self) -> f64 {
-        self.skew
-    }
-
-    fn kurtosis(&self) -> f64 {
-        self.kurtosis
     }
 }
 
@@ -285,7 +266,7 @@ mod tests {
     /// The mean of a function of the height above the mean.
     fn mean(table: &Tabulated, f: impl Fn(f64) -> f64) -> f64 {
         let pieces = table.knots.windows(2);
-        pieces.map(|ends| integrate_short(ends[0], ends[1], |z| table.density(z) * f(z + table.origin()))).sum()
+        pieces.map(|ends| integrate_short(ends[0], ends[1], |z| table.density(z) * f(z + table.outline.origin))).sum()
     }
 
     #[test]
@@ -299,9 +280,9 @@ mod tests {
             assert!((knots[i] - knots[0] - scale * (height[i] - height[0])).abs() < 1e-14, "{i}");
             assert!((table.density(knots[i]) - unit * density[i]).abs() < 1e-14, "{i}");
         }
-        assert_eq!(table.support(), (knots[0], 0.0));
+        assert_eq!(table.outline.support, (knots[0], 0.0));
         assert_eq!([table.density(knots[0] - 1e-9), table.density(1e-9)], [0.0; 2]);
-        let expected = [1.0, 0.0, 1.0, table.skew(), table.kurtosis()];
+        let expected = [1.0, 0.0, 1.0, table.outline.skew, table.outline().kurtosis];
         for (power, expected) in expected.into_iter().enumerate() {
             let found = mean(&table, |z| z.powi(power as i32));
             assert!((found - expected).abs() < 1e-13, "moment {power}: {found}, not {expected}");
@@ -322,7 +303,7 @@ mod tests {
             [([1.0, 3.0, 2.0, 2.5, 1.0], 3), ([5.0, 4.0, 4.0, 1.0, 0.0], 0), ([0.0, 1.0, 2.0, 3.0, 4.0], 4)]
         {
             let table = Tabulated::new(&[0.0, 1.0, 2.0, 3.0, 4.0], &density).expect("a table");
-            assert_eq!(table.last_mode(), table.knots[last]);
+            assert_eq!(table.outline.last_mode, table.knots[last]);
         }
     }
 }

@@ -29,8 +29,8 @@ pub fn families() -> Vec<Arc<dyn HeightDistribution>> {
 
 /// Heights from the lower tail to the upper one, within the support and off its breakpoints.
 fn places(heights: &dyn HeightDistribution) -> Vec<f64> {
-    let (lowest, highest) = heights.support();
-    let bulk = (0..60).map(|i| -heights.origin() - 3.03 + 0.1 * f64::from(i));
+    let (lowest, highest) = heights.outline().support;
+    let bulk = (0..60).map(|i| -heights.outline().origin - 3.03 + 0.1 * f64::from(i));
     bulk.filter(|&z| z > lowest + 1e-3 && z < highest - 1e-3 && heights.log_density(z) > -200.0).collect()
 }
 
@@ -42,7 +42,7 @@ fn slopes_are_those_of_secants_and_turn_at_the_last_mode() {
             let secant = (heights.log_density(z + step) - heights.log_density(z - step)) / (2.0 * step);
             let (slope, known) = (heights.log_density_slope(z), 1e-15 * (200.0 + z.abs()) / step);
             assert!((slope - secant).abs() < 1e-5 * (1.0 + secant.abs()) + known, "{slope}, not {secant}, {heights:?}");
-            assert!(slope <= 0.0 || z < heights.last_mode(), "{slope} at {z} of {heights:?}");
+            assert!(slope <= 0.0 || z < heights.outline().last_mode, "{slope} at {z} of {heights:?}");
         }
     }
 }
@@ -50,13 +50,13 @@ fn slopes_are_those_of_secants_and_turn_at_the_last_mode() {
 #[test]
 fn densities_side_by_side_are_those_of_each_height_and_none_lies_outside_the_support() {
     for heights in families() {
-        let (lowest, highest) = heights.support();
+        let (lowest, highest) = heights.outline().support;
         let beyond = [lowest - 1e-9 * (1.0 + lowest.abs()), highest + 1e-9 * (1.0 + highest.abs())];
         for z in beyond.into_iter().filter(|z| z.is_finite()) {
             assert_eq!(heights.log_density(z), f64::NEG_INFINITY, "{z} of {heights:?}");
         }
         for length in [0.1, 9.0] {
-            let z: [f64; POINTS] = std::array::from_fn(|i| length * (i as f64 / 15.0 - 0.9) - heights.origin());
+            let z: [f64; POINTS] = std::array::from_fn(|i| length * (i as f64 / 15.0 - 0.9) - heights.outline().origin);
             for (density, z) in heights.densities(z).into_iter().zip(z) {
                 let alone = exp(heights.log_density(z));
                 assert!((density - alone).abs() <= 4e-15 * alone, "{density:e}, not {alone:e} at {z} of {heights:?}");

@@ -1,9 +1,10 @@
 //! Weibull heights, eqs (18)-(21): standardised to mean 0 and standard deviation 1, so that the shape
 //! omega alone remains, and with it skew and kurtosis together.
 
-use super::HeightDistribution;
+use super::gaussian::GAUSSIAN;
+use super::{moments, HeightDistribution, Outline};
 use crate::error::Error;
-use crate::numerics::elementary::{exp, exp_each, expm1, log, log1p, log1p_each, pow};
+use crate::numerics::elementary::{exp, exp_each, expm1, log, log1p, log1p_each};
 use crate::numerics::float_bits::finite;
 use crate::numerics::quadrature::POINTS;
 use crate::numerics::root;
@@ -25,9 +26,7 @@ pub struct Weibull {
     mean: f64,
     /// ln(omega / z_M).
     ln_shape_over_mean: f64,
-    last_mode: f64,
-    skew: f64,
-    kurtosis: f64,
+    outline: Outline,
 }
 
 impl Weibull {
@@ -53,12 +52,18 @@ impl Weibull {
     }
 
     fn of_shape(shape: f64) -> Self {
-        let WeibullMoments { ln_b1, variance, skew, kurtosis } = WeibullMoments::of(shape);
+        let (ln_b1, [variance, skew, kurtosis]) = moments_of(shape);
         let mean = 1.0 / variance.sqrt();
-        let mut heights =
-            Self { shape, ln_b1, mean, ln_shape_over_mean: log(shape / mean), last_mode: 0.0, skew, kurtosis };
-        heights.last_mode = heights.height_of_hazard(1.0 - 1.0 / shape);
-        heights
+        let outline = Outline {
+            support: (-mean, f64::INFINITY),
+            // Where the cumulative hazard is 1 - 1/omega.
+            last_mode: mean * expm1(log(1.0 - 1.0 / shape) / shape - ln_b1),
+            skew,
+            kurtosis,
+            power_at_lower_end: Some(shape - 1.0),
+            ..GAUSSIAN
+        };
+        Self { shape, ln_b1, mean, ln_shape_over_mean: log(shape / mean), outline }
     }
 
     /// The shape whose skew this is.
@@ -73,7 +78,7 @@ impl Weibull {
             return Err(Error::invalid("skew", skew, allowed));
         }
         let (smallest, largest) = SHAPE_RANGE;
-        let residual = |ln_shape: f64| WeibullMoments::of(exp(ln_shape)).skew - skew;
+        let residual = |ln_shape: f64| moments_of(exp(ln_shape)).1[1] - skew;
         let (lower, upper) = (log(smallest), log(largest));
         if residual(lower) < -1e-12 || residual(upper) > 1e-12 {
             let allowed = "must be that of a Weibull shape between 1 and 200, -1.1100 to 2; Johnson heights have any \
@@ -105,16 +110,11 @@ impl Weibull {
             self.ln_shape_over_mean + power - hazard[i]
         })
     }
-
-    /// The height of a given cumulative hazard.
-    fn height_of_hazard(&self, hazard: f64) -> f64 {
-        self.mean * expm1(log(hazard) / self.shape - self.ln_b1)
-    }
 }
 
 impl HeightDistribution for Weibull {
-    fn support(&self) -> (f64, f64) {
-        (-self.mean, f64::INFINITY)
+    fn outline(&self) -> &Outline {
+        &self.outline
     }
 
     fn log_density(&self, z: f64) -> f64 {
@@ -139,26 +139,6 @@ impl HeightDistribution for Weibull {
     fn distance_to_singularity(&self, z: f64) -> f64 {
         z + self.mean
     }
-
-    fn power_at_lower_end(&self) -> Option<f64> {
-        Some(self.shape - 1.0)
-    }
-
-    fn last_mode(&self) -> f64 {
-        self.last_mode
-    }
-
-    fn is_log_concave(&self) -> bool {
-        true
-    }
-
-    fn skew(&self) -> f64 {
-        self.skew
-    }
-
-    fn kurtosis(&self) -> f64 {
-        self.kurtosis
-    }
 }
 
 /// ln of heights t^(1/omega) with their weights: the cumulative hazard t is exponentially distributed, and means are summed by
@@ -172,32 +152,11 @@ fn hazard_nodes(shape: f64) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Eq (21), and what standardises the distribution.
-struct WeibullMoments {
-    ln_b1: f64,
-    /// The variance of heights over their mean.
-    variance: f64,
-    skew: f64,
-    kurtosis: f64,
-}
-
-impl WeibullMoments {
-    fn of(shape: f64) -> Self {
-        let nodes = || hazard_nodes(shape);
-        // As differences from 1 and from B_1: heights of large shapes are nearly equal.
-        let ln_b1 = log1p(nodes().map(|(log_height, weight)| weight * expm1(log_height)).sum());
-        let mut central = [0.0; 3];
-        for (log_height, weight) in nodes() {
-            let distance = expm1(log_height - ln_b1);
-            let mut term = weight * distance;
-            for moment in &mut central {
-                term *= distance;
-                *moment += term;
-            }
-        }
-        let [variance, third, fourth] = central;
-        Self { ln_b1, variance, skew: third / pow(variance, 1.5), kurtosis: fourth / (variance * variance) }
-    }
+/// ln B_1, and eq (21): the variance of heights over their mean, skew and kurtosis.
+fn moments_of(shape: f64) -> (f64, [f64; 3]) {
+    // As differences from 1 and from B_1: heights of large shapes are nearly equal.
+    let ln_b1 = log1p(hazard_nodes(shape).map(|(log_height, weight)| weight * expm1(log_height)).sum());
+    (ln_b1, moments(hazard_nodes(shape).map(|(log_height, weight)| (weight, expm1(log_height - ln_b1)))))
 }
 
 #[cfg(test)]
@@ -214,14 +173,14 @@ mod tests {
     #[test]
     fn moments_of_large_shapes_are_those_of_the_limit() {
         let limit = Weibull::of_shape(1e6);
-        assert!(near(limit.skew, SKEW_LIMIT, 1e-5) && near(limit.kurtosis, 5.4, 1e-5));
+        assert!(near(limit.outline.skew, SKEW_LIMIT, 1e-5) && near(limit.outline.kurtosis, 5.4, 1e-5));
         assert!(near(limit.mean, 1e6 * 6.0_f64.sqrt() / std::f64::consts::PI, 1e-5), "{}", limit.mean);
     }
 
     #[test]
     fn a_shape_is_that_of_its_skew() {
         for shape in [1.0, 1.3, 3.602, 40.0, 200.0] {
-            let found = Weibull::shape_of_skew(weibull(shape).skew).expect("a shape");
+            let found = Weibull::shape_of_skew(weibull(shape).outline.skew).expect("a shape");
             assert!(near(found, shape, 1e-12 * shape), "{found}, not {shape}");
         }
         // What rounds to the end of the range is there.
@@ -230,7 +189,7 @@ mod tests {
 
     #[test]
     fn skews_are_taken_up_to_the_limits_and_no_further() {
-        for skew in [2.0 + 1e-9, weibull(200.0).skew - 1e-9, SKEW_LIMIT.above()] {
+        for skew in [2.0 + 1e-9, weibull(200.0).outline.skew - 1e-9, SKEW_LIMIT.above()] {
             assert!(matches!(Weibull::shape_of_skew(skew), Err(Error::OutOfRange { name: "skew", .. })), "{skew}");
         }
         for skew in [SKEW_LIMIT, f64::NAN, f64::INFINITY] {

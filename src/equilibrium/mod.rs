@@ -100,7 +100,7 @@ impl Branch {
     /// The branch of the same population on waves, without adhesion. Where one place has a kink the mean over many hardly has one, but of
     /// heights whose density has kinks.
     pub fn on_waves(self, waves: Waves) -> Self {
-        let has_kinks = self.population.heights().is_piecewise_polynomial();
+        let has_kinks = self.population.heights().outline().is_piecewise_polynomial;
         let kinks = self.kinks.iter().filter(|_| has_kinks);
         let mut kinks: Vec<f64> = kinks.flat_map(|&kink| waves.separations_at(kink)).collect();
         kinks.sort_by(f64::total_cmp);

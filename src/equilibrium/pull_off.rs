@@ -108,7 +108,7 @@ impl End {
 /// Two separations between which the load has its first minimum, a single one or not; `None` where the load falls as long as it is a
 /// number.
 fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option<(f64, f64)>, Error> {
-    let mut here = if single { 0.0 } else { SCAN_START } - population.heights().origin();
+    let mut here = if single { 0.0 } else { SCAN_START } - population.heights().outline().origin;
     let mut sums = sums_at(population, here)?;
     if sums.load_slope >= 0.0 {
         (here, sums) = falling_before(population, here, FIRST_STEP)?;
@@ -144,7 +144,7 @@ fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option
 /// The step in which a load that may have several minima is looked at.
 fn scan_step(population: &Population) -> f64 {
     let widest = (0.5 * population.radius_scale()).clamp(WIDEST_STEP, 2.0 * WIDEST_STEP);
-    match population.heights().is_piecewise_polynomial() {
+    match population.heights().outline().is_piecewise_polynomial {
         false => widest,
         true => (0.5 * population.range_of_adhesion()).clamp(NARROWEST_STEP, WIDEST_STEP),
     }

@@ -72,7 +72,7 @@ impl Gap {
         };
         let highest = curve.gap(branch.farthest());
         // A part of a curve may begin above the mean height.
-        let depth = (-branch.population().heights().origin() - begin).max(1.0);
+        let depth = (-branch.population().heights().outline().origin - begin).max(1.0);
         let rise = curve.load_at(begin).1;
         let [begin, first] = [begin, first].map(|separation| curve.gap(separation));
         let to_highest = (highest - first) * lengths.unit;

@@ -129,11 +129,11 @@ pub struct Reach {
 impl Reach {
     fn of(branch: &Branch) -> Self {
         let population = &*branch.population().at_first_loading();
-        let half = population.at_separation(-population.heights().origin()).load().abs();
+        let half = population.at_separation(-population.heights().outline().origin).load().abs();
         let pull_off = branch.pull_off().filter(|point| -point.load > LIGHTEST_PULL_OFF * half);
         let lightest = pull_off.map_or(LIGHTEST_OF_HALF * half, |point| LIGHTEST_OF_PULL_OFF * -point.load);
         let depth = (DEEPEST_OF_RADIUS * population.mean_radius()).min(DEEPEST);
-        let pressed = population.at_separation(-population.heights().origin() - depth).load();
+        let pressed = population.at_separation(-population.heights().outline().origin - depth).load();
         let heaviest = (HEAVIEST_OF_PULL_OFF * -branch.pull_off_load()).max(HEAVIEST_OF_HALF * half).max(pressed);
         Self {
             // By a row more, so that whole rows reach as far.

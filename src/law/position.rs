@@ -22,8 +22,8 @@ impl Positions {
     /// Of a branch: of one that ends at pull-off, or far off, around its heights.
     pub fn of(branch: &Branch, has_pull_off: bool) -> Self {
         let population = branch.population();
-        let (middle, turn) = (-population.heights().origin(), TURN.max(population.range_of_adhesion()));
-        match has_pull_off || population.heights().support().1 - middle > FARTHEST_END {
+        let (middle, turn) = (-population.heights().outline().origin, TURN.max(population.range_of_adhesion()));
+        match has_pull_off || population.heights().outline().support.1 - middle > FARTHEST_END {
             true => Self::Around { middle, turn },
             false => Self::Below { highest: branch.farthest() },
         }

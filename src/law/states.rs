@@ -78,7 +78,7 @@ impl<'a> States<'a> {
             0.0 => SHORTEST.1,
             range => {
                 // Where adhesion reaches far beyond the heights, so do positions.
-                let middle = -branch.population().heights().origin();
+                let middle = -branch.population().heights().outline().origin;
                 let among_heights = SHORTEST.1 / positions.rates(middle).0.max(1.0);
                 (SHORTEST_OF_RANGE * range).min(among_heights).clamp(SHORTEST.0, SHORTEST.1)
             }
@@ -139,7 +139,7 @@ impl<'a> States<'a> {
             let point = BranchPoint { log_excess: f64::NEG_INFINITY, rate: f64::NAN, sums, gap: None };
             self.sample(self.positions.position(separation), separation, point)
         });
-        let middle = self.positions.position(-self.branch.population().heights().origin());
+        let middle = self.positions.position(-self.branch.population().heights().outline().origin);
         let farthest = end.map_or(self.positions.position(self.branch.farthest()), |end| end.position);
         let largest = self.branch.population().largest();
         let middle = if largest < f64::INFINITY { middle.min(self.positions.position(largest)) } else { middle };

@@ -273,7 +273,7 @@ impl Surfaces {
         }
         let ends = self.measures_of(lightest, farthest, &light)?.warnings()
             | self.measures_of(heaviest, nearest, &heavy)?.warnings();
-        let is_smooth = self.params.waviness.height > 0.0 || self.population().heights().is_log_concave();
+        let is_smooth = self.params.waviness.height > 0.0 || self.population().heights().outline().is_log_concave;
         let step = NEAR_STEPS[usize::from(is_smooth)];
         Ok(ends | warnings_between((nearest, farthest), step, |d| self.measures_at(d))?)
     }
@@ -310,7 +310,7 @@ impl Surfaces {
 
     /// The gap at a separation in sigma, with what neighbours add.
     pub(crate) fn gap_of(&self, separation: f64, widening: f64) -> f64 {
-        let origin = self.branch.population().heights().origin();
+        let origin = self.branch.population().heights().outline().origin;
         (separation + widening + origin) * self.units.length + self.params.summit_mean_height
     }
 

@@ -202,7 +202,7 @@ impl Model {
         let (units, summit_mean_height) = (surfaces.units, surfaces.params.summit_mean_height);
         let compile = |branch: &Branch| {
             // Heights count from the mean of the summits, gaps from the mean plane.
-            let origin = branch.population().heights().origin() + summit_mean_height / units.length;
+            let origin = branch.population().heights().outline().origin + summit_mean_height / units.length;
             let lengths = Lengths { unit: units.length, origin };
             let quantities = Quantity::ALL.map(|quantity| units.of(quantity));
             Law::new(branch, units.load, quantities, lengths, anchor, only_lighter)
@@ -371,8 +371,8 @@ impl Model {
             beta: self.groups.beta,
             gamma: self.groups.gamma,
             lambda: cbrt(self.groups.lambda_cubed()),
-            skew: self.branch.population().heights().skew(),
-            kurtosis: self.branch.population().heights().kurtosis(),
+            skew: self.branch.population().heights().outline().skew,
+            kurtosis: self.branch.population().heights().outline().kurtosis,
             pull_off_load: self.pull_off_load(),
             pull_off_friction_force: pull_off.map_or(0.0, |point| point.sums.friction * self.units.force),
             zero_load_friction_force: self.friction_force_at_load(0.0),
@@ -428,7 +428,7 @@ impl Surfaces {
         let (units, mut branch) = (Units::new(params), branch(population)?);
         if params.waviness.height > 0.0 {
             let (places, width) = params.waviness.places(units.length);
-            let stiffness_of_radius = 2.0 * groups.alpha * groups.beta;
+            let stiffness_of_radius = groups.stiffness_of_radius();
             let even = Law::even(&branch.summed(false), places[0].0)?;
             branch = branch.on_waves(Waves::new(even, places, width / groups.nominal_area, stiffness_of_radius));
         }

@@ -23,6 +23,20 @@ pub fn between(mut f: impl FnMut(f64) -> f64, lower: (f64, f64), upper: (f64, f6
     from_part(&mut f, lower, upper, if straight.is_nan() { 0.5 } else { straight })
 }
 
+/// The root on one side of `from`, in a bracket whose steps double, and no farther than a limit.
+pub fn beyond(mut f: impl FnMut(f64) -> f64, from: f64, first_step: f64, limit: f64) -> f64 {
+    let (mut inner, mut step) = ((from, f(from)), first_step);
+    loop {
+        let is_last = (from + step - limit) * step >= 0.0;
+        let x = if is_last { limit } else { from + step };
+        let outer = (x, f(x));
+        if is_last || (outer.1 < 0.0) != (inner.1 < 0.0) {
+            return from_part(&mut f, inner, outer, 0.5);
+        }
+        (inner, step) = (outer, 2.0 * step);
+    }
+}
+
 /// The same from a part of the bracket, from its upper end; compiled once for all functions, of which there are some thirty.
 fn from_part(
     f: &mut dyn FnMut(f64) -> f64,
@@ -69,7 +83,19 @@ fn from_part(
 
 #[cfg(test)]
 mod tests {
-    use super::bracketed;
+    use super::{beyond, bracketed};
+
+    #[test]
+    fn a_root_is_found_on_either_side_and_no_farther_than_the_limit() {
+        for (step, root) in [(1.0, 1000.0_f64.sqrt()), (-1.0, -1000.0_f64.sqrt()), (0.01, 1000.0_f64.sqrt())] {
+            for limit in [40.0, f64::INFINITY].map(|limit| limit.copysign(step)) {
+                let found = beyond(|x| x * x - 1000.0, 0.5, step, limit);
+                assert!((found / root - 1.0).abs() < 1e-15, "{found}, not {root}");
+            }
+            let limit = 7.0_f64.copysign(step);
+            assert_eq!(beyond(|x| x * x - 1000.0, 0.5, step, limit), limit);
+        }
+    }
 
     #[test]
     fn without_a_change_of_sign_the_end_nearer_to_a_root_is_the_answer() {

@@ -116,7 +116,7 @@ impl Params {
             let allowed = "must be between 1e-6 and 1000 where radius_amplitude is not 0";
             return Err(Error::out_of_range("radius_rate", rate, allowed));
         }
-        Ok(RadiusProfile { amplitude, rate, origin: heights.origin(), scores: heights.clone().at_scores() })
+        Ok(RadiusProfile { amplitude, rate, origin: heights.outline().origin, scores: heights.clone().at_scores() })
     }
 
     /// What is remembered of a measurement.

@@ -3,7 +3,6 @@
 //! Panels are laid in the radius of the circle of interaction, of which the overlap is a quadratic polynomial.
 
 use super::sums::{out_of_panels, Sums};
-use super::walk::PART_AT_LOWER_END;
 use super::{Edge, Population};
 use crate::asperity::attraction::{Attracted, Attraction, ATTRACTION_LAMBDA_CUBED};
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS_OF_SUM, SHORTEST_PANEL};
@@ -112,8 +111,7 @@ impl Population {
         visit: &mut impl FnMut(f64, f64, f64),
     ) -> (f64, f64) {
         let smooth = (overlap + law.reach).min(self.radius.panel_length(z));
-        let longest = (PART_AT_LOWER_END * smooth).min(upper - z);
-        let Some(panel) = LowerEndPanel::new(&*self.heights, z, longest) else { return (z, overlap) };
+        let Some(panel) = LowerEndPanel::new(&*self.heights, z, upper - z, smooth) else { return (z, overlap) };
         for (rise, fraction) in panel.nodes(&*self.heights) {
             visit(z + rise, overlap + rise, fraction);
         }
@@ -123,7 +121,7 @@ impl Population {
     /// How far a panel may reach from a summit of height z.
     fn attraction_panel(&self, here: &Attracted, z: f64, shortest: f64) -> f64 {
         let mut smooth = panel::panel_length(&*self.heights, z);
-        if !self.heights.is_piecewise_polynomial() {
+        if !self.heights.outline().is_piecewise_polynomial {
             // As a function of the circle the density is steepest at the far end, by du/dc there over the mean.
             let span = here.span(smooth);
             smooth *= smooth / (span * here.rise(span).1);

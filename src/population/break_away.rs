@@ -47,12 +47,7 @@ impl Edge {
             return Self::at(law, radius, separation + law.break_away(1.0).overlap);
         }
         let residual = |z: f64| (z - separation) - law.break_away(radius.factor(z)).overlap;
-        // Near it, since a root has the digits of its bracket.
-        let (mut lower, mut rise) = (separation, 0.125);
-        while residual(separation + rise) < 0.0 && separation + rise < highest {
-            (lower, rise) = (separation + rise, 2.0 * rise);
-        }
-        Self::at(law, radius, root::bracketed(residual, lower, (separation + rise).min(highest.max(separation))))
+        Self::at(law, radius, root::beyond(residual, separation, 0.125, highest.max(separation)))
     }
 }
 

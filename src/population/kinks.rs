@@ -20,13 +20,13 @@ const SAME_KINK: f64 = 1e-8;
 impl Population {
     /// The separations at which the sums are not smooth, in ascending order.
     pub fn kinks(&self) -> Vec<f64> {
-        let (lower_end, _) = self.heights.support();
-        let is_power = self.heights.power_at_lower_end().is_some();
-        let lower_end = (is_power && lower_end + self.heights.origin() > LOWEST_END).then_some(lower_end);
-        let breakpoints = if self.heights.is_piecewise_polynomial() { self.heights.breakpoints() } else { &[] };
+        let (lower_end, _) = self.heights.outline().support;
+        let is_power = self.heights.outline().power_at_lower_end.is_some();
+        let lower_end = (is_power && lower_end + self.heights.outline().origin > LOWEST_END).then_some(lower_end);
+        let breakpoints = if self.heights.outline().is_piecewise_polynomial { self.heights.breakpoints() } else { &[] };
         let heights: Vec<f64> = breakpoints.iter().copied().chain(lower_end).collect();
         let mut kinks: Vec<f64> = heights.iter().flat_map(|&z| self.kinks_of_height(z)).collect();
-        if !self.heights.is_piecewise_polynomial() {
+        if !self.heights.outline().is_piecewise_polynomial {
             let edge = |&z: &f64| z - self.law.break_away(self.radius.factor(z)).overlap;
             // Few heights are below the others: what their slopes do there hardly shows in what all bear.
             kinks.extend(self.heights.breakpoints().iter().filter(|&&z| z > LOWEST_BEND).map(edge));
@@ -91,11 +91,7 @@ impl Population {
             return None;
         }
         let residual = |s: f64| self.law.at(s, g).radius - radius;
-        let mut upper = edge.parameter + 1.0;
-        while residual(upper) < 0.0 {
-            upper *= 2.0;
-        }
-        Some(self.law.at(root::bracketed(residual, edge.parameter, upper), g))
+        Some(self.law.at(root::beyond(residual, edge.parameter, 1.0, f64::INFINITY), g))
     }
 }
 
@@ -186,7 +182,7 @@ mod tests {
     fn a_lower_end_that_is_a_power_is_a_kink_and_no_two_are_one() {
         let population = of(&surface(HERTZ, HeightFamily::Weibull { shape: 2.2 }, [0.0, 1.0]));
         let kinks = population.kinks();
-        let (lower_end, _) = population.heights.support();
+        let (lower_end, _) = population.heights.outline().support;
         assert!(kinks.iter().any(|kink| (kink - lower_end).abs() < 1e-12), "{lower_end} is not in {kinks:?}");
         assert!(kinks.windows(2).all(|pair| pair[1] - pair[0] > SAME_KINK), "{kinks:?}");
         // Heights without ends and breakpoints have none where radii are equal.

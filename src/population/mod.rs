@@ -62,19 +62,12 @@ pub struct Population {
     radius: RadiusProfile,
     /// How fast radii change, as [`RadiusProfile::steepness`] has it.
     radius_steepness: f64,
-    /// Where the nominal area is known.
-    crowding: Option<Crowding>,
+    groups: Groups,
     lambda_cubed: f64,
-    /// 2 alpha beta.
-    stiffness_of_radius: f64,
     /// The separation at which the summits stood under the largest load; infinite at first loading.
     largest: f64,
     /// By how much less than then summits overlap; 0 at first loading.
     lost: f64,
-    /// The mean summit radius in standard deviations of height.
-    mean_radius: f64,
-    /// 2 pi w R, which no summit of the mean radius pulls with more than, in E* b^2.
-    most_pull: f64,
     /// The contact radii at which what is summed has a kink, infinite where there are fewer.
     radius_kinks: [f64; RADII],
     /// The overlaps over g at which the law of contact has.
@@ -141,7 +134,9 @@ impl Point {
 
 /// Adds up what summits contribute.
 impl Visitor for Sums {
-    const IS_SMOOTH: bool = true;
+    fn is_smooth(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn summits(&mut self, _z: f64, fraction: f64, summit: &Summit) {
@@ -181,16 +176,10 @@ impl Population {
             nodes: radius.is_constant().then(Arc::default),
             radius_steepness: radius.steepness(),
             radius,
-            crowding: (groups.nominal_area > 0.0).then_some(Crowding {
-                nominal_area: groups.nominal_area,
-                stiffness_of_radius: 2.0 * groups.alpha * groups.beta,
-            }),
+            groups: *groups,
             lambda_cubed: groups.lambda_cubed(),
-            stiffness_of_radius: 2.0 * groups.alpha * groups.beta,
             largest: f64::INFINITY,
             lost: 0.0,
-            mean_radius: 1.0 / (groups.alpha * groups.alpha),
-            most_pull: 2.0 * PI * groups.gamma * groups.beta / groups.alpha,
             radius_kinks: [first, second, f64::INFINITY, f64::INFINITY, f64::INFINITY],
             kinks_of_contact,
             onset_ratio: None,
@@ -232,7 +221,7 @@ impl Population {
 
     /// The mean summit radius in standard deviations of height.
     pub fn mean_radius(&self) -> f64 {
-        self.mean_radius
+        1.0 / (self.groups.alpha * self.groups.alpha)
     }
 
     /// The height distribution.
@@ -253,7 +242,7 @@ impl Population {
     /// Whether load against separation can have but one minimum: the slope of the law of equal summits changes sign once,
     /// and a log-concave density adds no change of sign (it diminishes variation).
     pub fn has_single_minimum(&self) -> bool {
-        self.radius.is_constant() && self.heights.is_log_concave()
+        self.radius.is_constant() && self.heights.outline().is_log_concave
     }
 
     /// The heights, in sigma, on whose scale radii change.
@@ -278,7 +267,9 @@ impl Population {
 
     /// What neighbours change, if the nominal area is known.
     pub fn crowding(&self) -> Option<Crowding> {
-        self.crowding
+        let stiffness_of_radius = self.groups.stiffness_of_radius();
+        let Groups { nominal_area, .. } = self.groups;
+        (nominal_area > 0.0).then_some(Crowding { nominal_area, stiffness_of_radius })
     }
 
     fn of_lone_summits(&self, separation: f64) -> Sums {
@@ -339,7 +330,7 @@ impl Population {
 
     /// Whether there are summits that break away at a separation.
     fn has_summits_at(&self, edge: &Edge) -> bool {
-        let (lowest, highest) = self.heights.support();
+        let (lowest, highest) = self.heights.outline().support;
         (lowest.max(self.lower_cut)..=highest).contains(&edge.point.z)
     }
 

@@ -7,7 +7,7 @@
 
 use super::panels::{Axis, Nodes, SummitPanel};
 use super::sums::{out_of_panels, Summit};
-use super::walk::{Progress, Visitor, Walk, PART_AT_LOWER_END};
+use super::walk::{Progress, Visitor, Walk};
 use super::{Point, Population};
 use crate::distribution::panel::{self, LowerEndPanel, SHORTEST_PANEL};
 use crate::error::Error;
@@ -60,7 +60,7 @@ impl NodeTable {
         let population = &population.without_tables();
         let edge = population.edge(0.0).point;
         let reach = panel::tail_panel_length(&*population.heights);
-        let near = if population.heights.support().0.is_finite() {
+        let near = if population.heights.outline().support.0.is_finite() {
             edge.z + NEAR_BREAK_AWAY * (1.0 + edge.z.abs())
         } else {
             f64::INFINITY
@@ -74,25 +74,14 @@ impl NodeTable {
             let is_near = is_short && table.end.z < near;
             let panel = match is_near {
                 true => population.panel(0.0, table.end, kink, clearance, [reach, f64::INFINITY], near),
-                false => population.panel_in_roots(table.end, kink, clearance, reach),
+                false => population.panel_in_roots(table.end, kink, edge.z, reach),
             };
-            let root = |end: Point| (end.z - edge.z).sqrt();
-            let roots = (!is_near).then(|| (root(panel.from), root(panel.to)));
-            match roots {
-                None => population.nodes(0.0, &panel, &mut nodes),
-                Some((from, to)) => {
-                    let guess = panel.guess();
-                    nodes = quadrature::panel(from, to).map(|(root, weight)| {
-                        (2.0 * root * weight, population.on_panel(0.0, &panel, edge.z + root * root, &guess))
-                    });
-                }
-            }
-            let summit = |point: Point| Summit::new(&point.contact, population.slip.friction(&point.contact));
+            population.nodes(0.0, &panel, &mut nodes);
             table.panels.push(TablePanel {
                 to: panel.to,
-                roots,
+                roots: (!is_near).then(|| (panel.variable(&panel.from), panel.variable(&panel.to))),
                 weights: nodes.map(|(weight, _)| weight),
-                summits: nodes.map(|(_, point)| summit(point)),
+                summits: nodes.map(|(_, point)| population.summit(&point)),
             });
             (table.end, kink) = (panel.to, panel.kink);
         }
@@ -103,13 +92,15 @@ impl NodeTable {
 
 impl Population {
     /// The panel from a summit far enough from break-away, at separation 0.
-    fn panel_in_roots(&self, here: Point, kink: Option<usize>, clearance: f64, reach: f64) -> SummitPanel {
+    fn panel_in_roots(&self, here: Point, kink: Option<usize>, edge: f64, reach: f64) -> SummitPanel {
+        let clearance = here.z - edge;
         let longest = (MOST_ROOT_GROWTH * MOST_ROOT_GROWTH - 1.0) * clearance;
         let rise = longest.min(reach);
         let part = part_in_roots((clearance.sqrt(), (clearance + rise).sqrt()));
         let rise = longest.min(part * reach).max(SHORTEST_PANEL);
         let to = self.at_height(0.0, here.z + rise, here.contact.parameter);
-        let mut panel = SummitPanel { axis: Axis::Height, from: here, to, kink: None, part: 1.0, is_eased: false };
+        let axis = Axis::Root(edge);
+        let mut panel = SummitPanel { axis, from: here, to, kink: None, part: 1.0, is_eased: false };
         self.cut_at_kink(0.0, &mut panel, kink);
         panel
     }
@@ -118,8 +109,8 @@ impl Population {
     pub(super) fn walk_table<V: Visitor>(&self, table: &NodeTable, walk: &Walk, visitor: &mut V) -> Result<(), Error> {
         let separation = walk.separation;
         let mut progress = Progress::default();
-        let largest = self.heights.log_density(walk.start.z.max(self.heights.last_mode()));
-        let (_, highest) = self.heights.support();
+        let largest = self.heights.log_density(walk.start.z.max(self.heights.outline().last_mode));
+        let (_, highest) = self.heights.outline().support;
         let mut start = Some(walk.start);
         let mut from = table.edge.raised(separation);
         for panel in &table.panels {
@@ -146,7 +137,7 @@ impl Population {
                     visitor.summits(heights[i], fraction, &panel.summits[i]);
                 }
                 visitor.end_of_panel(&from);
-            } else if let Some(roots) = panel.roots.filter(|_| V::IS_SMOOTH) {
+            } else if let Some(roots) = panel.roots.filter(|_| visitor.is_smooth()) {
                 let part = Part { separation, break_away: table.edge.z, roots, from: z, to: to.min(highest), longer };
                 let weights = self.weights_of(&part, &mut progress)?;
                 for (weight, summit) in weights.iter().zip(&panel.summits) {
@@ -169,14 +160,14 @@ impl Population {
         let (heights, mut z) = (&*self.heights, part.from);
         let (clearance, (from, to)) = (z - part.edge(), part.roots);
         let mut moments = Moments::default();
-        if let Some(panel) = LowerEndPanel::new(heights, z, (PART_AT_LOWER_END * clearance).min(part.to - z)) {
+        if let Some(panel) = LowerEndPanel::new(heights, z, part.to - z, clearance) {
             let nodes = panel.nodes(heights);
             nodes.iter().for_each(|(rise, fraction)| progress.add(*fraction, z + rise - part.separation));
             moments.add(&nodes.map(|(rise, _)| part.place(part.root(z + rise))), &nodes.map(|(_, fraction)| fraction));
             z += panel.length;
         }
         for _ in 0..panel::MOST_PANELS_OF_SUM {
-            let is_polynomial = heights.is_piecewise_polynomial();
+            let is_polynomial = heights.outline().is_piecewise_polynomial;
             let is_rest = |z| self.is_rest_negligible(progress, z, z - part.separation, heights.log_density(z));
             if z >= part.to || !is_polynomial && is_rest(z) {
                 return Ok(moments.weights());
@@ -297,7 +288,7 @@ mod tests {
                 let [_, second] = population.slip.kinks();
                 let kink = -population.contact_of_radius(second, 1.0).expect("a contact").overlap;
                 for above_mean in [kink, -9e4, -1e3, -60.0, -21.0, -10.0, -3.0, -1.4, -0.2, 0.6, 1.3, 2.0, 3.0, 5.0] {
-                    let separation = above_mean - population.heights.origin();
+                    let separation = above_mean - population.heights.outline().origin;
                     let (a, b) = (population.at_separation(separation), walked.at_separation(separation));
                     for (name, a, b, tolerance) in [
                         ("load", a.load_contacting, b.load_contacting, 1e-9),

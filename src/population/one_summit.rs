@@ -5,6 +5,7 @@ use super::Population;
 use crate::asperity::contact::Contact;
 use crate::asperity::maugis::FOLD_LAMBDA_CUBED;
 use crate::numerics::elementary::{exp, log};
+use std::f64::consts::PI;
 
 /// A summit of a specimen. Heights and overlaps in sigma.
 #[derive(Debug)]
@@ -100,7 +101,7 @@ impl Population {
         let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let has_fold = |g: f64| self.lambda_cubed * g > FOLD_LAMBDA_CUBED;
         let (log_least, width) = (log(least), log(most / least));
-        if self.most_pull == 0.0 || !(0.0..=WIDEST).contains(&width) || has_fold(least) != has_fold(most) {
+        if self.most_pull() == 0.0 || !(0.0..=WIDEST).contains(&width) || has_fold(least) != has_fold(most) {
             return None;
         }
         let radii = if width > 0.0 { 1 + (width / LoadTable::FINENESS) as usize } else { 0 };
@@ -199,12 +200,12 @@ impl Population {
 
     /// No summit of the mean radius pulls with more than this, in E* b^2: 2 pi w R.
     pub fn most_pull(&self) -> f64 {
-        self.most_pull
+        2.0 * PI * self.groups.gamma * self.groups.beta / self.groups.alpha
     }
 
     /// The sums of lone summits with what neighbours change.
     pub fn among_neighbours(&self, sums: Sums) -> Sums {
-        let Some(crowding) = self.crowding else { return sums };
+        let Some(crowding) = self.crowding() else { return sums };
         let sums = crowding.among(sums);
         if self.radius.scores.is_some() {
             crowding.merged(sums, &self.slip)

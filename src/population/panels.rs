@@ -24,9 +24,6 @@ const PARAMETER_RATIO: f64 = 3.0;
 const POWER_RATIO: f64 = 7.0;
 /// As a function of the parameter the density is steeper than as one of height: of a panel in height this part is taken.
 const PART_OF_HEIGHT_PANEL: f64 = 0.5;
-/// Where contacts slip in part no panel is longer than this many times the parameter, or the distance to break-away: what they
-/// resist is singular where they begin to slip as a whole.
-const ONSET_RATIO: f64 = 1.0;
 /// A panel between two heights of a table at scores counts as this part of what it is: 10 points give 1e-12 of a whole one, and 6
 /// of a quarter.
 const PART_BETWEEN_SCORES: f64 = 0.08;
@@ -73,11 +70,9 @@ pub struct SummitPanel {
 impl Population {
     /// The next height at which a panel must end.
     pub(super) fn stop_above(&self, z: f64) -> f64 {
-        let breakpoints = self.heights.breakpoints();
-        let next = breakpoints.partition_point(|&breakpoint| breakpoint <= z);
-        let next = breakpoints.get(next).copied().unwrap_or(f64::INFINITY).min(self.heights.support().1);
+        let next = panel::next_breakpoint(&*self.heights, z);
         // Where radii change fastest.
-        self.radius.turn().filter(|&turn| turn > z).map_or(next, |turn| next.min(turn))
+        self.radius.turn().filter(|&turn| turn > z + panel::slack(z)).map_or(next, |turn| next.min(turn))
     }
 
     /// The panel from a summit, `clearance` above break-away, no longer than the first `reach` and not beyond the height `stop`; radii
@@ -98,7 +93,7 @@ impl Population {
         } else if turns_back || self.lost > 0.0 || clearance > PART_OF_HEIGHT_PANEL * reach / self.height_ratio() {
             None
         } else {
-            let is_polynomial = self.heights.is_piecewise_polynomial();
+            let is_polynomial = self.heights.outline().is_piecewise_polynomial;
             let reach = if is_polynomial && here.z + reach >= stop { reach } else { PART_OF_HEIGHT_PANEL * reach };
             self.parameter_panel_end(separation, &here, reach, stop)
         };
@@ -106,7 +101,7 @@ impl Population {
             Some(to) if self.lost > 0.0 => (Axis::Root(here.z - clearance), to),
             Some(to) => (Axis::Parameter, to),
             None => {
-                let ratio = if self.has_onset() { ONSET_RATIO } else { self.height_ratio() };
+                let ratio = if self.has_onset() { 1.0 } else { self.height_ratio() };
                 let z = (here.z + reach.min((ratio * clearance).max(SHORTEST_PANEL))).min(stop);
                 (Axis::Height, self.at_height(separation, z, here.contact.parameter))
             }
@@ -116,7 +111,7 @@ impl Population {
         // Between breakpoints a density is smoother than they are near.
         let smooth = || match self.heights.breakpoints() {
             [] => reach,
-            _ => panel::smooth_reach(&*self.heights, here.z).min(radii),
+            _ => panel::smooth_length(&*self.heights, here.z).min(radii),
         };
         // What contacts about to slip resist asks for all points.
         panel.part = match (self.has_onset(), &self.radius.scores) {
@@ -138,7 +133,7 @@ impl Population {
 
     /// How long a panel in height may be, in distances to break-away.
     fn height_ratio(&self) -> f64 {
-        HEIGHT_RATIO * self.heights.part_of_panel()
+        HEIGHT_RATIO * self.heights.outline().part_of_panel
     }
 
     /// What part a panel is of the longest over which the law of contact is smooth, and heights and radii as far as `smooth`.
@@ -160,7 +155,8 @@ impl Population {
     fn longest_step(&self, from: &Point) -> f64 {
         let (s, g) = (from.contact.parameter, self.radius.factor(from.z));
         let smooth = PARAMETER_RATIO * self.law.distance_to_singularity(s, g);
-        let smooth = if self.has_onset() { smooth.min((ONSET_RATIO * s).max(SHORTEST_PANEL)) } else { smooth };
+        // What contacts that slip in part resist is singular where they begin to slip as a whole, at distances like this.
+        let smooth = if self.has_onset() { smooth.min(s.max(SHORTEST_PANEL)) } else { smooth };
         // At a parameter of 0 the end of the shortest panel counts.
         let radius = if s > SHORTEST_PANEL { from.contact.radius } else { self.law.at(SHORTEST_PANEL, g).radius };
         if radius > 0.999_999 * self.slip.kinks()[0] {
@@ -229,7 +225,7 @@ impl Population {
         let root = clearance.sqrt();
         let mut step = PARAMETER_RATIO * (here.contact.overlap + self.lost).max(0.0).sqrt();
         if self.has_onset() {
-            step = step.min(ONSET_RATIO * root);
+            step = step.min(root);
         } else if here.contact.radius > 0.999_999 * self.slip.kinks()[0] {
             step = step.min(POWER_RATIO * root);
         }
@@ -269,17 +265,12 @@ impl Population {
     }
 
     /// The summit at a value of the variable of a panel, from its guess of the other.
-    pub(super) fn on_panel(&self, separation: f64, panel: &SummitPanel, x: f64, guess: &Cubic) -> Point {
-        self.at_place(separation, panel.axis, x, guess.at(x))
-    }
-
-    /// The summit of a parameter or of a height, from a guess of the other.
     #[inline]
-    fn at_place(&self, separation: f64, axis: Axis, x: f64, guess: f64) -> Point {
-        match axis {
-            Axis::Parameter => self.on_branch(separation, x, guess),
-            Axis::Height => self.at_height(separation, x, guess),
-            Axis::Root(edge) => self.at_height(separation, edge + x * x, guess),
+    pub(super) fn on_panel(&self, separation: f64, panel: &SummitPanel, x: f64, guess: &Cubic) -> Point {
+        match panel.axis {
+            Axis::Parameter => self.on_branch(separation, x, guess.at(x)),
+            Axis::Height => self.at_height(separation, x, guess.at(x)),
+            Axis::Root(edge) => self.at_height(separation, edge + x * x, guess.at(x)),
         }
     }
 }
@@ -322,8 +313,10 @@ impl SummitPanel {
         let [a, b] = match self.axis {
             Axis::Parameter => ends.map(|end| (end.contact.parameter, end.z, end.z_rate())),
             Axis::Height => ends.map(|end| (end.z, end.contact.parameter, 1.0 / end.z_rate())),
-            // By which nothing is solved for.
-            Axis::Root(_) => ends.map(|end| (self.variable(&end), end.contact.parameter, 0.0)),
+            Axis::Root(_) => ends.map(|end| {
+                let root = self.variable(&end);
+                (root, end.contact.parameter, 2.0 * root / end.z_rate().max(f64::MIN_POSITIVE))
+            }),
         };
         Cubic::new(a, b)
     }

@@ -122,13 +122,8 @@ impl Population {
 
     /// The height above another that this fraction of all summits exceeds.
     fn height_exceeded_by(&self, lowest: f64, fraction: f64) -> f64 {
-        let mut upper = lowest + 1.0;
-        while upper < self.highest && self.exceedance(upper) > fraction {
-            upper += upper - lowest;
-        }
-        let upper = upper.min(self.highest);
         let residual = |z: f64| log((self.exceedance(z) / fraction).max(1e-100));
-        root::bracketed(residual, lowest, upper)
+        root::beyond(residual, lowest, 1.0, self.highest)
     }
 
     /// The fraction of all summits that are higher.
@@ -138,7 +133,7 @@ impl Population {
             let part: f64 =
                 quadrature::nodes(from, to).map(|(x, weight)| weight * exp(self.heights.log_density(x))).sum();
             fraction += part;
-            if from >= self.heights.last_mode() && part <= f64::EPSILON * fraction {
+            if from >= self.heights.outline().last_mode && part <= f64::EPSILON * fraction {
                 break;
             }
         }

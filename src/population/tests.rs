@@ -77,7 +77,7 @@ fn contact_begins_where_a_summit_has_just_the_overlap_of_break_away() {
     for params in surfaces() {
         let population = of(&params);
         for separation in [-3.0, 0.3, 4.0] {
-            let separation = separation - population.heights.origin();
+            let separation = separation - population.heights.outline().origin;
             let Edge { point, rate } = population.edge(separation);
             if point.z > population.highest || point.z < population.lower_cut {
                 continue; // no summit

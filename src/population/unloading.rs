@@ -47,7 +47,7 @@ impl Population {
     }
 
     fn unloading(&self, lost: f64) -> Unloaded {
-        let (first_yield, stiffness_of_radius) = (self.kinks_of_contact[0], self.stiffness_of_radius);
+        let (first_yield, stiffness_of_radius) = (self.kinks_of_contact[0], self.groups.stiffness_of_radius());
         Unloaded { loading: Arc::clone(&self.law), first_yield, stiffness_of_radius, lost }
     }
 

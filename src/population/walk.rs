@@ -3,7 +3,6 @@
 use super::panels::{Axis, Nodes, SummitPanel};
 use super::sums::{out_of_panels, Summit};
 use super::{Point, Population};
-use crate::asperity::slip::Slip;
 use crate::distribution::panel::{self, LowerEndPanel, MOST_PANELS_OF_SUM, SHORTEST_PANEL};
 use crate::error::Error;
 use crate::numerics::elementary::exp;
@@ -12,44 +11,22 @@ use crate::numerics::quadrature::POINTS;
 /// Where the density has fallen by e-folds since its largest value fewer digits of it count: a panel may be longer by this
 /// for each, up to twice as long.
 const LONGER_PER_FOLD: f64 = 0.02;
-/// The panel at a lower end of the heights takes this part of where the law of contact is smooth: there a power of its variable
-/// is the height.
-pub(super) const PART_AT_LOWER_END: f64 = 0.1;
 /// What is less than this part of all above the last mode of the heights ends the sum.
 const NEGLIGIBLE_REST: f64 = 1e-12;
 const NEGLIGIBLE_TO_ROUGH: f64 = 1e-7;
 /// A slope of ln phi, per sigma, over which rounding errors of heights change the density by no small part.
 const STEEPEST_DENSITY: f64 = 1e9;
 
-/// What the summits in contact are handed to.
+/// What the summits in contact are handed to. A walk is compiled once for all: a copy of it takes 8 kB.
 pub trait Visitor {
     /// Whether what it makes of a summit is as smooth as the law of contact: then some fractions may be negative, not their sum.
-    const IS_SMOOTH: bool = false;
+    fn is_smooth(&self) -> bool {
+        false
+    }
     /// Takes the summits at a height, with their fraction of all.
     fn summits(&mut self, z: f64, fraction: f64, summit: &Summit);
     /// Takes the last summit of a panel.
     fn end_of_panel(&mut self, _end: &Point) {}
-}
-
-/// What the contacts of a walk are handed to, with all that is known of them. The walk is compiled once for all of these: a copy
-/// of it takes 8 kB.
-pub trait ContactVisitor {
-    /// Takes contacts, with their fraction of all summits.
-    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip);
-    /// Takes the last contact of a panel.
-    fn last_contact(&mut self, _end: &Point) {}
-}
-
-impl<V: Visitor> ContactVisitor for V {
-    #[inline]
-    fn contacts(&mut self, fraction: f64, point: &Point, slip: &Slip) {
-        self.summits(point.z, fraction, &Summit::new(&point.contact, slip.friction(&point.contact)));
-    }
-
-    #[inline]
-    fn last_contact(&mut self, end: &Point) {
-        self.end_of_panel(end);
-    }
 }
 
 /// The summits in contact to go over, from the lowest up.
@@ -86,27 +63,23 @@ fn importance(overlap: f64) -> f64 {
 }
 
 impl Population {
+    /// What the sums take of a contact.
+    pub(super) fn summit(&self, point: &Point) -> Summit {
+        Summit::new(&point.contact, self.slip.friction(&point.contact))
+    }
+
     /// Hands summits in contact to a visitor, up to where the rest is negligible.
-    pub(super) fn walk(
-        &self,
-        walk: &Walk,
-        progress: &mut Progress,
-        visitor: &mut dyn ContactVisitor,
-    ) -> Result<(), Error> {
+    pub(super) fn walk(&self, walk: &Walk, progress: &mut Progress, visitor: &mut dyn Visitor) -> Result<(), Error> {
         let &Walk { separation, start, edge_height, end } = walk;
         let mut here = self.above_lower_end(walk, progress, visitor);
         let (mut kink, mut nodes) = (None, Nodes::default());
         let end = end.min(self.highest);
-        let largest = self.heights.log_density(start.z.max(self.heights.last_mode()));
+        let largest = self.heights.log_density(start.z.max(self.heights.outline().last_mode));
         for _ in 0..MOST_PANELS_OF_SUM {
             if here.z >= end {
                 return Ok(());
             }
             let stop = self.stop_above(here.z).min(end);
-            if stop < end && stop - here.z <= panel::slack(here.z) {
-                here = self.at_height(separation, stop, here.contact.parameter);
-                continue;
-            }
             let log_density = self.heights.log_density(here.z);
             if self.is_rest_negligible(progress, here.z, here.contact.overlap, log_density) {
                 return Ok(());
@@ -132,9 +105,9 @@ impl Population {
             {
                 let fraction = weight * density;
                 progress.add(fraction, point.contact.overlap);
-                visitor.contacts(fraction, point, &self.slip);
+                visitor.summits(point.z, fraction, &self.summit(point));
             }
-            visitor.last_contact(&panel.to);
+            visitor.end_of_panel(&panel.to);
             (here, kink) = (panel.to, panel.kink);
         }
         Err(out_of_panels(separation))
@@ -142,7 +115,7 @@ impl Population {
 
     /// How much longer a panel may be where the density has fallen from its largest value, both given by their logarithms.
     pub(super) fn panel_factor(&self, largest: f64, z: f64, log_density: f64) -> f64 {
-        if z < self.heights.last_mode() {
+        if z < self.heights.outline().last_mode {
             return 1.0;
         }
         // No number where the density is 0.
@@ -153,13 +126,13 @@ impl Population {
     /// Whether the summits above one add nothing to what has been summed: above the last mode, where the density falls on. Of a table
     /// that may be as slowly as can be, elsewhere its logarithm falls about as fast as there.
     pub(super) fn is_rest_negligible(&self, progress: &Progress, z: f64, overlap: f64, log_density: f64) -> bool {
-        if z < self.heights.last_mode() {
+        if z < self.heights.outline().last_mode {
             return false;
         }
         let density = exp(log_density);
         // Where the density is 0 it has no rate.
         density == 0.0 || {
-            let (rate, rise) = match self.heights.is_piecewise_polynomial() {
+            let (rate, rise) = match self.heights.outline().is_piecewise_polynomial {
                 true => (1.0 / (self.highest - z), self.highest - z),
                 false => (-self.heights.log_density_slope(z), 0.0),
             };
@@ -193,12 +166,11 @@ impl Population {
 
     /// The first panel where the range begins at a lower end of the distribution at which the density is a power; returns where
     /// it ends.
-    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut dyn ContactVisitor) -> Point {
+    fn above_lower_end(&self, walk: &Walk, progress: &mut Progress, visitor: &mut dyn Visitor) -> Point {
         let &Walk { separation, start, edge_height, end } = walk;
-        let (lower_end, _) = self.heights.support();
+        let (lower_end, _) = self.heights.outline().support;
         let smooth = (start.z - edge_height).min(self.radius.panel_length(lower_end));
-        let longest = (PART_AT_LOWER_END * smooth).min(end - lower_end);
-        let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, longest) else { return start };
+        let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, end - lower_end, smooth) else { return start };
         // A kink of the slip law within so short a panel ends it.
         let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
         let mut cut = SummitPanel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
@@ -210,7 +182,7 @@ impl Population {
         for (rise, fraction) in panel.nodes(&*self.heights) {
             here = self.at_height(separation, lower_end + rise, here.contact.parameter);
             progress.add(fraction, here.contact.overlap);
-            visitor.contacts(fraction, &here, &self.slip);
+            visitor.summits(here.z, fraction, &self.summit(&here));
         }
         self.at_height(separation, lower_end + panel.length, here.contact.parameter)
     }

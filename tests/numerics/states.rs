@@ -58,7 +58,7 @@ fn random_surface(random: &mut SplitMix) -> (Option<Population>, [f64; STATES]) 
         _ => random.between(-4.0, 4.5),
     });
     let Ok(heights) = heights(&family) else { return (None, above_mean) };
-    let radius = RadiusProfile { amplitude, rate, origin: heights.origin(), scores: None };
+    let radius = RadiusProfile { amplitude, rate, origin: heights.outline().origin, scores: None };
     let slip = Slip::new(SlipConstants::default(), pressure, SlipOnset::Partial);
     (Population::new(&groups, slip, heights, radius, random.chance(0.7)).ok(), above_mean)
 }
@@ -84,7 +84,7 @@ fn sums_are_what_they_were() {
                 continue;
             };
             let population = population.as_ref().unwrap_or_else(|| panic!("surface {surface} was made"));
-            let sums = population.at_separation(above - population.heights().origin());
+            let sums = population.at_separation(above - population.heights().outline().origin);
             // What presses and what pulls may nearly cancel.
             let size = sums.load_contacting.abs() + sums.load_attracted.abs();
             for (i, (found, expected)) in numbers(&sums).into_iter().zip(&row[2..]).enumerate() {

@@ -224,7 +224,7 @@ fn the_kinks_of_the_sums_are_where_knots_pass_the_ends_of_laws() {
                     .kinks()
             };
             assert_has(&kinks(table.clone()), &kinks_of_heights(&groups, &radius, attract, table.breakpoints()));
-            let lower_end = weibull.support().0;
+            let lower_end = weibull.outline().support.0;
             assert_has(&kinks(weibull.clone()), &kinks_of_heights(&groups, &radius, attract, &[lower_end]));
         }
     }

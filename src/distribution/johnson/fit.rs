@@ -9,6 +9,7 @@
 //!
 //! tau = +-1, share = 0 or 1 are lognormal and epsilon = 0 is Gaussian, so that nothing is singular there.
 
+use super::super::moments;
 use crate::numerics::elementary::{cbrt, exp, expm1, log1p, pow};
 use crate::numerics::root;
 
@@ -182,18 +183,8 @@ impl CurveMoments {
         });
         let (weight, sum) = nodes.clone().fold((0.0, 0.0), |(weight, sum), (w, v)| (weight + w, sum + w * v));
         let mean = sum / weight;
-        let mut central = [0.0; 3];
-        for (w, v) in nodes {
-            let distance = v - mean;
-            let mut term = w * distance;
-            for moment in &mut central {
-                term *= distance;
-                *moment += term;
-            }
-        }
-        let [second, third, fourth] = central.map(|moment| moment / weight);
-        let deviation = second.sqrt();
-        Self { mean, deviation, skew: third / (second * deviation), kurtosis: fourth / (second * second) }
+        let [variance, skew, kurtosis] = moments(nodes.map(|(w, v)| (w, v - mean)));
+        Self { mean, deviation: variance.sqrt(), skew, kurtosis }
     }
 }
 

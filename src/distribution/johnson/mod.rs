@@ -6,8 +6,8 @@
 
 mod fit;
 
-use super::gaussian::Gaussian;
-use super::{HeightDistribution, LN_SQRT_2_PI};
+use super::gaussian::{Gaussian, GAUSSIAN};
+use super::{HeightDistribution, Outline, LN_SQRT_2_PI};
 use crate::error::Error;
 use crate::numerics::elementary::{exp, expm1, hypot, log, log1p};
 use crate::numerics::float_bits::finite;
@@ -37,8 +37,6 @@ const FARTHEST_END: f64 = 300.0;
 /// A standardised curve of Johnson's system.
 #[derive(Debug)]
 struct Johnson {
-    skew: f64,
-    kurtosis: f64,
     epsilon: f64,
     /// dv/dz, with v of `fit`.
     deviation: f64,
@@ -47,9 +45,8 @@ struct Johnson {
     rate: f64,
     /// Height of the median.
     median: f64,
-    /// What is subtracted from heights above their mean.
-    origin: f64,
-    mode: f64,
+    /// Of which `origin` is what is subtracted from heights above their mean.
+    outline: Outline,
 }
 
 /// The heights of a skew and a kurtosis.
@@ -77,7 +74,7 @@ pub fn heights_at<const N: usize>(skew: f64, kurtosis: f64, scores: [f64; N]) ->
         return Ok(scores);
     }
     let curve = Johnson::new(skew, kurtosis, fit);
-    Ok(scores.map(|score| curve.height(score) + curve.origin))
+    Ok(scores.map(|score| curve.height(score) + curve.outline.origin))
 }
 
 /// The kurtosis of lognormal heights or depths of this skew.
@@ -130,18 +127,20 @@ impl Johnson {
         let Fit { epsilon, kind, mean, deviation } = fit;
         let rate = epsilon * deviation;
         let median = -mean / deviation;
-        let mut curve = Self { skew, kurtosis, epsilon, deviation, kind, rate, median, origin: 0.0, mode: 0.0 };
+        let outline = Outline { skew, kurtosis, is_log_concave: false, ..GAUSSIAN };
+        let mut curve = Self { epsilon, deviation, kind, rate, median, outline };
         let (end, away) = match kind {
             CurveKind::Unbounded { below, above } => (median + (below - 1.0) / rate, (below * above).sqrt() / rate),
-            CurveKind::Bounded { .. } => (curve.support().1, 0.0),
+            CurveKind::Bounded { .. } => (curve.ends().1, 0.0),
         };
         if (end - curve.height(FAR_UP)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_END {
-            curve.origin = end;
+            curve.outline.origin = end;
             curve.median -= end;
         }
         // The slope of ln(du/dz) by u is epsilon at most.
         let score = root::bracketed(|u| curve.log_density_slope(curve.height(u)), -1.01 * epsilon, 1.01 * epsilon);
-        curve.mode = curve.height(score);
+        curve.outline.last_mode = curve.height(score);
+        curve.outline.support = curve.ends();
         curve
     }
 
@@ -149,15 +148,26 @@ impl Johnson {
     pub fn height(&self, u: f64) -> f64 {
         let t = self.epsilon * u;
         match self.kind {
-            CurveKind::Unbounded { below, above } if self.origin == 0.0 => {
+            CurveKind::Unbounded { below, above } if self.outline.origin == 0.0 => {
                 self.median + 0.5 * (above * expm1(t) - below * expm1(-t)) / self.rate
             }
             CurveKind::Unbounded { below, above } => 0.5 * (above * exp(t) - below * exp(-t)) / self.rate,
-            CurveKind::Bounded { share, .. } if self.origin == 0.0 => {
+            CurveKind::Bounded { share, .. } if self.outline.origin == 0.0 => {
                 let rise = expm1(t);
                 self.median + rise / (1.0 + share * rise) / self.rate
             }
             CurveKind::Bounded { share, .. } => -1.0 / (1.0 + share * expm1(t)) / (share * self.rate),
+        }
+    }
+
+    /// The ends of the support.
+    fn ends(&self) -> (f64, f64) {
+        match self.kind {
+            CurveKind::Unbounded { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            CurveKind::Bounded { share, rest } => {
+                let upper = if self.outline.origin == 0.0 { self.median + 1.0 / (share * self.rate) } else { 0.0 };
+                (self.median - 1.0 / (rest * self.rate), upper)
+            }
         }
     }
 
@@ -179,9 +189,9 @@ impl Johnson {
         // y + tau and its distance from where the curve is singular, as a complex number.
         let tau = 0.5 * (above - below);
         let y = self.rate * (z - self.median);
-        let height = if self.origin == 0.0 { y + tau } else { self.rate * z };
+        let height = if self.outline.origin == 0.0 { y + tau } else { self.rate * z };
         let distance = (height * height + below * above).sqrt();
-        let t = match (self.origin == 0.0, height >= 0.0) {
+        let t = match (self.outline.origin == 0.0, height >= 0.0) {
             (true, true) => log1p(y * (above + distance + height) / ((1.0 + distance) * above)),
             (true, false) => -log1p(-y * (below + distance - height) / ((1.0 + distance) * below)),
             (false, true) => log((height + distance) / above),
@@ -196,29 +206,22 @@ impl Johnson {
         let y = self.rate * (z - self.median);
         // The distances to the two ends over those of the median.
         let above_lower = 1.0 + rest * y;
-        let below_upper = if self.origin == 0.0 { 1.0 - share * y } else { -share * self.rate * z };
+        let below_upper = if self.outline.origin == 0.0 { 1.0 - share * y } else { -share * self.rate * z };
         if above_lower <= 0.0 || below_upper <= 0.0 {
             return None;
         }
-        let t =
-            if self.origin == 0.0 { log1p(rest * y) - log1p(-share * y) } else { log(above_lower) - log(below_upper) };
+        let t = if self.outline.origin == 0.0 {
+            log1p(rest * y) - log1p(-share * y)
+        } else {
+            log(above_lower) - log(below_upper)
+        };
         Some((t, 1.0 / (above_lower * below_upper), share / below_upper - rest / above_lower))
     }
 }
 
 impl HeightDistribution for Johnson {
-    fn origin(&self) -> f64 {
-        self.origin
-    }
-
-    fn support(&self) -> (f64, f64) {
-        match self.kind {
-            CurveKind::Unbounded { .. } => (f64::NEG_INFINITY, f64::INFINITY),
-            CurveKind::Bounded { share, rest } => {
-                let upper = if self.origin == 0.0 { self.median + 1.0 / (share * self.rate) } else { 0.0 };
-                (self.median - 1.0 / (rest * self.rate), upper)
-            }
-        }
+    fn outline(&self) -> &Outline {
+        &self.outline
     }
 
     fn log_density(&self, z: f64) -> f64 {
@@ -235,26 +238,15 @@ impl HeightDistribution for Johnson {
     fn distance_to_singularity(&self, z: f64) -> f64 {
         match self.kind {
             CurveKind::Unbounded { below, above } => {
-                let centre = if self.origin == 0.0 { self.median - 0.5 * (above - below) / self.rate } else { 0.0 };
+                let centre =
+                    if self.outline.origin == 0.0 { self.median - 0.5 * (above - below) / self.rate } else { 0.0 };
                 hypot(z - centre, (below * above).sqrt() / self.rate)
             }
             CurveKind::Bounded { .. } => {
-                let (lower, upper) = self.support();
+                let (lower, upper) = self.outline.support;
                 (z - lower).min(upper - z)
             }
         }
-    }
-
-    fn last_mode(&self) -> f64 {
-        self.mode
-    }
-
-    fn skew(&self) -> f64 {
-        self.skew
-    }
-
-    fn kurtosis(&self) -> f64 {
-        self.kurtosis
     }
 }
 
@@ -292,7 +284,7 @@ mod tests {
     fn heights_and_scores_belong_together() {
         let nearly_gaussian = [3.0 + 1e-12, 3.0 - 1e-12].map(|kurtosis| (curve(0.0, kurtosis), 1e-14));
         for (curve, known) in curves().into_iter().map(|curve| (curve, 1e-9)).chain(nearly_gaussian) {
-            let is_end = curve.origin != 0.0;
+            let is_end = curve.outline.origin != 0.0;
             let far_up = [6.0, 12.0, 20.0].map(|u| (u, 1e-12 * u)).into_iter().filter(|_| is_end);
             for (u, known) in [-4.0, -2.0, -0.3, 0.0, 0.3, 2.0, 4.0].map(|u| (u, known)).into_iter().chain(far_up) {
                 let at = curve.at(curve.height(u)).expect("a height");
@@ -310,7 +302,7 @@ mod tests {
                 let slope = |i: i32| curve.log_density_slope(curve.height(0.02 * f64::from(i)));
                 let turns = (-300..300).filter(|&i| (slope(i) > 0.0) != (slope(i + 1) > 0.0)).count();
                 assert!(turns == 1 && curve.epsilon <= 2.0, "{turns} of {curve:?}");
-                let [below, above] = [-1e-6, 1e-6].map(|step| curve.log_density_slope(curve.mode + step));
+                let [below, above] = [-1e-6, 1e-6].map(|step| curve.log_density_slope(curve.outline.last_mode + step));
                 assert!(below > 0.0 && above < 0.0, "{below} and {above} of {curve:?}");
             }
         }
