@@ -61,6 +61,9 @@ impl Stretch {
     }
 }
 
+/// Separation and ln x of kinks.
+type Kinks = Vec<(f64, f64)>;
+
 /// Asks a branch for states.
 pub struct States<'a> {
     pub branch: &'a Branch,
@@ -133,7 +136,7 @@ impl<'a> States<'a> {
 
     /// The states between which panels lie at first, in ascending order, from beyond the heaviest load of a reach to pull-off, or beyond
     /// the lightest; and separation and ln x of the kinks among them.
-    pub fn knots(&mut self, reach: &Reach) -> Result<(Vec<Sample>, Vec<(f64, f64)>), Unfollowed> {
+    pub fn knots(&mut self, reach: &Reach) -> Result<(Vec<Sample>, Kinks), Unfollowed> {
         // Slopes by x are no numbers at pull-off.
         let end = reach.pull_off.map(|PullOff { separation, sums, .. }| {
             let point = BranchPoint { log_excess: f64::NEG_INFINITY, rate: f64::NAN, sums, gap: None };
@@ -173,7 +176,7 @@ impl<'a> States<'a> {
     }
 
     /// Adds states at kinks between others; separation and ln x of those on the branch.
-    fn add_kinks(&mut self, states: &mut Vec<Sample>) -> Result<Vec<(f64, f64)>, Unfollowed> {
+    fn add_kinks(&mut self, states: &mut Vec<Sample>) -> Result<Kinks, Unfollowed> {
         let mut kinks = Vec::new();
         for &kink in self.branch.kinks() {
             let position = self.positions.position(kink);
