@@ -2,12 +2,15 @@
 //!
 //! Not known are the strength of the interface, its size effect and pressure coefficient, the work of adhesion, the contact law where
 //! asperities may yield, slope, hardness and E, and how real interfaces leave the law between loads. `priors` has what is taken of each,
-//! `strength` what is known of friction before it is measured, `cases` the surfaces that may be. Of what is not normal there are nodes;
-//! measured points change their probabilities, and narrow what is normal within each, by Bayes' rule (`posterior`). The value is the
-//! median of all nodes, the band their quantiles. `words` writes an estimate for people.
+//! `strength` what is known of friction before it is measured, `points` what was measured, `cases` the surfaces that may be. Of what is
+//! not normal there are nodes; measured points change their probabilities, and narrow what is normal within each, by Bayes' rule
+//! (`posterior`). The value is the median of all nodes, the band their quantiles. `curve` is the one law that a solver gets, `words`
+//! writes an estimate for people.
 
 mod cases;
+mod curve;
 pub mod known;
+mod points;
 mod posterior;
 pub mod priors;
 mod strength;
@@ -17,17 +20,18 @@ use crate::asperity::slip::SlipConstants;
 use crate::by_name::{describe, Described};
 use crate::error::{CalibrationFailure, Error, LOAD};
 use crate::model::calibration::MeasuredPoint;
-use crate::model::Surfaces;
 use crate::numerics::ascending;
 use crate::numerics::elementary::{exp, log};
 use crate::numerics::float_bits::finite;
 use crate::numerics::quadrature::points;
-use crate::params::{Params, OF_OTHER_MATERIALS};
+use crate::params::Params;
 use cases::{
     laws, Law, OfLaw, Terms, Work, AREA_INPUT, HARDNESS_INPUT, HERTZ, NOTHING, SLOPES, STIFFNESS, STRENGTH_INPUT,
     YOUNG_INPUT,
 };
+use curve::Curve;
 use known::deviation;
+use points::{merged, Point};
 use posterior::{Gathered, Kernel, Mixture, Normal, Seen, Solved, INPUTS, PARTS};
 use std::cell::RefCell;
 use std::f64::consts::LN_10;
@@ -44,8 +48,6 @@ const PRESSURES: usize = 4;
 const MOST_PRESSURE: f64 = 3.0;
 /// Of no kind nodes differ in more than so many, works of adhesion included.
 const MOST_ALIKE: usize = 8;
-/// Of more points, those whose loads are nearest are taken together.
-const MOST_SOLVED: usize = 16;
 /// Points whose misfit over what is left is up to the first of these are as they should be; from the second on their errors grow until it
 /// is 1, to this in its logarithm.
 const FITTING: [f64; 2] = [2.0, 4.0];
@@ -155,18 +157,6 @@ struct Kept {
     of: Rc<Vec<OfLaw>>,
 }
 
-/// Measured points at one load.
-#[derive(Debug, Clone, Copy)]
-struct Point {
-    load: f64,
-    log_force: f64,
-    /// The variance of its error.
-    noise: f64,
-    /// How far those at this load are off their mean, squared, over their errors; and how many more than one they are.
-    scatter: f64,
-    more: usize,
-}
-
 /// One set of all that is not normal.
 struct Node {
     law: usize,
@@ -196,14 +186,6 @@ struct Reference {
     is_part: bool,
     /// Whether it is of the area of other surfaces, or of none.
     is_elsewhere: bool,
-}
-
-/// What a solver gets: one law.
-struct Curve {
-    params: Params,
-    /// With a pressure coefficient of 0.
-    surfaces: Surfaces,
-    failure: Option<Error>,
 }
 
 impl Estimate {
@@ -707,165 +689,6 @@ impl Estimate {
         }
     }
 
-    /// What a model of the parameters has.
-    fn add_curve(&self, at: &[OfLaw], answer: &mut Answer) -> Result<(), Error> {
-        let Curve { params, surfaces, failure } = &self.curve;
-        let load = answer.load;
-        let borne = match surfaces.borne_near(load, self.separation(at)) {
-            // Apart, or no number is small enough for what the mean of so rough surfaces has without a load.
-            Err(_) if load <= 0.0 => None,
-            borne => Some(borne?),
-        };
-        answer.contacts = match self.is_of_pressures() {
-            true => f64::NAN,
-            false => borne.map_or(0.0, |borne| borne.contacting),
-        };
-        let force = borne
-            .map_or(0.0, |borne| self.factor() * borne.friction_force + params.pressure_coefficient * borne.hertz_load);
-        answer.curve = match failure {
-            Some(_) => f64::NAN,
-            None if load > 0.0 => force / load,
-            None => force,
-        };
-        Ok(())
-    }
-
-    /// The separation that the law of the curve has, of what the laws made of a load.
-    fn separation(&self, at: &[OfLaw]) -> Option<f64> {
-        let is_like = |law: &Law| law.middle().params().contact_law == self.curve.params.contact_law;
-        self.laws.iter().zip(at).find(|(law, _)| is_like(law)).and_then(|(_, of)| of.separation())
-    }
-
-    /// The same of a load that was asked before.
-    fn separation_at(&self, load: f64) -> Option<f64> {
-        let kept = self.kept.borrow();
-        kept.iter().find(|one| one.load == load && !one.is_there).and_then(|one| self.separation(&one.of))
-    }
-
-    /// The strength of the curve, over that of its surfaces.
-    fn factor(&self) -> f64 {
-        self.curve.params.slip.stress_1.max(self.curve.params.slip.stress_2)
-            / self.curve.surfaces.params().slip.stress_1.max(self.curve.surfaces.params().slip.stress_2)
-    }
-
-    /// The law that a solver gets: the mean size effect and pressure coefficient, the most probable law and work of adhesion, and the
-    /// strength that gives the median at the load of the reference.
-    fn find_curve(&self) -> Result<Curve, Error> {
-        let mut params = self.described.with_law(self.described.params.clone())?;
-        let size = self.mean_of(|node| node.size);
-        if self.size.is_none() {
-            params.slip.stress_2 = params.slip.stress_1 / exp(size * log(SIZE_RATIO));
-        }
-        // Where the text has a strength that nothing tells of, it has the law and the adhesion of a model too.
-        if params.work_of_adhesion > 0.0 && self.described.tells_strength() {
-            params.work_of_adhesion = self.likely_work().unwrap_or(params.work_of_adhesion);
-        }
-        let surfaces = |params: &Params| {
-            let params = Params { pressure_coefficient: 0.0, ..params.clone() };
-            self.laws.iter().find_map(|law| law.like(&params)).map_or_else(|| Surfaces::new(&params), Ok)
-        };
-        let found = surfaces(&params)?;
-        // The strength is that of the specimen that was measured, in Pa.
-        let mut measured = match &self.described.measured_on {
-            Some(there) => {
-                let work_of_adhesion = there.params.work_of_adhesion.min(params.work_of_adhesion);
-                let there = Params { slip: params.slip, work_of_adhesion, ..there.params.clone() };
-                self.described.with_law(there)?
-            }
-            None => params.clone(),
-        };
-        let there = if self.laws_there.is_some() { surfaces(&measured)? } else { found.clone() };
-        // Where few summits touch at the reference, the mean of their specimens has the friction that was measured.
-        let alone = Law::alone(&there, &self.laws_there.as_ref().unwrap_or(&self.laws)[0]);
-        let is_few = !self.strength.is_stress && self.at(self.strength.load, true)?.iter().any(OfLaw::has_specimens);
-        let reference = || alone.at(self.strength.load, !is_few, false, &[]).map(|at| at.terms(&alone.works[0]));
-        let specimens = if is_few { Some(reference()?) } else { None };
-        // What other materials have is told of all of the friction: none is by pressure, which would be taken for known.
-        if self.described.pressure_is_free && !self.strength.is_stress && !self.is_of_other_materials() {
-            // The same part of the force, also where adhesion presses more or less than in the nodes.
-            let hertz = specimens.map_or_else(reference, Ok)?.logs[HERTZ];
-            measured.pressure_coefficient = self.mean_of(|node| node.pressed) * exp(self.strength.log_force() - hertz);
-            params.pressure_coefficient = measured.pressure_coefficient;
-        }
-        if self.strength.is_stress && !self.described.has_stress {
-            let unit = params.slip.stress_1.max(params.slip.stress_2) * params.effective_shear_modulus;
-            multiply(&mut params.slip, exp(self.strength.mean) / unit);
-        }
-        if self.strength.is_stress {
-            self.mark(&mut params);
-            return Ok(Curve { surfaces: found, params, failure: None });
-        }
-        let unit = measured.slip.stress_1;
-        let failure = match self.strengthen(&mut measured, &alone, specimens) {
-            Err(error) if !matches!(error, Error::Uncalibrated { .. }) => return Err(error),
-            strengthened => strengthened.err(),
-        };
-        if failure.is_none() {
-            let factor =
-                measured.slip.stress_1 / unit * measured.effective_shear_modulus / params.effective_shear_modulus;
-            match self.described.measured_on {
-                Some(_) => multiply(&mut params.slip, factor),
-                None => params = measured,
-            }
-            self.mark(&mut params);
-        }
-        Ok(Curve { params, surfaces: found, failure })
-    }
-
-    /// Gives parameters the strength of the median at the reference, or that of the only point: of the mean of specimens where there are
-    /// any.
-    fn strengthen(&self, params: &mut Params, law: &Law, specimens: Option<Terms>) -> Result<(), Error> {
-        let points = &self.described.points[..];
-        if let ([point], None) = (points, &specimens) {
-            params.calibration_error = point.error;
-            return params.strengthen(law.middle(), point.load, point.force);
-        }
-        let mut load = self.strength.load;
-        let mixture = Mixture(self.nodes_at(&self.at(load, true)?, 0.0));
-        let mut force = exp(mixture.quantile(0.5));
-        if let Some(specimens) = specimens {
-            (load, force) = law.calibrated(params, &specimens, load, force)?;
-        }
-        params.strengthen(law.middle(), load, force)?;
-        params.calibration_error = if let [point] = points { point.error } else { mixture.moments().1.sqrt().min(1.0) };
-        Ok(())
-    }
-
-    fn mean_of(&self, of: impl Fn(&Node) -> f64) -> f64 {
-        self.nodes.iter().map(|node| node.weight * of(node)).sum()
-    }
-
-    /// Nothing was measured on these surfaces: parameters say whether their strength is that of other materials.
-    fn mark(&self, params: &mut Params) {
-        if !self.strength.is_measured {
-            (params.calibration_load, params.calibration_friction_force) = (0.0, 0.0);
-            if self.is_of_other_materials() {
-                params.calibration_error = OF_OTHER_MATERIALS;
-            }
-        }
-    }
-
-    fn is_of_other_materials(&self) -> bool {
-        !self.strength.is_measured && matches!(self.strength.rests, Rests::Metals | Rests::Others)
-    }
-
-    /// The work of adhesion that a solver takes: none where that is clearly more probable than any.
-    fn likely_work(&self) -> Option<f64> {
-        const CLEARLY: f64 = 0.6;
-        // Rounding of what the points say nothing of.
-        const SAME: f64 = 1e-3;
-        let of = |adheres: bool| self.nodes.iter().filter(move |node| (node.work.work > 0.0) == adheres);
-        let weight = |adheres| of(adheres).map(|node| node.weight).sum::<f64>();
-        let (none, some) = (weight(false), weight(true));
-        let sum: f64 = of(true).map(|node| node.weight * log(node.work.work)).sum();
-        let before = self.laws.iter().any(|law| law.works.iter().any(|work| work.work == 0.0));
-        let given = self.described.params.work_of_adhesion;
-        match before && none > CLEARLY * (none + some) {
-            true => Some(0.0),
-            false => Some(exp(sum / some)).filter(|work| (work / given - 1.0).abs() > SAME),
-        }
-    }
-
     /// Whether the text has no nominal area, so that loads are nominal pressures [Pa] and forces shear stresses.
     pub fn is_of_pressures(&self) -> bool {
         self.described.is_of_pressures
@@ -963,10 +786,6 @@ fn some_exp(number: f64) -> f64 {
     } else {
         0.0
     }
-}
-
-fn multiply(slip: &mut SlipConstants, factor: f64) {
-    (slip.stress_1, slip.stress_2) = (slip.stress_1 * factor, slip.stress_2 * factor);
 }
 
 /// The covariance of means over so many specimens, where their logarithms at two loads are these.
@@ -1098,53 +917,6 @@ fn fix_size(described: &mut Described, strength: &Strength) -> Result<Option<f64
         (params.slip.stress_1, params.slip.stress_2) = (stress_1, stress_2);
     }
     Ok(described.size_effect)
-}
-
-/// Points with those at the same load as one, and of more than can be solved for those that are nearest.
-fn merged(points: &[MeasuredPoint]) -> Vec<Point> {
-    let of = |point: &MeasuredPoint| Point {
-        load: point.load,
-        log_force: log(point.force),
-        noise: point.error * point.error,
-        scatter: 0.0,
-        more: 0,
-    };
-    let sorted = |points: Vec<Point>, by: fn(&Point) -> f64| {
-        let order = ascending(&points.iter().map(by).collect::<Vec<_>>());
-        order.into_iter().map(|i| points[i]).collect::<Vec<_>>()
-    };
-    let found = sorted(points.iter().map(of).collect(), |point| point.log_force);
-    let mut found = sorted(found, |point| point.load);
-    let apart = |pair: &[Point]| {
-        if pair[0].load > 0.0 {
-            log(pair[1].load / pair[0].load)
-        } else {
-            pair[1].load - pair[0].load
-        }
-    };
-    while found.len() > 1 {
-        let nearest = found.windows(2).map(apart).enumerate().min_by(|one, other| one.1.total_cmp(&other.1));
-        let Some((at, distance)) = nearest.filter(|&(_, distance)| distance == 0.0 || found.len() > MOST_SOLVED) else {
-            break;
-        };
-        let other = found.remove(at + 1);
-        found[at] = found[at].with(&other, distance == 0.0);
-    }
-    found
-}
-
-impl Point {
-    /// Two as one, at the mean of their loads; F/P is what is averaged.
-    fn with(&self, other: &Self, at_one_load: bool) -> Self {
-        let (one, two) = (1.0 / self.noise, 1.0 / other.noise);
-        let mean = |a: f64, b: f64| (one * a + two * b) / (one + two);
-        let load = if at_one_load { self.load } else { exp(mean(log(self.load), log(other.load))) };
-        let log_ratio = |point: &Self| point.log_force - if point.load > 0.0 { log(point.load) } else { 0.0 };
-        let (a, b) = (log_ratio(self), log_ratio(other));
-        let scatter = self.scatter + other.scatter + one * two / (one + two) * (a - b) * (a - b);
-        let log_force = mean(a, b) + if load > 0.0 { log(load) } else { 0.0 };
-        Self { load, log_force, noise: 1.0 / (one + two), scatter, more: self.more + other.more + 1 }
-    }
 }
 
 #[cfg(test)]
