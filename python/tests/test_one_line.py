@@ -136,7 +136,7 @@ def test_two_bodies_without_a_pair_adhere_as_bodies_do() -> None:
 def test_an_interface_brings_its_strength() -> None:
     found = friction("Si/Si", **ROUGH, load=1e5, interface="Al2O3/Si in air", work_of_adhesion=0.063, known_to={"slope": 1}, model_error=0)
     expected = model_friction(model_of(PAIRS["Si/Si"].contact).with_interface("Al2O3/Si in air"))
-    assert found.value == pytest.approx(expected, rel=1e-6) and found.strength == "table"
+    assert found.value == pytest.approx(expected, rel=1e-5) and found.strength == "table"
     assert found.high / found.value == pytest.approx(3.0, rel=1e-4)
     assert found.rests_on[0].startswith("strength of the interface: from Al2O3/Si in air of the table of interfaces")
     dry = friction(**GROUND, Ra=0.8e-6, load=12.0, interface="steel/steel dry")
