@@ -56,6 +56,8 @@ pub struct AtScores {
     /// The surface is flat where ln (t/s) and ln (s/t^2) together, which are -ln t but for a constant, are more than this.
     flat: f64,
     changes: [f64; SCORES + 1],
+    /// The largest slope of the table, over which ln s is.
+    steepest: f64,
     outline: Outline,
 }
 
@@ -118,7 +120,7 @@ impl AtScores {
         found.scores = scores(&found.knots, found.beyond);
         found.log_count = found.log_count.map(|cubic| cubic.raised(-log(count)));
         found.flat = -log(count * FLATTEST * 2.0_f64.sqrt().sqrt());
-        found.log_square_slope = found.log_square_slope.map(|cubic| cubic.raised(2.0 * log(steepest)));
+        found.steepest = steepest;
         let [skew, kurtosis] = found.moments(|z| [z * z * z, z * z * z * z]);
         found.outline = Outline { last_mode: found.highest_rise(), skew, kurtosis, ..found.outline };
         found.changes = found.each_change();
@@ -132,7 +134,7 @@ impl AtScores {
             let density = if g > score { rate * exp(-0.5 * g * g) } else { 0.0 };
             [density, density * exp(at(&self.log_square_slope, g)[0])]
         });
-        (square / share).sqrt()
+        self.steepest * (square / share).sqrt()
     }
 
     /// The table joined by cubics, not yet standardised.
@@ -150,6 +152,7 @@ impl AtScores {
             log_ratio: combined(1.0, -1.0),
             log_count: combined(-2.0, 1.0),
             flat: f64::INFINITY,
+            steepest: 1.0,
             changes: [0.0; SCORES + 1],
             outline: Outline { is_log_concave: false, part_of_panel: PART_OF_PANEL, ..GAUSSIAN },
         }

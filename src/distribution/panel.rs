@@ -22,9 +22,11 @@ const AT_BREAKPOINT: f64 = 4e-15;
 /// Densities below exp(-MOST_LOG_FALL) of the largest are left out of sums.
 const MOST_LOG_FALL: f64 = 31.0;
 /// Densities below exp of this are no numbers.
-pub const SMALLEST_LOG_DENSITY: f64 = -700.0;
+const SMALLEST_LOG_DENSITY: f64 = -700.0;
 /// The upper tail is summed by panels of one length as far as ln phi falls by this: the steeper rest is hardly ever summed.
 const TAIL: f64 = 20.0;
+/// It begins so far above the mode, in sigma.
+const TAIL_BEGINS: f64 = 0.5;
 /// The first panel above a lower end where the density is a power, in sigma and in lengths over which what is summed is smooth: both
 /// are power series in the height above the end over so small a part.
 const LOWER_END: f64 = 0.1;
@@ -94,7 +96,7 @@ pub fn upper_cut(heights: &dyn HeightDistribution) -> f64 {
     root::beyond(above, mode, 1.0, highest)
 }
 
-/// A panel length that serves the upper tail, from the mode or the mean, whichever is above, to where ln phi is 20 below its largest
+/// A panel length that serves the upper tail, from half a sigma above the mode to where ln phi is 20 below its largest
 /// value, wherever it lies. It is as short as the steepest part needs: next to the upper end of a support very short.
 pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
     let (lowest, highest) = heights.outline().support;
@@ -103,8 +105,7 @@ pub fn tail_panel_length(heights: &dyn HeightDistribution) -> f64 {
     }
     let mode = heights.outline().last_mode;
     let top = root::beyond(log_density_above(heights, TAIL), mode, 1.0, highest);
-    // It begins at the mean where the mode is below.
-    let (mut z, mut shortest) = (top.min(mode.max(-heights.outline().origin)), smooth_length(heights, top));
+    let (mut z, mut shortest) = (top.min(mode + TAIL_BEGINS), smooth_length(heights, top));
     while z < top {
         let length = smooth_length(heights, z);
         shortest = shortest.min(length);
@@ -142,6 +143,11 @@ impl LowerEndPanel {
             power: (9.0 / (exponent + 1.0)).max(1.0),
         };
         (from <= lower_end).then_some(panel)
+    }
+
+    /// The same panel, ending at another height above the lower end.
+    pub fn shortened(self, length: f64) -> Self {
+        Self { length, ..self }
     }
 
     /// Its nodes: heights above the lower end, with the fraction of all summits that each stands for.

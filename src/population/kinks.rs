@@ -10,7 +10,9 @@ use super::{Point, Population};
 use crate::asperity::contact::Contact;
 use crate::numerics::{ascending, root};
 
-/// Below this, in sigma from their mean, are so few heights that there is no kink where they only bend.
+/// Hardly any heights are below this, in sigma from their mean: where they begin is then no kink.
+const LOWEST_END: f64 = -8.0;
+/// Nor is one where so few heights only bend.
 const LOWEST_BEND: f64 = -2.5;
 /// Kinks nearer to each other than this, relative to 1 or to the separation, are one.
 const SAME_KINK: f64 = 1e-8;
@@ -20,7 +22,7 @@ impl Population {
     pub fn kinks(&self) -> Vec<f64> {
         let (lower_end, _) = self.heights.outline().support;
         let is_power = self.heights.outline().power_at_lower_end.is_some();
-        let lower_end = (is_power && lower_end == self.lower_cut).then_some(lower_end);
+        let lower_end = (is_power && lower_end + self.heights.outline().origin > LOWEST_END).then_some(lower_end);
         let breakpoints = if self.heights.outline().is_piecewise_polynomial { self.heights.breakpoints() } else { &[] };
         let heights: Vec<f64> = breakpoints.iter().copied().chain(lower_end).collect();
         let mut kinks: Vec<f64> = heights.iter().flat_map(|&z| self.kinks_of_height(z)).collect();

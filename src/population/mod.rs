@@ -275,8 +275,8 @@ impl Population {
     fn of_lone_summits(&self, separation: f64) -> Sums {
         let edge = self.edge(separation);
         let mut sums = Sums::default();
-        let attracted = self.add_attractions(&mut sums, separation, &edge);
-        if attracted.and_then(|()| self.visit(separation, &edge, &mut sums)).is_err() {
+        self.add_attractions(&mut sums, separation, &edge);
+        if self.visit(separation, &edge, &mut sums).is_err() {
             return Sums::unknown();
         }
         self.add_edge(&mut sums, separation, &edge);

@@ -32,11 +32,13 @@ const FEW_POINTS: f64 = 1.5;
 const SOME_POINTS: f64 = 5.0;
 /// What is summed roughly has panels that count as this part of what they are.
 const PART_OF_ROUGH: f64 = 0.019;
-/// A panel that is longer than it should be by no more than this part of it is taken, and less than that is not left for another.
-const LENGTH_SLACK: f64 = 0.05;
+/// A panel that is longer than it should be by no more than this factor is taken.
+const LENGTH_SLACK: f64 = 1.05;
 /// Twice the 32nd root of 32!, by which e-folds of an exponential are divided; and what may be left of a change of dz/ds.
 const EXPONENTIAL: f64 = 25.6;
 const EXPONENTIAL_LEFT: f64 = 1e-12;
+/// Less than this part of a panel is not left for another.
+const REMNANT: f64 = 1e-3;
 
 /// Summits with their weights in height.
 pub type Nodes = [(f64, Point); POINTS];
@@ -185,8 +187,8 @@ impl Population {
             let rise = there.z - here.z;
             let limit = reach.min(stop - here.z);
             // What would be left of the stretch goes into the panel if it is next to nothing.
-            let reaches_stop = there.z + LENGTH_SLACK * rise >= stop;
-            if rise <= reach * (1.0 + LENGTH_SLACK) && !reaches_stop {
+            let reaches_stop = there.z + REMNANT * rise >= stop;
+            if rise <= reach * LENGTH_SLACK && !reaches_stop {
                 return Some(there);
             }
             // As if the rise were quadratic in the step.

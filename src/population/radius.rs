@@ -17,10 +17,12 @@ pub struct RadiusProfile {
     pub scores: Option<Arc<AtScores>>,
 }
 
-/// Over one panel the radius changes by no more e-folds.
-const MOST_RADIUS_E_FOLDS: f64 = 8.4;
-/// How finely heights are looked at, per length of a panel.
-const LOOKS_PER_PANEL: f64 = 10.0;
+/// Over one smooth piece the radius changes by no more e-folds.
+const MOST_RADIUS_E_FOLDS: f64 = 7.0;
+/// A panel resolves so many times as much of eq (3), but not of a table, of which radii are cubics of cubics.
+const PANEL_OVER_SMOOTH: f64 = 1.2;
+/// How finely heights are looked at, per length in which radii change.
+const LOOKS_PER_CHANGE: f64 = 8.0;
 /// Smaller radius factors are taken as this: such summits carry nothing, and squares stay in range.
 const SMALLEST_FACTOR: f64 = 1e-60;
 
@@ -101,8 +103,8 @@ impl RadiusProfile {
         self.at(z).0
     }
 
-    /// How far above z one panel may reach: the poles of tanh lie at +-i pi/(2 rho), and where g goes to 0 it is exponential.
-    pub fn panel_length(&self, z: f64) -> f64 {
+    /// How far above z one smooth piece may reach: the poles of tanh lie at +-i pi/(2 rho), and where g goes to 0 it is exponential.
+    fn smooth_length(&self, z: f64) -> f64 {
         if self.is_constant() {
             return f64::MAX;
         }
@@ -110,14 +112,19 @@ impl RadiusProfile {
         let (g, slope) = self.at(z);
         let place = self.scores.as_ref().map(|scores| scores.place(z));
         let (place, rate) = place.map_or((z + self.origin, 1.0), |place| (place.score, place.rate));
-        let smooth = if place < 0.0 { (0.78 * -place).max(1.32 * pole) } else { 1.32 * hypot(place, pole) } / rate;
+        let smooth = if place < 0.0 { (0.65 * -place).max(1.1 * pole) } else { 1.1 * hypot(place, pole) } / rate;
         smooth.min(MOST_RADIUS_E_FOLDS * g / slope.abs())
+    }
+
+    /// How far above z one panel may reach.
+    pub fn panel_length(&self, z: f64) -> f64 {
+        self.smooth_length(z) * if self.scores.is_some() { 1.0 } else { PANEL_OVER_SMOOTH }
     }
 
     /// Heights from one up to another, near enough to each other to see how radii change.
     pub fn looks(&self, lowest: f64, highest: f64) -> impl Iterator<Item = f64> + '_ {
         let width = |z: f64| self.scores.as_ref().map_or(f64::INFINITY, |scores| scores.width(z));
-        let next = move |&z: &f64| Some(z + self.panel_length(z).min(width(z)) / LOOKS_PER_PANEL);
+        let next = move |&z: &f64| Some(z + self.smooth_length(z).min(width(z)) / LOOKS_PER_CHANGE);
         std::iter::successors(Some(lowest), next).take_while(move |&z| z < highest)
     }
 }

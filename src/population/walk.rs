@@ -170,15 +170,14 @@ impl Population {
         let &Walk { separation, start, edge_height, end } = walk;
         let (lower_end, _) = self.heights.outline().support;
         let smooth = (start.z - edge_height).min(self.radius.panel_length(lower_end));
-        let Some(mut panel) = LowerEndPanel::new(&*self.heights, start.z, end - lower_end, smooth) else {
-            return start;
-        };
+        let Some(panel) = LowerEndPanel::new(&*self.heights, start.z, end - lower_end, smooth) else { return start };
         // A kink of the slip law within so short a panel ends it.
         let to = self.at_height(separation, lower_end + panel.length, start.contact.parameter);
         let mut cut = SummitPanel { axis: Axis::Height, from: start, to, kink: None, part: 1.0, is_eased: false };
         self.cut_at_kink(separation, &mut cut, None);
         // Its nodes do not gather at its end: where contacts are about to slip is left to another.
-        panel.length = if self.is_onset(cut.kink) { 0.5 } else { 1.0 } * (cut.to.z - lower_end);
+        let length = if self.is_onset(cut.kink) { 0.5 } else { 1.0 } * (cut.to.z - lower_end);
+        let panel = panel.shortened(length);
         let mut here = start;
         for (rise, fraction) in panel.nodes(&*self.heights) {
             here = self.at_height(separation, lower_end + rise, here.contact.parameter);

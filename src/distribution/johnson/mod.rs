@@ -7,7 +7,6 @@
 mod fit;
 
 use super::gaussian::{Gaussian, GAUSSIAN};
-use super::panel::SMALLEST_LOG_DENSITY;
 use super::{HeightDistribution, Outline, LN_SQRT_2_PI};
 use crate::error::Error;
 use crate::numerics::elementary::{exp, expm1, hypot, log, log1p};
@@ -28,10 +27,11 @@ fn least_kurtosis(skew: f64) -> f64 {
 }
 
 /// The upper end of the support is made the origin of heights where sums in the tail depend on the distance to it: where
-/// less than this part of the distance from the mean is left where densities cease to be numbers. The same
+/// less than this part of the distance from the mean is left at u = FAR_UP, beyond which densities are no numbers. The same
 /// goes for S_U where it nearly ends: it is singular at y = -tau +- i (1 - tau^2)^(1/2). An origin farther than this many
 /// widths of the bulk would blur it.
 const LEFT_AT_END: f64 = 0.1;
+const FAR_UP: f64 = 38.0;
 const FARTHEST_END: f64 = 300.0;
 
 /// A standardised curve of Johnson's system.
@@ -128,13 +128,12 @@ impl Johnson {
         let rate = epsilon * deviation;
         let median = -mean / deviation;
         let outline = Outline { skew, kurtosis, is_log_concave: false, ..GAUSSIAN };
-        let far_up = (-2.0 * SMALLEST_LOG_DENSITY).sqrt();
         let mut curve = Self { epsilon, deviation, kind, rate, median, outline };
         let (end, away) = match kind {
             CurveKind::Unbounded { below, above } => (median + (below - 1.0) / rate, (below * above).sqrt() / rate),
             CurveKind::Bounded { .. } => (curve.ends().1, 0.0),
         };
-        if (end - curve.height(far_up)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_END {
+        if (end - curve.height(FAR_UP)).max(away) < LEFT_AT_END * end && end * deviation < FARTHEST_END {
             curve.outline.origin = end;
             curve.median -= end;
         }
