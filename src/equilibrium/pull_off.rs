@@ -120,8 +120,7 @@ fn bracket_first_minimum(population: &Population, single: bool) -> Result<Option
     let mut step = if single { FIRST_STEP } else { scan_step(population) };
     while here < farthest {
         // A load that presses and falls ever more slowly is 0 no sooner than its slope says.
-        let step_on = if single { step } else { step.max(PART_OF_TANGENT * (sums.load() / -sums.load_slope)) };
-        let next = farthest.min(here + step_on);
+        let next = here + if single { step } else { step.max(PART_OF_TANGENT * (sums.load() / -sums.load_slope)) };
         sums = sums_at(population, next)?;
         if sums.load_slope >= 0.0 {
             // The slope vanishes also where nothing is left.

@@ -8,7 +8,10 @@ use crate::common::second_evaluation::Surface;
 pub fn surfaces() -> Vec<Surface> {
     let table = |height: &[f64], density: &[f64]| Heights::Table(Table::new(height.to_vec(), density.to_vec()));
     // alpha, beta, gamma, b/h; heights; epsilon, rho; attraction.
-    let found: [([f64; 4], Heights, [f64; 2], bool); 31] = [
+    let found: [([f64; 4], Heights, [f64; 2], bool); 32] = [
+        // The load still falls where heights were taken to end, and pulls beyond: was taken to have no pull-off.
+        ([1.30387024755863e-4, 6.5894270908077825e6, 2.0407383564873378e-5, 1.9261389347493504e-1],
+         Heights::weibull(22.27440966285231), [0.0, 1.0], true),
         // An end of a panel that was not found met a search for a kink: the library panicked.
         ([5.304071568985277e-2, 5.862277965328117e4, 2.2150197609801716e-3, 14.62455047397752],
          Heights::weibull(2.9071728339722447), [-0.9667968745343387, 48.42376957693709], false),
