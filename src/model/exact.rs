@@ -273,7 +273,9 @@ impl Surfaces {
         }
         let ends = self.measures_of(lightest, farthest, &light)?.warnings()
             | self.measures_of(heaviest, nearest, &heavy)?.warnings();
-        let is_smooth = self.params.waviness.height > 0.0 || self.population().heights().outline().is_log_concave;
+        let population = self.population();
+        let has_one_hump = population.heights().outline().is_log_concave && population.radius_scale() >= 1.0;
+        let is_smooth = self.params.waviness.height > 0.0 || has_one_hump;
         let step = NEAR_STEPS[usize::from(is_smooth)];
         Ok(ends | warnings_between((nearest, farthest), step, |d| self.measures_at(d))?)
     }
