@@ -23,15 +23,18 @@ pub fn between(mut f: impl FnMut(f64) -> f64, lower: (f64, f64), upper: (f64, f6
     from_part(&mut f, lower, upper, if straight.is_nan() { 0.5 } else { straight })
 }
 
-/// The root on one side of `from`, in a bracket whose steps double, and no farther than a limit.
+/// The root on one side of `from`, in a bracket whose steps double, and no farther than a limit; without a change of sign the one
+/// of both with the smaller |f|.
 pub fn beyond(mut f: impl FnMut(f64) -> f64, from: f64, first_step: f64, limit: f64) -> f64 {
-    let (mut inner, mut step) = ((from, f(from)), first_step);
+    let start = (from, f(from));
+    let (mut inner, mut step) = (start, first_step);
     loop {
         let is_last = (from + step - limit) * step >= 0.0;
         let x = if is_last { limit } else { from + step };
         let outer = (x, f(x));
-        if is_last || (outer.1 < 0.0) != (inner.1 < 0.0) {
-            return from_part(&mut f, inner, outer, 0.5);
+        let is_passed = (outer.1 < 0.0) != (inner.1 < 0.0);
+        if is_last || is_passed {
+            return from_part(&mut f, if is_passed { inner } else { start }, outer, 0.5);
         }
         (inner, step) = (outer, 2.0 * step);
     }
@@ -94,6 +97,8 @@ mod tests {
             }
             let limit = 7.0_f64.copysign(step);
             assert_eq!(beyond(|x| x * x - 1000.0, 0.5, step, limit), limit);
+            // A root where it begins, rounding apart.
+            assert_eq!(beyond(|x| step * x + 1e-17, 0.0, step, limit), 0.0);
         }
     }
 
