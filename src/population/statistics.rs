@@ -36,7 +36,8 @@ impl Statistics {
     pub fn add(&mut self, other: &Self, part: f64) {
         self.mean_radius += part * other.mean_radius;
         self.mean_steepness += part * other.mean_steepness;
-        self.largest_radius = self.largest_radius.max(other.largest_radius);
+        // The mean is no larger, rounding apart.
+        self.largest_radius = self.largest_radius.max(other.largest_radius).max(self.mean_radius);
         self.by_regime = std::array::from_fn(|i| self.by_regime[i] + part * other.by_regime[i]);
         self.elastic += part * other.elastic;
         self.flowing += part * other.flowing;

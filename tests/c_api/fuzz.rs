@@ -65,6 +65,7 @@ fn bytes_that_once_failed_do_not_again() {
         0x778d_00ac_01a3,
         0x5b_0000_16c6,
         0x407_78c4_07d0,
+        0x7e0_78c4_07d1,
     ] {
         run(&input(seed), &mut Tally::default());
     }
