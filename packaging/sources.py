@@ -31,6 +31,7 @@ def build_source_archive(out, env):
     shutil.rmtree(folder, ignore_errors=True)
     unpack_commit(folder)
     run("cargo", "vendor", "--locked", "--versioned-dirs", folder / "vendor", cwd=folder, env=env)
+    (folder / ".cargo").mkdir()
     (folder / ".cargo" / "config.toml").write_text(CONFIG, encoding="utf-8")
     name = f"asperity-{version()}-source"
     pack_tar(folder, out / f"{name}.tar.xz", int(env["SOURCE_DATE_EPOCH"]), name)
